@@ -189,8 +189,8 @@ int main()
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     device->UpdateState();
-    const double* const tip = device->GetTipPosition();
-    const double* const turn = device->GetTipOrientation();
+    const double* const tip = device->GetState()->GetTipPosition();
+    const double* const turn = device->GetState()->GetTipOrientation();
     std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm, turned by "
               << 2.0 * std::acos(turn[0]) << " rad\n";
   }

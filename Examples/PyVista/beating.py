@@ -49,7 +49,7 @@ plotter.camera.zoom(1.2)
 plotter.camera.SetWindowCenter(-0.16, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
 
-device.PlaceVirtualTip(REST, 0.0, 0.0)
+device.GetVirtualHand().Place(REST, 0.0, 0.0)
 device.Arm()
 
 scene = gallery.Scene(plotter, haptics, hidden)
@@ -59,8 +59,8 @@ print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f
 if chosen.movie:
     scene.film(chosen.movie, chosen.pictures, span=1.0, rate=max(1, chosen.pictures // 2))
 if chosen.picture:
-    device.SetPlaybackSpeed(0.25)
-    scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # at the ball's largest radius
+    device.GetPlayback().SetSpeed(0.25)
+    scene.watch(8.0, lambda: abs(device.GetPlayback().GetDataTime() - 0.25) < 0.02)  # at the ball's largest radius
     scene.take(chosen.picture)
 elif not chosen.movie:
     plotter.show()  # press t with the pointer on the ball; space pauses

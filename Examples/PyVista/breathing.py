@@ -109,13 +109,13 @@ haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
 for tissue, low, high in (("lung", -950, -600), ("fat", -150, -20), ("muscle or an organ", -20, 150), ("bone", 150, 3000)):
     haptics.head_up_display.AddTissue(tissue, low, high)  # HU
 device = haptics.device
-device.SetPlaybackToPingPong()
-device.SetDataTime(SECONDS)
+device.GetPlayback().SetModeToPingPong()
+device.GetPlayback().SetDataTime(SECONDS)
 plotter.view_vector((0.25, -1.0, 0.15), (0, 0, 1))
 plotter.camera.zoom(1.5)
 plotter.camera.SetWindowCenter(-0.26, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
-device.PlaceVirtualTip(*rest)
+device.GetVirtualHand().Place(*rest)
 device.Arm()
 
 scene = gallery.Scene(plotter, haptics, hidden)
@@ -123,9 +123,9 @@ strongest = scene.strongest(2.0 * SECONDS + 1.0)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * deep:.3f} N, by what goes down by {fall:.1f} mm")
 if chosen.movie:
     scene.film(chosen.movie, chosen.pictures, span=2.0 * SECONDS, rate=max(1, chosen.pictures // 3))
-    device.SetPlaybackSpeed(1.0)
+    device.GetPlayback().SetSpeed(1.0)
 if chosen.picture:
-    scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # after breathing out
+    scene.watch(8.0, lambda: device.GetPlayback().GetDataTime() < 0.02 * SECONDS)  # after breathing out
     scene.take(chosen.picture)
 elif not chosen.movie:
     plotter.show()  # press t with the pointer on the surface; space pauses

@@ -157,14 +157,14 @@ class Scene:
         end = time.monotonic() + seconds
         while time.monotonic() < end and not self.haptics.closed:
             self.haptics.update()
-            if self.haptics.device.HasFrames() and see():
+            if self.haptics.device.GetPlayback().HasFrames() and see():
                 break
             time.sleep(0.005) if self.hidden else self.plotter.update()
 
     def strongest(self, seconds):
         """The largest force (N) within a time."""
         forces = [0.0]
-        self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetComputedForce())))
+        self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetState().GetComputedForce())))
         return max(forces)
 
     def film(self, file, pictures, span, rate):
@@ -177,33 +177,33 @@ class Scene:
         device = self.haptics.device
         self.haptics.head_up_display.PlotVisibilityOff()  # the plot's time is the hand's, not the data's
         step = span / pictures
-        device.SetPlaybackSpeed(step / 0.15)  # slow enough (s) for frequent looks in between
+        device.GetPlayback().SetSpeed(step / 0.15)  # slow enough (s) for frequent looks in between
         attention = device.GetAttentionTime()
         device.SetAttentionTime(600.0)  # without a graphics card, a picture takes seconds
-        last, gone = device.GetDataTime(), 0.0
+        last, gone = device.GetPlayback().GetDataTime(), 0.0
 
         def has_come(place):
             nonlocal last, gone
-            way = abs(device.GetDataTime() - last)
+            way = abs(device.GetPlayback().GetDataTime() - last)
             gone += min(way, span - way)  # counts across the end of a loop, too
-            last = device.GetDataTime()
+            last = device.GetPlayback().GetDataTime()
             return gone >= place
 
         with Movie(self.plotter, file, rate) as movie:
             for number in range(pictures):
-                device.Play()
+                device.GetPlayback().Play()
                 self.watch(60.0, lambda place=number * (span + step): has_come(place))
-                device.Hold()
+                device.GetPlayback().Hold()
                 self.watch(0.1)
                 movie.add()
         device.SetAttentionTime(attention)
-        device.Play()
+        device.GetPlayback().Play()
         self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
         """Stops the data time, and writes its picture without the hint on keys."""
         self.haptics.head_up_display.HintVisibilityOff()
-        self.haptics.device.Hold()
+        self.haptics.device.GetPlayback().Hold()
         self.watch(0.3)
         self.plotter.render()
         self.plotter.screenshot(picture)

@@ -23,20 +23,20 @@ plotter.camera.zoom(1.6)
 plotter.camera.SetWindowCenter(-0.28, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
 
-haptics.device.PlaceVirtualTip(*way.points[0])
+haptics.device.GetVirtualHand().Place(*way.points[0])
 haptics.device.Arm()
 start, strongest, states = time.monotonic(), 0.0, vtkTable()
 while (now := time.monotonic() - start) < way["Time"][-1] and not haptics.closed:
-    haptics.device.SetVirtualTip([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
+    haptics.device.GetVirtualHand().SetPosition([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
     if picture:  # draw one frame at the end: software rendering of others would make the hand jerk
         haptics.device.UpdateState()
-        haptics.device.DrainStates(states)
+        haptics.device.GetState().Drain(states)
         haptics.head_up_display.AddStates(states)
         time.sleep(0.005)
     else:
         haptics.update()
         plotter.update()
-    strongest = max(strongest, np.linalg.norm(haptics.device.GetForce()))
+    strongest = max(strongest, np.linalg.norm(haptics.device.GetState().GetForce()))
 print(f"strongest {strongest:.3f} N, {haptics.device.GetStatusText()}")
 plotter.render()
 if picture:

@@ -471,7 +471,7 @@ HapticController::Figures HapticController::look()
   figures.IsVirtual = device->GetDeviceId() == "virtual";
   figures.CanHome = device->IsRunning() && !figures.IsVirtual;
   figures.Status = vtkSMPropertyHelper(this->Device, "StatusText").GetAsString();
-  figures.Force = vtkMath::Norm(device->GetForce());
+  figures.Force = vtkMath::Norm(device->GetState()->GetForce());
   figures.MaximumForce = device->GetMaximumForce();
   figures.TickRate = device->IsRunning() ? device->GetTickRate() : 0.0;
   figures.MissedTicks = device->GetMissedTicks();

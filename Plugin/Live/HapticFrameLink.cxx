@@ -98,8 +98,8 @@ void HapticFrameLink::Begin(
   this->IsBeginning = true;
   this->Send();
   filter->SetInputConnection(0, this->Source->GetOutputPort());
-  device->SetPlaybackToOnce();
-  device->Play();
+  device->GetPlayback()->SetModeToOnce();
+  device->GetPlayback()->Play();
   this->SetDuration(BeginTime, device);
 }
 
@@ -136,7 +136,7 @@ void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
   this->SentAt = vtkTimerLog::GetUniversalTime();
   this->SeenAt = 0.0;
   const double rate = (this->ToTime - this->FromTime) / seconds;
-  device->SetPlaybackSpeed(rate / this->Filter->GetTimeUnitsPerSecond());
+  device->GetPlayback()->SetSpeed(rate / this->Filter->GetTimeUnitsPerSecond());
 }
 
 void HapticFrameLink::Clear()
@@ -149,13 +149,13 @@ void HapticFrameLink::Clear()
 bool HapticFrameLink::IsThere(vtkHapticDevice* device)
 {
   // Use the time in the servo's states: after a busy user interface, the clock means nothing.
-  if (device->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
+  if (device->GetPlayback()->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
   {
-    this->SeenTime = device->GetDataTime();
-    this->SeenAt = device->GetTime();
+    this->SeenTime = device->GetPlayback()->GetDataTime();
+    this->SeenAt = device->GetState()->GetTime();
   }
   return !device->IsRunning() || this->SeenTime == this->ToTime ||
-    device->GetTime() - this->SeenAt > Patience;
+    device->GetState()->GetTime() - this->SeenAt > Patience;
 }
 
 } // namespace VolumeHapticsLive

@@ -74,7 +74,7 @@ void HapticOrderLink::TakeTip()
   if (tip != this->Tip && this->Device->GetDeviceId() == "virtual")
   {
     this->Tip = tip;
-    this->Device->SetVirtualTip(tip.data());
+    this->Device->GetVirtualHand()->SetPosition(tip.data());
   }
 }
 
@@ -260,7 +260,7 @@ void HapticOrderLink::EndForce()
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();
-    const double* const force = this->Device->GetForce();
+    const double* const force = this->Device->GetState()->GetForce();
     if (this->Device->GetStatus() <= vtkHapticDevice::READY &&
       std::all_of(force, force + 3, [](double f) { return f == 0.0; }))
     {

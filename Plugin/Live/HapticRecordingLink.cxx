@@ -10,13 +10,14 @@ namespace VolumeHapticsLive
 void HapticRecordingLink::Start(
   const char* file, bool isWhole, vtkHapticDevice* device, std::string& error)
 {
-  this->IsRecording = isWhole ? device->StartRecording(file) : this->Log.Start(file, device, error);
+  this->IsRecording =
+    isWhole ? device->GetRecorder()->Start(file) : this->Log.Start(file, device, error);
 }
 
 void HapticRecordingLink::Stop(vtkHapticDevice* device, std::string& error)
 {
   this->Log.Continue(device);
-  this->Log.IsOpen() ? this->Log.Stop(device, error) : device->StopRecording();
+  this->Log.IsOpen() ? this->Log.Stop(device, error) : device->GetRecorder()->Stop();
   this->IsRecording = false;
 }
 

@@ -179,8 +179,8 @@ void HapticRegionLink::NoteLatency(double start)
 
 void HapticRegionLink::MeasureVelocity(vtkHapticDevice* device)
 {
-  const double time = device->GetTime();
-  const double* const tip = device->GetTipPosition();
+  const double time = device->GetState()->GetTime();
+  const double* const tip = device->GetState()->GetTipPosition();
   const double elapsed = time - this->Time;
   if (elapsed >= VelocityTime || elapsed < 0.0)
   {
@@ -221,18 +221,18 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
     return this->FetchFirst(Empty.data(), time, filter, device, frames);
   }
   this->MeasureVelocity(device);
-  if (!device->IsRunning() || device->GetTime() == 0.0)
+  if (!device->IsRunning() || device->GetState()->GetTime() == 0.0)
   {
     return Answer::Nothing;
   }
   if (filter->GetMTime() != this->SettingsTime)
   {
     this->SettingsTime = filter->GetMTime();
-    this->Planner->UseSettingsOf(filter);
+    filter->ConfigurePlanner(this->Planner);
   }
   int wanted[6];
   const bool isElsewhere = this->Planner->Plan(
-    device->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted);
+    device->GetState()->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted);
   if (!this->HasFrames)
   {
     return isElsewhere ? this->FetchFirst(wanted, time, filter, device, frames) : Answer::Nothing;

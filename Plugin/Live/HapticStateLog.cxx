@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticStateLog.h"
 
-#include "VTK/Trace/TraceTable.h"
+#include "VTK/Trace/TraceWriter.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
@@ -41,8 +41,8 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
   }
   this->HasTitles = false;
   vtkNew<vtkTable> before;
-  device->DrainStates(nullptr, Reader);
-  device->DrainStates(before, Reader);
+  device->GetState()->Drain(nullptr, Reader);
+  device->GetState()->Drain(before, Reader);
   return true;
 }
 
@@ -53,7 +53,7 @@ void HapticStateLog::Continue(vtkHapticDevice* device)
     return;
   }
   vtkNew<vtkTable> table;
-  device->DrainStates(table, Reader);
+  device->GetState()->Drain(table, Reader);
   std::vector<vtkDataArray*> columns;
   for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
   {
@@ -91,7 +91,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
   {
     return true;
   }
-  device->DrainStates(nullptr, Reader);
+  device->GetState()->Drain(nullptr, Reader);
   this->File.close(); // also reports whether the end of the file could be written
   if (!this->File)
   {

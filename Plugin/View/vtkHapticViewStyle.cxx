@@ -117,8 +117,8 @@ void vtkHapticViewStyle::MoveSlices()
   if (this->SlicesFollowTip && this->View && this->DeviceProxy && device && device->IsRunning())
   {
     const VolumeHapticsLive::HapticUndoExclusion exclusion;
-    this->Slices->Follow(
-      this->View->GetSession(), this->DeviceProxy->GetFilter(), device->GetTipPosition());
+    this->Slices->Follow(this->View->GetSession(), this->DeviceProxy->GetFilter(),
+      device->GetState()->GetTipPosition());
   }
 }
 
@@ -199,8 +199,8 @@ void vtkHapticViewStyle::DrawScene(bool quickly)
   vtkHapticDevice* const device = this->GetDevice();
   const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
-  const bool isTouched =
-    this->GetTouchMode() || (device && device->HasFrames() && device->IsPlaying());
+  const bool isTouched = this->GetTouchMode() ||
+    (device && device->GetPlayback()->HasFrames() && device->GetPlayback()->IsPlaying());
   this->Frames->Draw(quickly,
     !this->GetAutoAdjustVolumeQuality() ? Touch::Off
       : isArmed                         ? Touch::Armed

@@ -86,11 +86,13 @@ void Look(vtkHapticDevice* device, double seconds, Row* row)
     {
       row->Longest = std::max(row->Longest, 1e3 * since(before));
       ++row->Looks;
-      row->Waits += device->IsWaitingForData() ? 1 : 0;
-      row->Shown += device->HasFrames() && device->GetFrameTime() != frame ? 1 : 0;
-      row->Strongest = std::max(row->Strongest, device->GetComputedForce()[0]);
+      row->Waits += device->GetPlayback()->IsWaitingForData() ? 1 : 0;
+      row->Shown +=
+        device->GetPlayback()->HasFrames() && device->GetPlayback()->GetFrameTime() != frame ? 1
+                                                                                             : 0;
+      row->Strongest = std::max(row->Strongest, device->GetState()->GetComputedForce()[0]);
     }
-    frame = device->HasFrames() ? device->GetFrameTime() : frame;
+    frame = device->GetPlayback()->HasFrames() ? device->GetPlayback()->GetFrameTime() : frame;
     std::this_thread::sleep_for(Pause);
   }
   if (row)
@@ -181,7 +183,7 @@ void MeasurePlaying(int size)
   vtkNew<vtkHapticDevice> free;
   vtkNew<vtkHapticDevice> device;
   device->SetVolumeHaptics(filter);
-  device->SetPlaybackToPingPong();
+  device->GetPlayback()->SetModeToPingPong();
   for (vtkHapticDevice* const each : { free.Get(), device.Get() })
   {
     each->SetAttentionTime(0.0);
@@ -198,15 +200,15 @@ void MeasurePlaying(int size)
     "longest", "", "", "", "");
   std::printf("%-10s %8s %9s %8s %8s %9s %9s %9s %10s %8s\n", "", "ticks/s", "computed", "waited",
     "slept", "work us", "GUI ms", "waits %", "frames/s", "most N");
-  device->SetDataTime(0.0);
+  device->GetPlayback()->SetDataTime(0.0);
   bool isMeasured = true;
   for (int turn = 0; turn < Turns && isMeasured; ++turn)
   {
     isMeasured = Watch(free, watch, none);
-    device->Hold();
+    device->GetPlayback()->Hold();
     filter->SetInputConnection(0, source->GetOutputPort());
     isMeasured = isMeasured && Watch(device, watch, held);
-    device->Play();
+    device->GetPlayback()->Play();
     isMeasured = isMeasured && Watch(device, watch, memory);
     filter->SetInputConnection(0, reader->GetOutputPort());
     isMeasured = isMeasured && Watch(device, watch, read);

@@ -74,12 +74,12 @@ public:
     filter->Modified();
     this->Call("vtkVolumeHapticsFilter::Update(), again", [=] { filter->Update(); });
     this->Call("Open()", [=] { device->Open("virtual"); });
-    device->SetVirtualTip(middle, middle, middle);
+    device->GetVirtualHand()->SetPosition(middle, middle, middle);
     this->Call("Start() to the first tick",
       [=]
       {
         device->Start();
-        while (device->GetTick() == 0)
+        while (device->GetState()->GetTick() == 0)
         {
           device->UpdateState();
         }
@@ -89,9 +89,9 @@ public:
     filter->GetProperty()->GetStiffness()->AddPoint(0.0, 400.0);
     this->Call("Publish() of another material", [=] { device->Publish(); });
     const std::string file = "volumehaptics-scale.vtp";
-    this->Call("StartRecording()", [&] { device->StartRecording(file.c_str()); });
+    this->Call("recorder->Start()", [&] { device->GetRecorder()->Start(file.c_str()); });
     this->Call("UpdateState(), recording", [=] { this->Attend(200); });
-    this->Call("StopRecording(), armed", [=] { device->StopRecording(); });
+    this->Call("recorder->Stop(), armed", [=] { device->GetRecorder()->Stop(); });
     std::remove(file.c_str());
     this->Call("vtkHapticFunctionEditor::Update()", [this] { this->Editor->Update(); });
     this->Editor->SetFunctionToLabels();

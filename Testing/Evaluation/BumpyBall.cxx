@@ -125,7 +125,7 @@ BumpyBallFeel FeelBumpyBall(Filter* filter, const Effort& effort)
   static const vtkSmartPointer<vtkImageData> image = MakeImage();
   filter->SetInputDataObject(0, image);
   BumpyBallFeel felt;
-  const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   for (int i = 0; model && i < effort.Pick(2, 12); ++i)
   {
     const Stroke stroke = MakeStroke(0.1 + 0.1 * i, 60.0);

@@ -166,7 +166,7 @@ Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* 
     filter->SetSurfaceData(smoothMesh);
   }
   variant.Set(filter, surface);
-  const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   Felt felt;
   std::vector<Roughness> each;
   for (std::size_t i = 0; model && i < surface.Arcs.size(); ++i)

@@ -123,7 +123,7 @@ void AddRows(const BandedScan& scan, const std::vector<TissueBand>& tissues,
       vtkNew<vtkVolumeHapticsFilter> filter;
       filter->SetInputDataObject(0, scan.Image);
       filter->GetProperty()->ApplyPreset(preset.c_str());
-      const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+      const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
       std::vector<Roughness> each;
       double roughest = 0.0;
       std::size_t drops = 0;

@@ -104,7 +104,7 @@ std::shared_ptr<const HapticModel> Scene::Bake(const Method& method)
 {
   this->Filter->SetMethod(method.Kind);
   this->Filter->SetSolver(method.Solver);
-  return VolumeHaptics::HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
+  return this->Filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
 Trace Scene::Feel(const Method& method, const Stroke& stroke)

@@ -313,7 +313,7 @@ ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const La
       filter->SetLabelData(labels);
       filter->SetLabelTable(MakeLabelTable(names, filter->GetProperty()));
     }
-    const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+    const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
     for (std::size_t i = 0; model && i < paths.size(); ++i)
     {
       traces[isByLabel ? 1 : 0].push_back(Play(*model, paths[i]));

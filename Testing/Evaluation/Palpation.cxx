@@ -107,7 +107,7 @@ std::shared_ptr<const HapticModel> BakePreset(vtkImageData* image, const std::st
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
   filter->GetProperty()->ApplyPreset(preset.c_str());
-  return HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
 /** Spots along arcs, evenly. */

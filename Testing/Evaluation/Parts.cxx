@@ -119,7 +119,7 @@ PartFeel FeelPart(const FeltSurface& part)
   const double solid = part.Image->GetScalarRange()[1];
   const double stiffness = feel->GetStiffness()->GetValue(solid);
   const double friction = feel->GetFriction()->GetValue(solid);
-  const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   PartFeel felt;
   for (std::size_t i = 0; model && i < part.Arcs.size(); ++i)
   {

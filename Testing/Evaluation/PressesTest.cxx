@@ -37,8 +37,7 @@ PressedVolume MakeBall(
   SetConstant(feel->GetSurfaceStrength(), Impenetrable);
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
-  ball.Model = ball.Shape = ball.Structures =
-    VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
   ball.Level = 50.0;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };
@@ -137,8 +136,7 @@ TEST(Presses, TheHandComesByAllThatTheEyeSees)
   SetConstant(feel->GetSurfaceStrength(), Impenetrable);
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
-  ball.Model = ball.Shape = ball.Structures =
-    VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
   ball.Level = 50.0;
   ball.Scale = unit;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };

@@ -63,7 +63,7 @@ Figures MeasureRealVolume(vtkImageData* image, HapticSolver solver, const Effort
   filter->GetProperty()->ApplyPreset("CT contrast");
   filter->SetSolver(solver == HapticSolver::Paper ? vtkVolumeHapticsFilter::PAPER
                                                   : vtkVolumeHapticsFilter::PRECISE);
-  const auto model = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  const auto model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   if (!model)
   {
     return {};

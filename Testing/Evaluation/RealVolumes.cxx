@@ -192,7 +192,7 @@ std::shared_ptr<const HapticModel> BakeShape(vtkImageData* image, double metersP
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
   filter->SetMetersPerWorldUnit(metersPerUnit);
-  return HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  return filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
 /** The picture of a volume, by position. */
@@ -353,7 +353,7 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     outline = { negative->GetOutput(), -outline.Level };
   }
   PressedVolume pressed;
-  pressed.Model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  pressed.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   pressed.Shape = BakeShape(outline.Image, values.MetersPerWorldUnit);
   pressed.Structures =
     BakeShape(RemoveSpecks(outline.Image, outline.Level), values.MetersPerWorldUnit);
@@ -373,7 +373,7 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   const Roughness strokes = Stroke(pressed, outline, effort, unused);
   filter->GetProperty()->SetVisibilityFrom(look);
   PressedVolume shown = pressed;
-  shown.Model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  shown.Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
   const Presses inWindow = PressFromAllSides(shown, effort.Pick(60, 400));
   std::vector<double> seen;
   Stroke(shown, outline, effort, seen);

@@ -24,7 +24,7 @@ SmoothedVolume::SmoothedVolume(vtkImageData* image)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
-  this->Model = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  this->Model = filter->GetBaker().Bake(1000.0, {}, nullptr);
 }
 
 double SmoothedVolume::Value(const Vector3& world) const

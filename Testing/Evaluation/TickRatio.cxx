@@ -54,7 +54,7 @@ double MeasureTickRatio(
     filter->SetInputDataObject(0, surface.Image);
     filter->GetProperty()->ApplyPreset(surface.Preset.c_str());
     (isReference ? reference : measured)(filter);
-    models[isReference ? 1 : 0] = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+    models[isReference ? 1 : 0] = filter->GetBaker().Bake(1000.0, {}, nullptr);
   }
   if (!models[0] || !models[1] || surface.Arcs.empty())
   {

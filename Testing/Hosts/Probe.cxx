@@ -111,9 +111,9 @@ private:
     std::replace(status.begin(), status.end(), '"', '\'');
     const std::string file = std::string(std::getenv("HOST_PROBE")) + "/state.json";
     std::ofstream(file + ".new") << "{\"touch\": " << (touches ? "true" : "false")
-                                 << ", \"force\": " << Text(device->GetForce())
-                                 << ", \"tip\": " << Text(device->GetTipPosition())
-                                 << ", \"proxy\": " << Text(device->GetProxyPosition())
+                                 << ", \"force\": " << Text(device->GetState()->GetForce())
+                                 << ", \"tip\": " << Text(device->GetState()->GetTipPosition())
+                                 << ", \"proxy\": " << Text(device->GetState()->GetProxyPosition())
                                  << ", \"center\": " << Text(center) << ", \"keys\": ["
                                  << this->Keys << "], \"status\": \"" << status
                                  << "\", \"looks\": " << ++this->Looks << ", \"middle\": ["

@@ -182,8 +182,8 @@ class Probe:
         device = self.haptics.device
         self.looks += 1
         state = {
-            "touch": bool(self.haptics.style.GetTouchMode()), "force": list(device.GetForce()),
-            "tip": list(device.GetTipPosition()), "proxy": list(device.GetProxyPosition()), "keys": self.keys,
+            "touch": bool(self.haptics.style.GetTouchMode()), "force": list(device.GetState().GetForce()),
+            "tip": list(device.GetState().GetTipPosition()), "proxy": list(device.GetState().GetProxyPosition()), "keys": self.keys,
             "status": device.GetStatusText(), "answer": self.answer, "runs": self.runs,
             "looks": self.looks,
             "said": self.names.get("said", []), "middle": self.middle(),

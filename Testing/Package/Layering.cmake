@@ -7,12 +7,6 @@
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
-# The arrows that go back up, until what they stand for is mended. FILE (without its ending) may name HEADER.
-set(exceptions
-  # Regions read from the filter how far it reads.
-  VTK/Regions/vtkHapticRegionPlanner>VTK/Filter/vtkVolumeHapticsFilter.h
-  VTK/Regions/vtkHapticRegionSource>VTK/Filter/vtkVolumeHapticsFilter.h)
-set(unused_exceptions ${exceptions})
 set(named_rooms)
 
 # The room of each public header, by its class.
@@ -49,16 +43,12 @@ function(allow room)
       if (NOT other STREQUAL room)
         set_property(GLOBAL APPEND PROPERTY "uses_${room}" "${other}")
       endif ()
-      string(REGEX REPLACE "\\.[a-z]+$" "" stem "${file}")
-      if ("${stem}>${header}" IN_LIST exceptions)
-        list(REMOVE_ITEM unused_exceptions "${stem}>${header}")
-      elseif (NOT other STREQUAL room AND NOT other IN_LIST ARGN AND NOT header IN_LIST ARGN)
+      if (NOT other STREQUAL room AND NOT other IN_LIST ARGN AND NOT header IN_LIST ARGN)
         message(SEND_ERROR "${file} includes or declares ${header}. ${room} may include: ${ARGN}")
       endif ()
     endforeach ()
   endforeach ()
   set(named_rooms "${named_rooms}" PARENT_SCOPE)
-  set(unused_exceptions "${unused_exceptions}" PARENT_SCOPE)
 endfunction()
 
 # Fails for every #include of the files in the folders that follow that matches the pattern.
@@ -247,9 +237,6 @@ forbid("Installed headers must not show a device library." "(boost/|hidapi|libus
   ${public} Core/Safety/DeviceBackend.h Devices/Common/DeviceKind.h)
 
 # A rule that matches nothing protects nothing.
-if (unused_exceptions)
-  message(SEND_ERROR "These arrows back are gone: take them off the exceptions: ${unused_exceptions}")
-endif ()
 file(GLOB_RECURSE files RELATIVE "${root}/Module" "${root}/Module/*.h" "${root}/Module/*.cxx")
 foreach (file IN LISTS files)
   get_filename_component(room "${file}" DIRECTORY)

@@ -14,7 +14,9 @@ from paraview import simple  # noqa: E402
 
 # Setters that a property of the filter replaces, or that only C++ asks for.
 ELSEWHERE = {
-    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth"}
+    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth",
+    "PathConnection", "PathData", "SurfaceConnection", "SurfaceData", "LabelConnection", "LabelData", "LabelTable",
+    "ClippingPlanes", "Cropping", "CroppingRegionPlanes", "CroppingRegionFlags", "FeelCutFaces", "Removal"}
 FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
 
 classes = rig.classes()

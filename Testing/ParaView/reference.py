@@ -22,7 +22,7 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from volumehaptics import (
-    vtkHapticPathSource, vtkHapticProperty, vtkVolumeHapticsAlgorithm, vtkVolumeHapticsFilter)
+    vtkHapticPathSource, vtkHapticProperty, vtkVolumeHapticsFilter)
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from scenes import METHODS, SCENES  # noqa: E402
@@ -95,7 +95,7 @@ def describe_classes(head):
                 nodes += node
             presets[name][function] = nodes
     fresh = {"Algorithm": vtkVolumeHapticsFilter(), "Property": vtkHapticProperty()}
-    algorithm = setters(vtkVolumeHapticsAlgorithm, vtkVolumeHapticsAlgorithm.__bases__[0])
+    algorithm = setters(vtkVolumeHapticsFilter, vtkVolumeHapticsFilter.__bases__[0])
     # Those of a tissue have its number, too: tissues come with presets and their files.
     material = [
         name for name in setters(vtkHapticProperty, vtkHapticProperty.__bases__[0]) if not name.startswith("Tissue")]

@@ -40,11 +40,11 @@ def test_script_is_felt(window, root, monkeypatch):
             interactor.MouseWheelForwardEvent() if step < 3 else None
             interactor.SetEventInformation(x + step, y, 0, 0)
             interactor.MouseMoveEvent()
-            tick = haptics.device.GetTick()
-            while haptics.device.GetTick() < tick + 30:
+            tick = haptics.device.GetState().GetTick()
+            while haptics.device.GetState().GetTick() < tick + 30:
                 assert haptics.device.IsRunning()
                 haptics.update()
-            forces.append(sum(f * f for f in haptics.device.GetForce()) ** 0.5)
+            forces.append(sum(f * f for f in haptics.device.GetState().GetForce()) ** 0.5)
         plotter.close()
 
     def add_haptics(*arguments, **settings):
@@ -71,8 +71,8 @@ def end_with(hand, key):
             hand.press("t")
             for _ in range(4):
                 interactor.MouseWheelForwardEvent()
-        elif not felt and hand.device.GetForce()[1] != 0.0:
-            felt.append(hand.device.GetForce())
+        elif not felt and hand.device.GetState().GetForce()[1] != 0.0:
+            felt.append(hand.device.GetState().GetForce())
             hand.press(key)
 
     style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, states)

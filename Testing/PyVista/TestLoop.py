@@ -77,7 +77,7 @@ else:
     window.Render()
     start = interactor.Start
 felt.SetMethodToForceField()  # is felt where the tip is, even if that does not move
-device.SetVirtualTip(*tip)
+device.GetVirtualHand().SetPosition(*tip)
 device.Arm()
 os.write(1, b"begins\\n")
 start()

@@ -16,9 +16,9 @@ def test_nothing_is_felt_before_the_user_touches(window, hands):
     hand = hands()
     device = hand.device
     assert device.IsRunning() and device.GetDeviceId() == "virtual" and device.GetAttentionTime() == 10.0
-    device.SetVirtualTip(0, 0, 15)  # in the ball
-    hand.wait(lambda: device.GetTick() > 100)
-    assert device.GetStatus() == vtkHapticDevice.READY and device.GetForce() == (0, 0, 0)
+    device.GetVirtualHand().SetPosition(0, 0, 15)  # in the ball
+    hand.wait(lambda: device.GetState().GetTick() > 100)
+    assert device.GetStatus() == vtkHapticDevice.READY and device.GetState().GetForce() == (0, 0, 0)
 
 
 @pytest.mark.parametrize("columns", (1, 2))
@@ -27,10 +27,10 @@ def test_mouse_touches(window, hands, columns):
     hand.push()
     # The hand is pushed back, against the line of sight.
     sight = np.array(hand.plotter.camera.direction)
-    assert np.dot(hand.device.GetForce(), sight) < -0.1
-    assert 19 < np.linalg.norm(hand.device.GetProxyPosition()) < 25
+    assert np.dot(hand.device.GetState().GetForce(), sight) < -0.1
+    assert 19 < np.linalg.norm(hand.device.GetState().GetProxyPosition()) < 25
     hand.press("Escape")
-    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     assert not hand.haptics.style.GetTouchMode()
 
 
@@ -38,13 +38,13 @@ def press_ball(hand):
     """Presses the ball from outside, armed, and returns the force (N)."""
     device, sight = hand.device, hand.plotter.camera.direction
     for distance in (24, 15):
-        device.SetVirtualTip(*(-distance * x for x in sight))
-        hand.wait(lambda: np.linalg.norm(np.add(device.GetTipPosition(), distance * np.array(sight))) < 1e-6)
+        device.GetVirtualHand().SetPosition(*(-distance * x for x in sight))
+        hand.wait(lambda: np.linalg.norm(np.add(device.GetState().GetTipPosition(), distance * np.array(sight))) < 1e-6)
         device.Arm()
         hand.wait(lambda: "100 % of the force" in device.GetStatusText())
-    tick = device.GetTick()
-    hand.wait(lambda: device.GetTick() > tick + 700)
-    return np.linalg.norm(device.GetForce())
+    tick = device.GetState().GetTick()
+    hand.wait(lambda: device.GetState().GetTick() > tick + 700)
+    return np.linalg.norm(device.GetState().GetForce())
 
 
 @pytest.mark.parametrize("visibility, felt", ((True, False), (False, True)))
@@ -76,15 +76,15 @@ def test_the_flow_of_a_grid_is_followed(window):
                 haptics.update()
                 time.sleep(0.002)
 
-        device.SetVirtualTip(-3, 0, 0)
-        wait(lambda: device.GetTick() > 50)
+        device.GetVirtualHand().SetPosition(-3, 0, 0)
+        wait(lambda: device.GetState().GetTick() > 50)
         device.Arm()
         wait(lambda: "100 % of the force" in device.GetStatusText())
         for step in range(1, 31):
-            device.SetVirtualTip(-3 + 0.2 * step, 0.1 * step, 0)
-            tick = device.GetTick()
-            wait(lambda: device.GetTick() > tick + 5)
-        wait(lambda: np.allclose(device.GetForce(), (0, -1.5, 0), atol=0.02))
+            device.GetVirtualHand().SetPosition(-3 + 0.2 * step, 0.1 * step, 0)
+            tick = device.GetState().GetTick()
+            wait(lambda: device.GetState().GetTick() > tick + 5)
+        wait(lambda: np.allclose(device.GetState().GetForce(), (0, -1.5, 0), atol=0.02))
     plotter.close()
 
 
@@ -115,12 +115,12 @@ def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
             time.sleep(0.002)
         assert holds(), device.GetStatusText()
 
-    device.SetVirtualTip(0, 0, 24)
-    wait(lambda: device.GetTipPosition()[2] == 24 and device.GetResidency() == 1)
+    device.GetVirtualHand().SetPosition(0, 0, 24)
+    wait(lambda: device.GetState().GetTipPosition()[2] == 24 and device.GetState().GetResidency() == 1)
     device.Arm()
     wait(lambda: "100 % of the force" in device.GetStatusText())
-    device.SetVirtualTip(0, 0, 15)
-    wait(lambda: device.GetForce()[2] > 0.5)
+    device.GetVirtualHand().SetPosition(0, 0, 15)
+    wait(lambda: device.GetState().GetForce()[2] > 0.5)
     picture = haptics._picture
     wait(lambda: picture.Update() or picture.IsRefined())
     fine = picture.GetFineVolume().GetMapper().GetInputDataObject(0, 0)
@@ -142,7 +142,7 @@ def test_slices_lie_beside_the_scene(window, hands):
     interactor.SetEventInformation(x, y, 0, 0)
     interactor.LeftButtonPressEvent()
     interactor.LeftButtonReleaseEvent()
-    hand.wait(lambda: hand.device.GetTipPosition() == pytest.approx(position))
+    hand.wait(lambda: hand.device.GetState().GetTipPosition() == pytest.approx(position))
     assert hand.haptics.style.GetTouchMode()
     hand.haptics.close()
     assert hand.plotter.renderer.GetViewport() == (0.0, 0.0, 1.0, 1.0)
@@ -176,11 +176,11 @@ def test_another_style_of_the_plotter_ends_nothing(window, hands):
     hand.push()
     hand.plotter.enable_trackball_actor_style()
     assert hand.haptics.style.GetTouchMode() and not hand.haptics.closed
-    tick = hand.device.GetTick()
-    hand.wait(lambda: hand.device.GetTick() > tick + 20)
-    assert np.linalg.norm(hand.device.GetForce()) > 0.1
+    tick = hand.device.GetState().GetTick()
+    hand.wait(lambda: hand.device.GetState().GetTick() > tick + 20)
+    assert np.linalg.norm(hand.device.GetState().GetForce()) > 0.1
     hand.press("Escape")
-    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     hand.plotter.close()
     assert hand.haptics.closed and not hand.device.IsOpen()
 
@@ -235,18 +235,18 @@ def test_the_volume_under_the_pointer_is_touched(window):
         # Out and in again: what is pressed before all of the force may flow feels soft.
         for turn in [interactor.MouseWheelBackwardEvent] * 3 + [interactor.MouseWheelForwardEvent] * 5:
             wait(haptics, lambda: "100 % of the force" in device.GetStatusText())
-            tick = device.GetTick()
+            tick = device.GetState().GetTick()
             turn()
-            wait(haptics, lambda: device.GetTick() > tick + 50)
+            wait(haptics, lambda: device.GetState().GetTick() > tick + 50)
 
         def is_spring():
-            force, proxy, tip = map(np.array, (device.GetForce(), device.GetProxyPosition(), device.GetTipPosition()))
+            force, proxy, tip = map(np.array, (device.GetState().GetForce(), device.GetState().GetProxyPosition(), device.GetState().GetTipPosition()))
             return np.linalg.norm(force) > 0.5 and np.abs(force - 0.5 * (proxy - tip)).max() < 0.02
 
         wait(haptics, is_spring)
-        proxy = np.array(device.GetProxyPosition())
+        proxy = np.array(device.GetState().GetProxyPosition())
         haptics.widget.SetTouchMode(False)
-        wait(haptics, lambda: device.GetForce() == (0, 0, 0))
+        wait(haptics, lambda: device.GetState().GetForce() == (0, 0, 0))
         return proxy
 
     for x in (-40.0, 40.0):
@@ -338,19 +338,19 @@ def test_frames_play_and_are_seen(beating):
     plotter, balls = beating
     haptics = add_haptics(plotter, balls, [0.0, 0.1, 0.2, 0.3])
     device, mapper = haptics.device, next(iter(plotter.actors.values())).GetMapper()
-    assert device.IsPlaying() and haptics.frames.GetNumberOfFrames() == 4
+    assert device.GetPlayback().IsPlaying() and haptics.frames.GetNumberOfFrames() == 4
     seen = set()
 
     def all_are_seen():
-        if device.HasFrames():
+        if device.GetPlayback().HasFrames():
             shown = mapper.GetInputDataObject(0, 0).GetScalarComponentAsDouble(16, 16, 16, 0)
-            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetFrameTime())  # the middle of a ball
-            assert abs(device.GetFrameTime() - device.GetDataTime()) < 0.0501 or device.GetDataTime() > 0.3
+            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetPlayback().GetFrameTime())  # the middle of a ball
+            assert abs(device.GetPlayback().GetFrameTime() - device.GetPlayback().GetDataTime()) < 0.0501 or device.GetPlayback().GetDataTime() > 0.3
             seen.add(round(shown))
         return len(seen) == 4
 
     wait(haptics, all_are_seen)
-    device.Hold()
+    device.GetPlayback().Hold()
     haptics.close()
 
 
@@ -358,12 +358,12 @@ def test_frames_push_a_hand_that_rests(beating):
     plotter, balls = beating
     haptics = add_haptics(plotter, balls, times=[0.0, 1.0, 2.0, 3.0], visibility=False, time_units_per_second=10.0)
     device = haptics.device
-    device.SetVirtualTip(0, 0, 19)
-    device.SetPlaybackToOnce()
-    device.SetDataTime(0.0)
-    wait(haptics, lambda: device.GetDataTime() == 3.0)
+    device.GetVirtualHand().SetPosition(0, 0, 19)
+    device.GetPlayback().SetModeToOnce()
+    device.GetPlayback().SetDataTime(0.0)
+    wait(haptics, lambda: device.GetPlayback().GetDataTime() == 3.0)
     # Values rise evenly: the level at the tip, wherever it is, goes outward by 3 mm, and 500 N/m push.
-    assert device.GetComputedForce()[2] == pytest.approx(0.5 * 3.0, abs=0.05)
+    assert device.GetState().GetComputedForce()[2] == pytest.approx(0.5 * 3.0, abs=0.05)
 
 
 @pytest.mark.parametrize("frames, times, error", (

@@ -23,7 +23,7 @@ def test_what_is_taken_out_of_the_scene_is_not_pressed_on(window, hands, take_ou
     hand.push()
     take_out(hand.plotter, hand)
     assert not hand.haptics.style.GetTouchMode()
-    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     assert hand.device.GetStatus() == vtkHapticDevice.READY
 
 
@@ -61,9 +61,9 @@ def test_armed_device_of_ones_own_is_disarmed(window, hands):
     first = hands()
     first.push()
     second = hands(device=first.device)
-    tick = first.device.GetTick()
-    second.wait(lambda: second.device.GetTick() > max(tick, 100))
-    assert second.device.GetStatus() == vtkHapticDevice.READY and second.device.GetForce() == (0, 0, 0)
+    tick = first.device.GetState().GetTick()
+    second.wait(lambda: second.device.GetState().GetTick() > max(tick, 100))
+    assert second.device.GetStatus() == vtkHapticDevice.READY and second.device.GetState().GetForce() == (0, 0, 0)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="nothing is forked elsewhere")

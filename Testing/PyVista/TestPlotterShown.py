@@ -154,7 +154,7 @@ def test_what_another_actor_of_its_name_replaces_is_not_felt(window, hands, visi
     hand = hands(visibility=visibility)
     hand.push()
     new = hand.plotter.add_volume(pv.ImageData(hand.volume.mapper.dataset), name=hand.volume.name)
-    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     assert refuses(hand.haptics, "not felt")
     hand.haptics.close()
     hand.haptics = add_haptics(hand.plotter, new, visibility=visibility)
@@ -167,7 +167,7 @@ def test_what_is_made_invisible_is_not_felt(window, hands):
     hand.volume.visibility = False
     with pytest.warns(UserWarning, match="hidden.*Cure: VisibilityOn"):
         hand.haptics.update()
-    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    hand.wait(lambda: hand.device.GetState().GetForce() == (0, 0, 0))
     assert refuses(hand.haptics, "hidden")
     hand.volume.VisibilityOn()
     hand.push()
@@ -184,9 +184,9 @@ def test_frames_that_are_made_invisible_are_not_felt(window):
     plotter.show(auto_close=False)
     assert begins(haptics)
     actor.VisibilityOff()
-    end = haptics.device.GetTick() + 50
+    end = haptics.device.GetState().GetTick() + 50
     with pytest.warns(UserWarning, match="invisible.*Cure: VisibilityOn"):
-        while haptics.device.GetTick() < end:
+        while haptics.device.GetState().GetTick() < end:
             haptics.update()
     assert not haptics.style.GetTouchMode() and not haptics.device.IsArmOrdered()
     assert refuses(haptics, "invisible")

@@ -90,9 +90,9 @@ def test_what_is_no_longer_seen_is_let_go(window, qt_hands, application, backgro
     device = hand.device
     if not hand.haptics.closed:
         assert not hand.haptics.style.GetTouchMode() and not device.IsArmOrdered()
-        hand.wait(lambda: device.GetForce() == (0, 0, 0))
+        hand.wait(lambda: device.GetState().GetForce() == (0, 0, 0))
         assert device.GetStatus() == vtkHapticDevice.READY
-    assert device.GetForce() == (0, 0, 0) or not device.IsRunning()
+    assert device.GetState().GetForce() == (0, 0, 0) or not device.IsRunning()
 
 
 def test_a_widget_that_is_shown_keeps_its_hand(window, qt_hands, application):

@@ -16,11 +16,11 @@ def test_a_needle_goes_in_and_comes_out(hands, window):
     strength.RemoveAllPoints()
     strength.AddPoint(0.0, 0.5)  # N, that it takes to puncture it
     hand.push(steps=6)
-    hand.wait(lambda: hand.device.GetNeedleDepth() > 0.5)
+    hand.wait(lambda: hand.device.GetState().GetNeedleDepth() > 0.5)
     track = pv.PolyData()
 
     def has_track():
-        hand.device.GetNeedleTrack(track)
+        hand.device.GetState().GetNeedleTrack(track)
         return track.GetNumberOfLines() >= 1
 
     hand.wait(has_track)  # of the tick before the latest state
@@ -28,7 +28,7 @@ def test_a_needle_goes_in_and_comes_out(hands, window):
     assert "ForbiddenTouches" in track.field_data
     for _ in range(12):
         hand.plotter.iren.interactor.MouseWheelBackwardEvent()
-    hand.wait(lambda: hand.device.GetNeedleDepth() == 0.0)
+    hand.wait(lambda: hand.device.GetState().GetNeedleDepth() == 0.0)
 
 
 def test_a_burr_drills_while_the_left_button_is_pressed(hands, window):
@@ -45,7 +45,7 @@ def test_a_burr_drills_while_the_left_button_is_pressed(hands, window):
     interactor.LeftButtonPressEvent()
     hand.wait(lambda: removal.GetRemovedVolume() > 1.0)
     interactor.LeftButtonReleaseEvent()
-    hand.wait(lambda: not hand.device.IsSpinning())
+    hand.wait(lambda: not hand.device.GetState().IsSpinning())
     removed = removal.GetRemovedVolume()
     assert removal.Undo()
     hand.wait(lambda: removal.GetRemovedVolume() < removed)
@@ -66,6 +66,6 @@ def test_a_shape_is_felt_with_its_size(hands, window, tmp_path, kind):
     shell.SetContactValue(0.0)
     hand.push()
     # The ball of 20 mm holds that of the tool: their middles are apart by both radii, less what is pressed in.
-    apart = math.dist(hand.device.GetProxyPosition(), (0.0, 0.0, 0.0))
+    apart = math.dist(hand.device.GetState().GetProxyPosition(), (0.0, 0.0, 0.0))
     assert 20.0 + radius - 3.0 < apart < 20.0 + radius + 2.0
-    assert abs(math.sqrt(sum(x * x for x in hand.device.GetToolOrientation())) - 1.0) < 1e-9
+    assert abs(math.sqrt(sum(x * x for x in hand.device.GetState().GetToolOrientation())) - 1.0) < 1e-9

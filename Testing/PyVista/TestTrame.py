@@ -56,14 +56,14 @@ def test_the_touch_ends_with_the_browser(window, leaves):
             await until(lambda: "100 % of the force" in device.GetStatusText())
             for _ in range(4):
                 interactor.MouseWheelForwardEvent()
-            await until(lambda: np.linalg.norm(device.GetForce()) > 0.1)
+            await until(lambda: np.linalg.norm(device.GetState().GetForce()) > 0.1)
             seen["hint"] = haptics.head_up_display.GetHint()
             await until(lambda: view.pictures > 2)
             if leaves == "closes":
                 await socket.close()
             else:
                 socket._response.connection.transport.abort()  # as a browser that is killed
-            await until(lambda: device.GetForce() == (0, 0, 0))
+            await until(lambda: device.GetState().GetForce() == (0, 0, 0))
             seen["touches"] = haptics.widget.GetTouchMode()
 
     async def run():

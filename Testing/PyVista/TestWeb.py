@@ -115,7 +115,7 @@ class Page:
             f"const p = document.querySelector('{SCENE} img'); return p && p.naturalWidth > 300 ? p.src : ''")
 
     def force(self):
-        return sum(x * x for x in self.haptics.device.GetForce()) ** 0.5
+        return sum(x * x for x in self.haptics.device.GetState().GetForce()) ** 0.5
 
     def is_armed(self):
         return "100 % of the force" in self.haptics.device.GetStatusText()
@@ -150,10 +150,10 @@ def test_the_mouse_touches(window, hands, browser):
         await page.wait_for_page(lambda: page.find("touch").text.upper() == "LET GO", "the button does not follow")
         await page.move(0, 0)
         await page.turn_wheel(5)
-        await page.wait(lambda: device.GetContact() and page.force() > 0.01, "the wheel does not press")
-        before, picture = device.GetProxyPosition(), await page.do(page.picture)
+        await page.wait(lambda: device.GetState().GetContact() and page.force() > 0.01, "the wheel does not press")
+        before, picture = device.GetState().GetProxyPosition(), await page.do(page.picture)
         await page.move(25, 0)
-        await page.wait(lambda: sum(abs(a - b) for a, b in zip(device.GetProxyPosition(), before)) > 1.0,
+        await page.wait(lambda: sum(abs(a - b) for a, b in zip(device.GetState().GetProxyPosition(), before)) > 1.0,
                         "a motion without a button does not stroke")
         await page.wait_for_page(lambda: page.picture() not in ("", picture), "nothing is drawn anew")
         await page.wait_for_page(lambda: re.search(r"at [1-9]\d* Hz beside the server", page.find("status").text),

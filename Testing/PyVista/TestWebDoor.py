@@ -126,7 +126,7 @@ def is_armed(haptics):
 
 
 def force(haptics):
-    return sum(x * x for x in haptics.device.GetForce()) ** 0.5
+    return sum(x * x for x in haptics.device.GetState().GetForce()) ** 0.5
 
 
 async def press(client, haptics, where=(0.5, 0.5), size=(200, 200), steps=4):
@@ -284,7 +284,7 @@ def test_one_page_leads(window, hands):
     async def steps(view, connect):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
         await press(first, haptics)
-        before, size = haptics.device.GetTipPosition(), view.window.GetSize()
+        before, size = haptics.device.GetState().GetTipPosition(), view.window.GetSize()
         # The other one moves, presses, arms, chooses and resizes in vain.
         await second.size(500, 300)
         await second.act("MouseMove", x=450, y=20, w=500, h=300)
@@ -294,7 +294,7 @@ def test_one_page_leads(window, hands):
         await second.call("trame.state.update", [{"key": f"{view.name}_method", "value": "force-field"}])
         await asyncio.sleep(0.2)
         assert haptics.filter.GetMethodName() == "proxy" and view.window.GetSize() == size
-        assert haptics.device.GetTipPosition() == pytest.approx(before, abs=1e-6)
+        assert haptics.device.GetState().GetTipPosition() == pytest.approx(before, abs=1e-6)
         assert view.server.state[f"{view.name}_method"] == "proxy"  # and its page shows what is
         assert haptics.style.GetTouchMode() and force(haptics) > 0.01
         # It goes, and the other one keeps what it has.

@@ -63,7 +63,7 @@ class Hand:
         self.wait(lambda: "100 % of the force" in self.device.GetStatusText())
         for _ in range(steps):
             interactor.MouseWheelForwardEvent()
-        self.wait(lambda: sum(x * x for x in self.device.GetForce()) > 0.01)
+        self.wait(lambda: sum(x * x for x in self.device.GetState().GetForce()) > 0.01)
 
     def wait(self, holds):
         """No test depends on how long it takes."""

@@ -20,9 +20,11 @@ def test_every_method_is_known():
         for name, choices in chaos.methods(cls, module).items():
             assert choices or name not in vars(cls), f"{cls.__name__}.{name} has no C++ signature"
     device = chaos.methods(module.vtkHapticDevice, module)
-    assert device["SetVirtualTip"] == [["double", "double", "double"], ["const double [3]"]]
+    hand = chaos.methods(module.vtkHapticVirtualHand, module)
+    assert hand["SetPosition"] == [["double", "double", "double"], ["const double [3]"]]
     assert device["SetVolumeHaptics"] == [["vtkVolumeHapticsFilter *"]] and device["Open"] == [["const char *"]]
-    assert device["DrainStates"] == [["vtkTable *", "int"]] and device["Arm"] == [[]]
+    state = chaos.methods(module.vtkHapticState, module)
+    assert state["Drain"] == [["vtkTable *", "int"]] and device["Arm"] == [[]]
     assert "IsA" not in device and "Update" in chaos.methods(module.vtkHapticStateSource, module)
 
 

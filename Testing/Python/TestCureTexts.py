@@ -36,11 +36,16 @@ TRIED = {
         "VTK can't run it again after this": "connect a new source",
         "Give the path in pieces, or lower ServoRate": "in pieces",
     },
+    "VTK/Device/RegionTest.cxx": {"Stop() the recorder first": "Stop() the recorder first"},
+    "VTK/Device/LifeTest.cxx": {
+        f"take it from vtkHapticDevice::{part}(), and keep the device": f"take it from vtkHapticDevice::{part}()"
+        for part in ("GetPlayback", "GetRecorder", "GetVirtualHand")
+    },
     "VTK/Device/Recording/RecordingFailureTest.cxx": {
         "Choose another one, or change its permissions": "Choose another one",
         "Make room, or choose a folder on another disk": "Make room",
         "Change its permissions, or give another name": "permissions",
-        "to a file of your choice": "RecoverRecording",
+        "to a file of your choice": "vtkHapticRecorder::Recover",
     },
     "VTK/Device/Recording/JournalTest.cxx": {"can't be written over itself: give the recording another name": "over itself"},
     "VTK/Device/Recording/TamperedTest.cxx": {"it was changed, or made with another volume. Record again": "Record again"},

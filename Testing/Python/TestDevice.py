@@ -46,7 +46,7 @@ def test_settings_come_back():
     device.SetNewtonsPerFullScale(2.0, -3.0)
     device.SetHomingTime(0.0)
     assert device.GetFirmwareFile() == "image.bin" and device.GetHomingTime() == 1.0
-    assert device.GetNewtonsPerFullScale() == (2.0, -3.0) and device.GetTurnRate() == (0.0, 0.0, 0.0)
+    assert device.GetNewtonsPerFullScale() == (2.0, -3.0) and device.GetState().GetTurnRate() == (0.0, 0.0, 0.0)
 
 
 def test_what_cannot_be_opened(tmp_path):
@@ -65,22 +65,22 @@ def test_push_is_recorded_and_replayed(tmp_path):
     assert device.Open("virtual") and device.GetStatus() == vtkHapticDevice.READY
     assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0
     device.SetVolumeHaptics(haptics)
-    device.SetVirtualTip(7.0, 7.0, 5.0)
+    device.GetVirtualHand().SetPosition(7.0, 7.0, 5.0)
     assert device.Start() and device.IsRunning()
-    wait(device, lambda: device.GetTick() > 1)  # the first lead is where the tip begins
+    wait(device, lambda: device.GetState().GetTick() > 1)  # the first lead is where the tip begins
     recording = str(tmp_path / "push.vtp")
-    assert device.StartRecording(recording)
+    assert device.GetRecorder().Start(recording)
     device.Arm()
     wait(device, lambda: "100 % of the force" in device.GetStatusText())  # a wall pressed before stays soft
     for z in (5.5, 6.0, 6.5, 7.0, 7.5, 8.0):  # as slowly as the slew limit has it
-        device.SetVirtualTip((7.0, 7.0, z))
-        wait(device, lambda z=z: abs(device.GetTipPosition()[2] - z) < 1e-9)
-    wait(device, lambda: device.GetForce()[2] < -1.49)
+        device.GetVirtualHand().SetPosition((7.0, 7.0, z))
+        wait(device, lambda z=z: abs(device.GetState().GetTipPosition()[2] - z) < 1e-9)
+    wait(device, lambda: device.GetState().GetForce()[2] < -1.49)
     assert device.GetStatus() == vtkHapticDevice.ACTIVE
-    assert abs(device.GetComputedForce()[2] + 1.5) < 1e-6
-    assert math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-9
-    assert math.dist(device.GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
-    assert device.GetContact() == 1 and device.GetButtons() == 0 and device.GetTick() > 0
+    assert abs(device.GetState().GetComputedForce()[2] + 1.5) < 1e-6
+    assert math.dist(device.GetState().GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-9
+    assert math.dist(device.GetState().GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
+    assert device.GetState().GetContact() == 1 and device.GetState().GetButtons() == 0 and device.GetState().GetTick() > 0
 
     # Turned by a quarter and published while it records.
     matrix = vtkMatrix4x4()
@@ -88,15 +88,15 @@ def test_push_is_recorded_and_replayed(tmp_path):
     device.SetDeviceToWorld(matrix)
     assert device.Publish()
     for z in (9.0, 6.0, 8.0):
-        device.SetVirtualTip(7.0, 7.0, z)
-        wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, z)) < 1e-6)
+        device.GetVirtualHand().SetPosition(7.0, 7.0, z)
+        wait(device, lambda: math.dist(device.GetState().GetTipPosition(), (7.0, 7.0, z)) < 1e-6)
     assert device.GetTickRate() >= 0.0 and device.GetMissedTicks() >= 0
     assert device.GetTickPercentile(50) <= device.GetTickPercentile(99)
     assert device.GetWakePercentile(50) <= device.GetWakePercentile(99)
     device.ResetStatistics()
-    assert device.StopRecording()
+    assert device.GetRecorder().Stop()
     device.Stop()
-    assert device.GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
+    assert device.GetState().GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
 
     # Offline, the recording gives the same trace.
     haptics.SetInputData(1, compare_traces.read_trace(recording))
@@ -108,7 +108,7 @@ def test_push_is_recorded_and_replayed(tmp_path):
     # Played back by the servo, the tip ends where it ended.
     assert device.Open("replay:" + recording)
     assert device.Start()
-    wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
+    wait(device, lambda: math.dist(device.GetState().GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
     assert device.GetDeviceToWorld() is matrix
     device.Arm()
     del device  # armed: it stops by itself
@@ -124,24 +124,24 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
     matrix = vtkMatrix4x4()  # a quarter about z: w = z = cos 45 degrees
     matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
     device.SetDeviceToWorld(matrix)
-    device.SetVirtualTip(7.0, 7.0, 5.0)
+    device.GetVirtualHand().SetPosition(7.0, 7.0, 5.0)
     assert device.Start()
-    wait(device, lambda: device.GetTick() > 1)
-    assert not device.HasTipOrientation() and device.GetTipOrientation() == (1.0, 0.0, 0.0, 0.0)
+    wait(device, lambda: device.GetState().GetTick() > 1)
+    assert not device.GetState().HasTipOrientation() and device.GetState().GetTipOrientation() == (1.0, 0.0, 0.0, 0.0)
 
     recording = str(tmp_path / "turn.vtp")
-    assert device.StartRecording(recording)
+    assert device.GetRecorder().Start(recording)
     device.UpdateState()  # no tick of before counts
-    first = device.GetTick()
-    wait(device, lambda: device.GetTick() > first + 3)
+    first = device.GetState().GetTick()
+    wait(device, lambda: device.GetState().GetTick() > first + 3)
     angle = 0.8  # about x
     turn = (math.cos(angle / 2), math.sin(angle / 2), 0.0, 0.0)
-    device.SetVirtualTipOrientation(*turn)
-    wait(device, device.HasTipOrientation)
-    assert math.dist(device.GetTipOrientation(), turn) < 1e-14
-    device.SetVirtualTipOrientation((0.0, 0.0, -2.0, 0.0))
-    wait(device, lambda: math.dist(device.GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
-    assert device.StopRecording()
+    device.GetVirtualHand().SetOrientation(*turn)
+    wait(device, device.GetState().HasTipOrientation)
+    assert math.dist(device.GetState().GetTipOrientation(), turn) < 1e-14
+    device.GetVirtualHand().SetOrientation((0.0, 0.0, -2.0, 0.0))
+    wait(device, lambda: math.dist(device.GetState().GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
+    assert device.GetRecorder().Stop()
 
     trace = compare_traces.read_trace(recording).GetPointData()
     last = trace.GetArray("Tick").GetNumberOfTuples() - 1
@@ -152,8 +152,8 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
     assert math.dist(trace.GetArray("DeviceOrientation").GetTuple4(last), (0.0, -half, -half, 0.0)) < 1e-14
 
     assert device.Open("replay:" + recording) and device.Start()
-    wait(device, lambda: math.dist(device.GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
+    wait(device, lambda: math.dist(device.GetState().GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
     assert errors.count == 0
-    device.SetVirtualTipOrientation(*turn)
+    device.GetVirtualHand().SetOrientation(*turn)
     assert errors.count == 1
     device.Close()

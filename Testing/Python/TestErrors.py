@@ -126,7 +126,7 @@ def test_names_that_are_not_utf8(tmp_path):
     for speaker, call in (
         (device, lambda: device.Open(b"replay:" + folder + b"/\xe4\xff.vtp")),
         (device, lambda: device.Open(b"\xe4\xff")),
-        (device, lambda: device.RecoverRecording(folder + b"/\xe4\xff.part", "a.vtp")),
+        (device, lambda: device.GetRecorder().Recover(folder + b"/\xe4\xff.part", "a.vtp")),
         (setup, lambda: setup.Load(folder + b"/\xe4\xff.json")),
         (setup, lambda: setup.Save(folder + b"/missing/\xe4\xff.json")),
         (haptics, haptics.Update),

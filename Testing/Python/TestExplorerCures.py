@@ -179,7 +179,7 @@ COMMANDS = (
     ("{}/series --series 2", "take --series 1 to ", ("{}/series --series 1", )),
     ("{}/cutoff", "copy or export the series again, or take that file away", ("{}/series", )),
     (f"{WINDOW} --measurements {{}}/wrong.csv", "--measurements …correct it or name another file", (OPEN, )),
-    (f"{WINDOW} --replay {{}}/none.vtp", "name a .vtp that key F10 or vtkHapticDevice::StartRecording() has written", (REPLAY, )),
+    (f"{WINDOW} --replay {{}}/none.vtp", "name a .vtp that key F10 or vtkHapticRecorder::Start() has written", (REPLAY, )),
     (f"{WINDOW} --replay {{}}/back.vtp", "record the touch again", (REPLAY, )),
     (f"{WINDOW} --device pen", "name another device, or none; volumehaptics-device list shows what there is", (OPEN, REPLAY)),
     (f"{WINDOW} --setup {{}}/wrong.json", "--setup …correct it or name another file", (OPEN, )),
@@ -313,9 +313,9 @@ def fill(folder, values):
     measured.AddMeasurement(measured.PATH, line_to(20.0))
     measured.WriteFile(str(folder / "paths.csv"))
     device = recorder()
-    assert device.StartRecording(str(folder / "touch.vtp"))
+    assert device.GetRecorder().Start(str(folder / "touch.vtp"))
     wait(device, 100)
-    assert device.StopRecording()
+    assert device.GetRecorder().Stop()
     device.Close()
     reader, writer, back = vtkXMLPolyDataReader(), vtkXMLPolyDataWriter(), vtkPolyData()
     reader.SetFileName(str(folder / "touch.vtp"))

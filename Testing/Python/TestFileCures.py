@@ -246,37 +246,37 @@ def recorder():
 
 
 def wait(device, ticks=300):
-    tick = device.GetTick()
-    while device.GetTick() < tick + ticks:
+    tick = device.GetState().GetTick()
+    while device.GetState().GetTick() < tick + ticks:
         device.UpdateState()
 
 
 @result("is of a recording that is still under way: stop that one first", "Remove some, or give another name",
-        "make a recording of it with vtkHapticDevice::RecoverRecording, or remove it", ". Remove that, or give another name",
-        "it is being recorded already. Give another name", "Record again with vtkHapticDevice::StartRecording, or give another file", "Give another FileName")
+        "make a recording of it with vtkHapticRecorder::Recover, or remove it", ". Remove that, or give another name",
+        "it is being recorded already. Give another name", "Record again with vtkHapticRecorder::Start, or give another file", "Give another FileName")
 def recordings(folder):
     device, other = recorder(), recorder()
     file = folder / "a.vtp"
     part = folder / "a.vtp.part"
-    assert device.StartRecording(str(file))
+    assert device.GetRecorder().Start(str(file))
     wait(device)
     with told(device, "is of a recording that is still under way: stop that one first"):
-        assert not device.RecoverRecording(str(part), str(folder / "b.vtp"))
+        assert not device.GetRecorder().Recover(str(part), str(folder / "b.vtp"))
     with told(other, "it is being recorded already. Give another name"):
-        assert not other.StartRecording(str(file))
-    assert other.StartRecording(str(folder / "other.vtp")) and other.StopRecording()
+        assert not other.GetRecorder().Start(str(file))
+    assert other.GetRecorder().Start(str(folder / "other.vtp")) and other.GetRecorder().Stop()
     left = part.read_bytes()
-    assert device.StopRecording() and file.stat().st_size > 0
+    assert device.GetRecorder().Stop() and file.stat().st_size > 0
     assert len(left) > 0
     # One that was left by a program that ended.
     part.write_bytes(left)
     with Errors(device, event="WarningEvent") as warnings:
-        assert device.StartRecording(str(file))
-    word = "make a recording of it with vtkHapticDevice::RecoverRecording, or remove it"
+        assert device.GetRecorder().Start(str(file))
+    word = "make a recording of it with vtkHapticRecorder::Recover, or remove it"
     assert len(warnings) == 1 and word in warnings[0], warnings
     TOLD.add(word)
-    assert device.StopRecording()
-    assert device.RecoverRecording(f"{part}.1", str(folder / "found.vtp"))
+    assert device.GetRecorder().Stop()
+    assert device.GetRecorder().Recover(f"{part}.1", str(folder / "found.vtp"))
     for name in (file, folder / "found.vtp"):
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(str(name))
@@ -284,23 +284,23 @@ def recordings(folder):
         assert reader.GetOutput().GetPointData().HasArray("Force")
     part.mkdir()
     with told(device, ". Remove that, or give another name"):
-        assert not device.StartRecording(str(file))
+        assert not device.GetRecorder().Start(str(file))
     part.rmdir()
-    assert device.StartRecording(str(file)) and device.StopRecording()
+    assert device.GetRecorder().Start(str(file)) and device.GetRecorder().Stop()
     part.write_bytes(left)
     for i in range(1, 1001):
         (folder / f"a.vtp.part.{i}").touch()
     with told(device, "Remove some, or give another name"):
-        assert not device.StartRecording(str(file))
-    assert device.StartRecording(str(folder / "c.vtp")) and device.StopRecording()
+        assert not device.GetRecorder().Start(str(file))
+    assert device.GetRecorder().Start(str(folder / "c.vtp")) and device.GetRecorder().Stop()
     (folder / "a.vtp.part.7").unlink()
     with Errors(device, event="WarningEvent"):
-        assert device.StartRecording(str(file))
-    assert device.StopRecording()
+        assert device.GetRecorder().Start(str(file))
+    assert device.GetRecorder().Stop()
     device.Close()
     good = file.read_bytes()
     file.write_bytes(good[:300])
-    with told(device, "Record again with vtkHapticDevice::StartRecording, or give another file"):
+    with told(device, "Record again with vtkHapticRecorder::Start, or give another file"):
         assert not device.Open(f"replay:{file}")
     assert device.Open(f"replay:{folder / 'found.vtp'}")
     source = vtkHapticPathSource()
@@ -444,7 +444,7 @@ def measurements(folder):
 
 
 @result("Set it to world units per metre, or to 0", "call AddFrame() for each of them first",
-        "call SetProperty and SetInputData", "gives it. Pass its table as it is", "Pass the table of vtkHapticDevice::DrainStates",
+        "call SetProperty and SetInputData", "gives it. Pass its table as it is", "Pass the table of vtkHapticState::Drain",
         "give the smaller bound first")
 def other_classes(_):
     fit, source, b = vtkHapticCalibration(), vtkHapticFrameSource(), Bench()
@@ -471,13 +471,13 @@ def other_classes(_):
     display, device, states = vtkHapticHeadUpDisplay(), recorder(), vtkTable()
     with told(display, "gives it. Pass its table as it is"):
         display.AddStates(vtkTable())
-    device.DrainStates(states)
+    device.GetState().Drain(states)
     wait(device, 50)
-    device.DrainStates(states)
+    device.GetState().Drain(states)
     changed = vtkTable()
     changed.DeepCopy(states)
     changed.GetColumnByName("Time").SetValue(0, math.nan)
-    with told(display, "Pass the table of vtkHapticDevice::DrainStates"):
+    with told(display, "Pass the table of vtkHapticState::Drain"):
         display.AddStates(changed)
     display.Clear()
     display.AddStates(states)

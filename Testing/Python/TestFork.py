@@ -21,16 +21,16 @@ def device():
     haptics.SetInputData(image(np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), (32, 17, 17)).copy()))
     made.SetVolumeHaptics(haptics)
     assert made.Open("virtual")
-    made.SetVirtualTip(8, 8, 10)
+    made.GetVirtualHand().SetPosition(8, 8, 10)
     assert made.Start()
-    press(made, 10, lambda: made.GetTick() > 1)
+    press(made, 10, lambda: made.GetState().GetTick() > 1)
     press_slowly(made)
     yield made
     made.Close()
 
 
 def press(device, z, holds):
-    device.SetVirtualTip(8, 8, z)
+    device.GetVirtualHand().SetPosition(8, 8, z)
     end = time.monotonic() + 30.0
     while not holds():
         assert time.monotonic() < end, device.GetStatusText()
@@ -42,13 +42,13 @@ def press_slowly(device):
     """Armed, and as slowly as the slew limit has it: else the wall stays soft."""
     device.Arm()
     for _ in range(5):
-        press(device, 10, lambda: abs(device.GetTipPosition()[2] - 10) < 1e-6)
+        press(device, 10, lambda: abs(device.GetState().GetTipPosition()[2] - 10) < 1e-6)
         press(device, 10, lambda: "100 % of the force" in device.GetStatusText())
         for z in (10.5, 11, 11.5):
-            press(device, z, lambda z=z: abs(device.GetTipPosition()[2] - z) < 1e-6)
-        tick = device.GetTick()
-        press(device, 11.5, lambda tick=tick: device.GetForce()[2] < -0.7 or device.GetTick() > tick + 1000)
-        if device.GetForce()[2] < -0.7:
+            press(device, z, lambda z=z: abs(device.GetState().GetTipPosition()[2] - z) < 1e-6)
+        tick = device.GetState().GetTick()
+        press(device, 11.5, lambda tick=tick: device.GetState().GetForce()[2] < -0.7 or device.GetState().GetTick() > tick + 1000)
+        if device.GetState().GetForce()[2] < -0.7:
             return
         # The machine stood still meanwhile, so that a new contact began at the tip: once more from outside.
     raise AssertionError(device.GetStatusText())
@@ -57,7 +57,7 @@ def press_slowly(device):
 def lag(device):
     """By how much the servo's ticks are behind the clock (s): more after each pause of the machine."""
     device.UpdateState()
-    return device.GetTime() - device.GetTick() / device.GetServoRate()
+    return device.GetState().GetTime() - device.GetState().GetTick() / device.GetServoRate()
 
 
 @pytest.mark.parametrize("way", ("Stop", "Close", "Disarm"))
@@ -72,11 +72,11 @@ def test_child_lets_go_of_its_copy(device, way):
             del device
             os._exit(7)
         assert os.waitpid(child, 0) == (child, 7 << 8)
-        tick = device.GetTick()
-        press(device, 11.5, lambda tick=tick: device.GetTick() > tick + 100)
+        tick = device.GetState().GetTick()
+        press(device, 11.5, lambda tick=tick: device.GetState().GetTick() > tick + 100)
         if lag(device) < before + 0.02:
             break
         # The machine stood still, so that the force began anew at the tip, as it must: once more from outside.
-        press(device, 10, lambda: abs(device.GetTipPosition()[2] - 10) < 1e-6)
+        press(device, 10, lambda: abs(device.GetState().GetTipPosition()[2] - 10) < 1e-6)
         press_slowly(device)
-    assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetForce()[2] < -0.7
+    assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetState().GetForce()[2] < -0.7

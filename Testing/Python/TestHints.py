@@ -14,11 +14,12 @@ from volumehaptics import arrays, examples, vtkVolumeHaptics
 
 PACKAGE = Path(volumehaptics.__file__).parent
 METHODS = {
-    "vtkVolumeHapticsFilter": ("SetPathData", "HashScalars"),
-    "vtkVolumeHapticsAlgorithm": ("SetKernelRadius", "GetKernelRadius", "SetSolverToPaper", "GetProperty"),
+    "vtkVolumeHapticsFilter": (
+        "SetPathData", "HashScalars", "SetKernelRadius", "GetKernelRadius", "SetSolverToPaper", "GetProperty"),
     "vtkHapticProperty": ("ApplyPreset", "GetStiffness", "SetVisibilityFrom"),
-    "vtkHapticHardware": ("EnumerateDevices",),
-    "vtkHapticDevice": ("Open", "Arm", "GetForce", "StartRecording"),
+    "vtkHapticDevice": ("EnumerateDevices", "Open", "Arm", "GetState", "GetRecorder"),
+    "vtkHapticState": ("GetForce", "Drain"),
+    "vtkHapticRecorder": ("Start", "Stop"),
 }
 
 
@@ -45,7 +46,7 @@ def test_every_class_has_hints(hints):
 
 
 def test_hints_say_types(hints):
-    radius = hints["vtkVolumeHapticsAlgorithm"]["SetKernelRadius"]
+    radius = hints["vtkVolumeHapticsFilter"]["SetKernelRadius"]
     assert ast.unparse(radius.args.args[1].annotation) == "int" and ast.unparse(radius.returns) == "None"
     assert ast.unparse(hints["vtkHapticProperty"]["ApplyPreset"].returns) == "bool"
 

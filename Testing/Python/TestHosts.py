@@ -77,7 +77,7 @@ class Program:
                 steps += 1
             time.sleep(0.02)
             haptics.update()
-            force = numpy.linalg.norm(haptics.device.GetForce())
+            force = numpy.linalg.norm(haptics.device.GetState().GetForce())
         return force
 
 
@@ -104,7 +104,7 @@ def test_one_line_makes_a_window_touchable(program, target):
     haptics = volumehaptics.add_haptics(TARGETS[target](program))
     assert program.press(haptics) > 0.3
     # 500 N/m at a surface that is seen from 30 mm on.
-    assert abs(numpy.linalg.norm(haptics.device.GetProxyPosition()) - RADIUS) < 0.5
+    assert abs(numpy.linalg.norm(haptics.device.GetState().GetProxyPosition()) - RADIUS) < 0.5
     assert program.interactor.GetInteractorStyle() is program.style
     haptics.close()
     haptics.close()
@@ -329,14 +329,14 @@ def test_a_click_on_a_slider_of_the_program_is_the_sliders(program):
     with volumehaptics.add_haptics(program.window) as haptics:
         program.window.Render()
         assert program.press(haptics) > 0.3
-        force = haptics.device.GetForce()
+        force = haptics.device.GetState().GetForce()
         for event, x in (("LeftButtonPressEvent", 20), ("MouseMoveEvent", 60), ("MouseMoveEvent", 80),
                          ("LeftButtonReleaseEvent", 80)):
             program.interactor.SetEventInformation(x, 30)
             program.interactor.InvokeEvent(event)
         assert moved
         assert haptics.widget.GetTouchMode()
-        assert haptics.device.GetForce() == force  # the tip has stayed
+        assert haptics.device.GetState().GetForce() == force  # the tip has stayed
         program.interactor.SetEventInformation(150, 150)
         program.interactor.InvokeEvent("LeftButtonPressEvent")  # beside it, the hand's
         assert program.style.GetState() == 0

@@ -292,12 +292,12 @@ def feel_live(array, seconds=20.0, memory=67108864):
     device = vtkHapticDevice()
     device.SetVolumeHaptics(haptics)
     assert device.Open("virtual")
-    device.SetVirtualTip(150, 30, 45)
+    device.GetVirtualHand().SetPosition(150, 30, 45)
     assert device.Start()
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         device.UpdateState()
-        if device.GetTick() > 100 and device.GetResidency() == 1.0 and not large.IsWaiting():
+        if device.GetState().GetTick() > 100 and device.GetState().GetResidency() == 1.0 and not large.IsWaiting():
             break
         time.sleep(0.005)
     return large, haptics, device
@@ -306,7 +306,7 @@ def feel_live(array, seconds=20.0, memory=67108864):
 def test_live_another_thread_reads():
     sliced = Sliced(make_bed())
     large, haptics, device = feel_live(sliced)
-    assert device.GetResidency() == 1.0 and large.GetStatusText() == ""
+    assert device.GetState().GetResidency() == 1.0 and large.GetStatusText() == ""
     assert len(sliced.threads) == 1 and threading.get_ident() not in sliced.threads
     assert haptics.GetInputDataObject(0, 0).GetNumberOfPoints() > 10000
     device.Stop()
@@ -316,12 +316,12 @@ def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
     whole = make_bed()
     sliced = Sliced(whole)
     large, haptics, device = feel_live(sliced, memory=4194304)  # a region is a third of the array
-    assert device.GetResidency() == 1.0
+    assert device.GetState().GetResidency() == 1.0
     errors = []
     large.AddObserver("ErrorEvent", lambda *_: errors.append(large.GetStatusText()))
 
     def lead(x, until):
-        device.SetVirtualTip(x, 30, 45)
+        device.GetVirtualHand().SetPosition(x, 30, 45)
         end = time.monotonic() + 60
         while not until() and time.monotonic() < end:
             device.UpdateState()
@@ -330,9 +330,9 @@ def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
 
     sliced._array = whole[:, :, :160]  # as a store that another program writes anew
     assert lead(290, lambda: "its part is of shape" in large.GetStatusText()), large.GetStatusText()
-    assert errors and device.GetResidency() < 1.0
+    assert errors and device.GetState().GetResidency() < 1.0
     sliced._array = whole
-    assert lead(290, lambda: device.GetResidency() == 1.0 and not large.IsWaiting()), large.GetStatusText()
+    assert lead(290, lambda: device.GetState().GetResidency() == 1.0 and not large.IsWaiting()), large.GetStatusText()
     assert large.GetStatusText() == ""
     device.Stop()
 
@@ -381,7 +381,7 @@ device = vtkHapticDevice()
 device.SetVolumeHaptics(haptics)
 device.Open("virtual")
 device.Start()
-while device.GetTick() < 10:
+while device.GetState().GetTick() < 10:
     device.UpdateState()
     time.sleep(0.01)
 print("ended")

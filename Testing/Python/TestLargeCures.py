@@ -633,9 +633,9 @@ def wait(is_so, what):
         device.UpdateState()
         time.sleep(0.005)
 
-device.SetVirtualTip(1000, 1015, 100)
+device.GetVirtualHand().SetPosition(1000, 1015, 100)
 assert device.Start()
-wait(lambda: device.GetResidency() == 1.0, "what is around the tip is here")
+wait(lambda: device.GetState().GetResidency() == 1.0, "what is around the tip is here")
 with open("/proc/self/statm", encoding="ascii") as file:
     used = int(file.read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (110 << 20), resource.getrlimit(resource.RLIMIT_AS)[1]))
@@ -649,15 +649,15 @@ assert sorted(set(vtk_to_numpy(image.GetPointData().GetScalars()))) == [10.0, 15
 
 with Errors(source) as errors:
     source.SetMemoryLimit(1 << 40)
-    device.SetVirtualTip(1000, 1015, LAYER)
+    device.GetVirtualHand().SetPosition(1000, 1015, LAYER)
     wait(lambda: "bytes. Lower MemoryLimit" in source.GetStatusText(), "there is no memory for it")
-    assert device.GetResidency() < 1.0
+    assert device.GetState().GetResidency() < 1.0
     source.SetMemoryLimit(4 << 20)
-    wait(lambda: device.GetResidency() == 1.0 and not source.GetStatusText(), "a smaller region is here")
+    wait(lambda: device.GetState().GetResidency() == 1.0 and not source.GetStatusText(), "a smaller region is here")
 assert len(errors) == 1, errors
 assert np.ptp(source.GetOutput().GetExtent()[4:]) < 60
 device.Arm()
-wait(lambda: device.GetForce()[2] < -0.01, "values rise along z, and a hand is pushed to lower ones")
+wait(lambda: device.GetState().GetForce()[2] < -0.01, "values rise along z, and a hand is pushed to lower ones")
 device.Stop()
 """
 

@@ -49,15 +49,15 @@ def felt(mode, image, tip):
     assert device.Open("virtual")
 
     def lead(place):
-        device.SetVirtualTip(*place)
+        device.GetVirtualHand().SetPosition(*place)
         device.UpdateState()
-        tick, end = device.GetTick(), time.monotonic() + 30.0
-        while not (device.UpdateState() and device.GetTick() > tick + 20):
+        tick, end = device.GetState().GetTick(), time.monotonic() + 30.0
+        while not (device.UpdateState() and device.GetState().GetTick() > tick + 20):
             assert time.monotonic() < end, device.GetStatusText()
             time.sleep(0.002)
-        return np.array(device.GetProxyPosition())
+        return np.array(device.GetState().GetProxyPosition())
 
-    device.SetVirtualTip(*tip)
+    device.GetVirtualHand().SetPosition(*tip)
     assert device.Start()
     lead(tip)
     yield device, lead
@@ -68,8 +68,8 @@ def followed(mode, image, tip):
     """The shapes that a mode shows at a tip of the virtual device, and the proxy there."""
     with felt(mode, image, tip) as (device, _):
         shapes = vtkPolyData()
-        device.GetFollowed(shapes, 24.0)
-        return shapes, np.array(device.GetProxyPosition())
+        device.GetState().GetFollowed(shapes, 24.0)
+        return shapes, np.array(device.GetState().GetProxyPosition())
 
 
 def distance_to(line, place):
@@ -118,12 +118,12 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
     mode.GetStrength().AddPoint(0.0, 2.0)
     shapes, apart = vtkPolyData(), []
     with felt(mode, image, (2.0, -3.0, 1.0)) as (device, lead):
-        device.GetFollowed(shapes, 20.0)
+        device.GetState().GetFollowed(shapes, 20.0)
         ids = vtkIdList()
         shapes.GetCellPoints(shapes.GetNumberOfVerts(), ids)
         line = np.array([shapes.GetPoint(ids.GetId(i)) for i in range(ids.GetNumberOfIds())])
         assert len(line) > 70
-        begin = np.linalg.norm(line - device.GetProxyPosition(), axis=1).argmin()
+        begin = np.linalg.norm(line - device.GetState().GetProxyPosition(), axis=1).argmin()
         for half in (line[begin:-4:2], line[begin:4:-2]):
             assert len(half) > 15
             lead(half[0])

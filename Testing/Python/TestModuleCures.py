@@ -814,39 +814,39 @@ def planned_paths(_):
 
 @result('for example with Open("virtual")', "Give an id that EnumerateDevices() lists", "with N counting from 0",
         "There is nothing to record: Start() the servo first", "has an unknown ending: name it .vtp or .csv",
-        "No recording is under way: StartRecording() first", 'to lead: Open("virtual") first',
+        "No recording is under way: Start() the recorder first", 'to lead: Open("virtual") first',
         "give the name of an unfinished recording, FILE.part", "Build it from such transforms only")
 def devices(folder):
     device = vtkHapticDevice()
     with told(device, 'for example with Open("virtual")'):
         assert not device.Start()
     with told(device, 'to lead: Open("virtual") first'):
-        device.SetVirtualTip(1.0, 2.0, 3.0)
+        device.GetVirtualHand().SetPosition(1.0, 2.0, 3.0)
     with told(device, "Give an id that EnumerateDevices() lists"):
         assert not device.Open("pen")
     with told(device, "with N counting from 0"):
         assert not device.Open("falcon:first")
     assert device.Open("virtual")
     with told(device, "There is nothing to record: Start() the servo first"):
-        assert not device.StartRecording(str(folder / "touch.vtp"))
+        assert not device.GetRecorder().Start(str(folder / "touch.vtp"))
     bench = Bench()
     device.SetVolumeHaptics(bench.haptics)
     device.SetAttentionTime(0.0)
     assert device.Start()
     with told(device, "has an unknown ending: name it .vtp or .csv"):
-        assert not device.StartRecording(str(folder / "touch.vtk"))
-    with told(device, "No recording is under way: StartRecording() first"):
-        assert not device.StopRecording()
-    assert device.StartRecording(str(folder / "touch.vtp"))
-    device.SetVirtualTip(5.0, 8.0, 9.0)
-    tick = device.GetTick()
-    while device.GetTick() < tick + 50:
+        assert not device.GetRecorder().Start(str(folder / "touch.vtk"))
+    with told(device, "No recording is under way: Start() the recorder first"):
+        assert not device.GetRecorder().Stop()
+    assert device.GetRecorder().Start(str(folder / "touch.vtp"))
+    device.GetVirtualHand().SetPosition(5.0, 8.0, 9.0)
+    tick = device.GetState().GetTick()
+    while device.GetState().GetTick() < tick + 50:
         device.UpdateState()
-    assert device.GetTipPosition() == pytest.approx((5.0, 8.0, 9.0), abs=0.5)
-    assert device.StopRecording() and (folder / "touch.vtp").stat().st_size > 0
+    assert device.GetState().GetTipPosition() == pytest.approx((5.0, 8.0, 9.0), abs=0.5)
+    assert device.GetRecorder().Stop() and (folder / "touch.vtp").stat().st_size > 0
     device.Stop()
     with told(device, "give the name of an unfinished recording, FILE.part"):
-        assert not device.RecoverRecording("", str(folder / "found.vtp"))
+        assert not device.GetRecorder().Recover("", str(folder / "found.vtp"))
     matrix = vtkMatrix4x4()
     matrix.SetElement(0, 0, 2.0)
     device.SetDeviceToWorld(matrix)

@@ -12,6 +12,7 @@ from volumehaptics import (
     vtkHapticDevice,
     vtkHapticRegionFilter,
     vtkHapticRegionPlanner,
+    vtkHapticState,
     vtkVolumeHapticsFilter,
 )
 
@@ -56,7 +57,7 @@ def test_region_is_felt_as_the_whole():
     crop.SetInputData(image)
     assert crop.GetRegion() == (0, -1, 0, -1, 0, -1)
     haptics = vtkVolumeHapticsFilter()
-    planner.UseSettingsOf(haptics)
+    haptics.ConfigurePlanner(planner)
     assert (planner.GetMetersPerWorldUnit(), planner.GetSpringLength()) == (0.001, 4.0)
     planner.SetMaximumVoxels(42000)
     resident, wanted = (0, -1, 0, -1, 0, -1), [0] * 6
@@ -89,6 +90,6 @@ def test_region_is_felt_as_the_whole():
 
 def test_device_says_how_much_of_the_data_is_there():
     device = vtkHapticDevice()
-    assert device.GetResidency() == 1.0 and device.GetAbsentTicks() == 0
+    assert device.GetState().GetResidency() == 1.0 and device.GetAbsentTicks() == 0
     device.FadeOut()
-    assert "50 ms" in vtkHapticDevice.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.Arm.__doc__
+    assert "50 ms" in vtkHapticState.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.Arm.__doc__

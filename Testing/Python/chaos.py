@@ -94,6 +94,9 @@ class Strong:
     def UpdateState(self):  # noqa: N802
         self.tick += 10
 
+    def GetState(self):  # noqa: N802
+        return self
+
     def GetTick(self):  # noqa: N802
         return self.tick
 
@@ -207,13 +210,13 @@ class Chaos:
                 self.limits.pop(id(device), None)
                 continue
             before = self.limits.get(id(device), (math.inf, -1))
-            self.limits[id(device)] = (device.GetMaximumForce(), device.GetTick())
+            self.limits[id(device)] = (device.GetMaximumForce(), device.GetState().GetTick())
             device.UpdateState()
-            force = math.hypot(*device.GetForce())
+            force = math.hypot(*device.GetState().GetForce())
             if not math.isfinite(force):
-                raise Failed(f"{self.world.name(device)} sends {device.GetForce()} N")
+                raise Failed(f"{self.world.name(device)} sends {device.GetState().GetForce()} N")
             limit = device.GetMaximumForce()
-            if limit == before[0] and device.GetTick() > before[1] + 2 and force > limit * (1 + 1e-9):
+            if limit == before[0] and device.GetState().GetTick() > before[1] + 2 and force > limit * (1 + 1e-9):
                 raise Failed(f"{self.world.name(device)} sends {force} N, above its limit of {limit} N")
 
     def go_wrong(self, fault):

@@ -196,11 +196,11 @@ class World:
             device.SetDeviceToWorld(None)
             if device.GetDeviceId() != "virtual":
                 device.Open("virtual")
-            device.PlaceVirtualTip(8.0, 8.0, 2.0)
+            device.GetVirtualHand().Place(8.0, 8.0, 2.0)
             device.Start()
             device.Publish()
             device.Arm()
-            device.SetVirtualTip(8.0, 8.0, 9.0)
+            device.GetVirtualHand().SetPosition(8.0, 8.0, 9.0)
             device.UpdateState()
 
         return f"{self.name(device)} touches {self.name(image)} with {self.name(haptics)}", act
@@ -225,10 +225,10 @@ class World:
         file = self.random.choice(("chaos.vtp", "chaos.csv", "chaos.csv", "no/such/folder/chaos.vtp", "/proc/chaos.vtp"))
 
         def act():
-            if device.StartRecording(file):
+            if device.GetRecorder().Start(file):
                 device.UpdateState()
                 time.sleep(0.01)
-                device.StopRecording()
+                device.GetRecorder().Stop()
 
         return f"{self.name(device)} records {file}", act
 
@@ -239,7 +239,8 @@ class World:
         return self.spell(self.pick("vtkHapticSetup"), self.random.choice(("Save", "Load")), "chaos.json")
 
     def act_lead(self):
-        return self.spell(self.pick("vtkHapticDevice"), "SetVirtualTip", *(self.random.uniform(1, 14) for _ in range(3)))
+        hand = self.pick("vtkHapticDevice").GetVirtualHand()
+        return self.spell(hand, "SetPosition", *(self.random.uniform(1, 14) for _ in range(3)))
 
     def act_function(self):
         function = self.pick("vtkPiecewiseFunction")

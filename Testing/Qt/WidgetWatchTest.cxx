@@ -39,7 +39,7 @@ protected:
   }
   void ExpectLetsGo(const std::function<void()>& act)
   {
-    EXPECT_GT(Length(this->Device->GetForce()), 0.3) << "N";
+    EXPECT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
     act();
     QApplication::processEvents();
     EXPECT_FALSE(this->Style->GetTouchMode());
@@ -48,7 +48,7 @@ protected:
       [this]
       {
         this->Device->UpdateState();
-        return Length(this->Device->GetForce()) == 0.0;
+        return Length(this->Device->GetState()->GetForce()) == 0.0;
       }));
   }
 

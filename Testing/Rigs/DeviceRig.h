@@ -51,7 +51,7 @@ protected:
     ASSERT_TRUE(this->Device->Open(id));
     if (std::string(id) == "virtual")
     {
-      this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+      this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
     }
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
@@ -61,8 +61,8 @@ protected:
   void BeginFast()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualDynamics(0.01, 4.0, 2000.0, 0.0, 0);
-    this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+    this->Device->GetVirtualHand()->SetDynamics(0.01, 4.0, 2000.0, 0.0, 0);
+    this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
     ASSERT_TRUE(this->Device->Start());
     this->Device->Arm();
     ASSERT_TRUE(this->WaitTicks(5));
@@ -70,8 +70,8 @@ protected:
   bool WaitTicks(vtkIdType ticks)
   {
     this->Look();
-    const vtkIdType end = this->Device->GetTick() + ticks;
-    return this->Wait([&] { return this->Device->GetTick() >= end; });
+    const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
+    return this->Wait([&] { return this->Device->GetState()->GetTick() >= end; });
   }
   /// Polls the device until something holds in a state without a preceding pause of the loop.
   template <typename F>
@@ -90,18 +90,18 @@ protected:
   }
   bool WaitForce()
   {
-    return this->Wait([this] { return Length(this->Device->GetForce()) > 0.2; });
+    return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.2; });
   }
   /// Leads the tip to a position and waits until it is there.
   bool Lead(double x, double y, double z)
   {
     if (this->Way.empty())
     {
-      const double* const start = this->Device->GetTipPosition();
+      const double* const start = this->Device->GetState()->GetTipPosition();
       this->Way.push_back({ start[0], start[1], start[2] });
     }
     this->Way.push_back({ x, y, z });
-    this->Device->SetVirtualTip(x, y, z);
+    this->Device->GetVirtualHand()->SetPosition(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
   /// After a pause of the loop, leads the tip again from its present position.
@@ -121,7 +121,7 @@ protected:
   bool LeadInto(double z)
   {
     bool isThere = true;
-    for (double way = this->Device->GetTipPosition()[2]; isThere && way < z;)
+    for (double way = this->Device->GetState()->GetTipPosition()[2]; isThere && way < z;)
     {
       way = std::min(way + 0.5, z);
       isThere = this->Lead(7.0, 7.0, way);
@@ -138,7 +138,7 @@ protected:
   }
   bool WaitPressed()
   {
-    return this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; });
+    return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 1.4; });
   }
   /// Leaves the ramp, and presses it again with 1.5 N.
   bool PressAgain()
@@ -168,7 +168,7 @@ private:
   }
   bool IsAt(const Point& place)
   {
-    const double* const tip = this->Device->GetTipPosition();
+    const double* const tip = this->Device->GetState()->GetTipPosition();
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
@@ -178,7 +178,7 @@ private:
     this->Pauses.Forget();
     for (const Point& place : this->Way)
     {
-      this->Device->SetVirtualTip(place.data());
+      this->Device->GetVirtualHand()->SetPosition(place.data());
       const bool isThere = Eventually(
         [&]
         {

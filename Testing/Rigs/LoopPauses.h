@@ -17,8 +17,8 @@ public:
   /// Call after every UpdateState. The lag of the states behind the clock grows with every pause.
   void Look(vtkHapticDevice* device)
   {
-    const double lag =
-      device->GetTime() - static_cast<double>(device->GetTick()) / device->GetServoRate();
+    const double lag = device->GetState()->GetTime() -
+      static_cast<double>(device->GetState()->GetTick()) / device->GetServoRate();
     this->HeldUp = this->HeldUp || lag > this->Lag + 0.02;
     this->Lag = lag;
   }

@@ -45,7 +45,7 @@ protected:
   std::string In(const char* name) const { return this->Folder + "/" + name; }
   void ExpectNoStart(const std::string& file, const char* words)
   {
-    EXPECT_FALSE(this->Device->StartRecording(file.c_str())) << file;
+    EXPECT_FALSE(this->Device->GetRecorder()->Start(file.c_str())) << file;
     ASSERT_EQ(this->Log.Errors.size(), 1U) << file;
     EXPECT_NE(this->Log.Errors[0].find(file), std::string::npos) << this->Log.Errors[0];
     this->ExpectError(words);
@@ -69,7 +69,7 @@ protected:
   void FillTheDisk(const std::string& file)
   {
     this->Begin();
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     const FullDisk full(SizeOf(file + ".part") + 60000);
     // A resting tip takes few bytes.
     for (int i = 0; i < 1000 && this->Log.Errors.empty(); ++i)
@@ -82,7 +82,7 @@ protected:
     EXPECT_NE(this->Device->GetStatusText().find("Make room"), std::string::npos);
     EXPECT_TRUE(this->WaitTicks(10)) << "the servo goes on";
     EXPECT_TRUE(this->Log.Errors.empty()) << "it is told once";
-    EXPECT_FALSE(this->Device->StopRecording());
+    EXPECT_FALSE(this->Device->GetRecorder()->Stop());
     this->ExpectError(".part");
     EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
   }

@@ -24,13 +24,13 @@ protected:
     SetConstant(this->Filter->GetProperty()->GetFriction(), 0.3);
     SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.2);
   }
-  void StartRecording() { ASSERT_TRUE(this->Device->StartRecording(this->Name.c_str())); }
+  void StartRecording() { ASSERT_TRUE(this->Device->GetRecorder()->Start(this->Name.c_str())); }
   void Wander(int steps)
   {
     for (int i = 0; i < steps; ++i)
     {
       const double t = 0.05 * this->Steps++;
-      this->Device->SetVirtualTip(
+      this->Device->GetVirtualHand()->SetPosition(
         7.0 + 3.0 * std::sin(t), 7.0 + 2.0 * std::sin(0.7 * t), 8.0 + 2.5 * std::sin(1.3 * t));
       ASSERT_TRUE(this->WaitTicks(4));
     }
@@ -48,7 +48,7 @@ protected:
   /// The recording and the filter's replay of it.
   void ExpectSame(double leastForce = 0.5)
   {
-    ASSERT_TRUE(this->Device->StopRecording());
+    ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     this->Device->Stop();
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(this->Name.c_str());

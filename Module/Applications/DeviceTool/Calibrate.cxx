@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/DeviceTool/Calibrate.h"
 
-#include "Applications/DeviceTool/HoldingMedium.h"
 #include "Applications/DeviceTool/HungWeight.h"
 #include "Applications/DeviceTool/LiveLine.h"
 #include "Applications/DeviceTool/ScaleFit.h"
 #include "Applications/DeviceTool/ScalePress.h"
-
-#include <vtkMatrix4x4.h>
+#include "Applications/DeviceTool/WorkspaceVolume.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +15,34 @@
 #include <iostream>
 #include <iterator>
 #include <thread>
+#include <vtkHapticProperty.h>
+#include <vtkMatrix4x4.h>
+#include <vtkVolumeHapticsFilter.h>
+
+class vtkVolumeHapticsFilter;
+
+namespace
+{
+
+constexpr double Strength = 1000.0;    // N, much more than any device has
+constexpr double MediumSpacing = 40.0; // mm
+constexpr int MediumSteps = 6;         // beyond every device's workspace
+
+/**
+ * Makes the filter a medium in which the proxy never moves: a spring of this stiffness (N/m) in all
+ * directions. One world unit is a millimetre of the device.
+ */
+void MakeHoldingMedium(vtkVolumeHapticsFilter* filter, double stiffness)
+{
+  TouchField(filter, MediumSpacing, MediumSteps, [](const double*) { return 0.0; });
+  vtkHapticProperty* const property = filter->GetProperty();
+  SetEverywhere(property->GetStiffness(), stiffness);
+  SetEverywhere(property->GetFriction(), 0.0);
+  SetEverywhere(property->GetViscosity(), Strength);
+  SetEverywhere(property->GetSurfaceStrength(), 0.0);
+}
+
+} // namespace
 
 namespace
 {
@@ -93,8 +119,8 @@ public:
       this->Errors << this->Device->GetStatusText() << "\n";
       return false;
     }
-    const double* const tip = this->Device->GetTipPosition();
-    std::copy_n(this->Device->GetForce(), 3, sample.Force.begin());
+    const double* const tip = this->Device->GetState()->GetTipPosition();
+    std::copy_n(this->Device->GetState()->GetForce(), 3, sample.Force.begin());
     std::transform(tip, tip + 3, sample.Tip.begin(), [](double x) { return Millimetre * x; });
     sample.Tip[this->Axis] += this->Shift;
     sample.Elapsed = SecondsSince(this->Last);
@@ -120,7 +146,7 @@ public:
     {
       std::this_thread::sleep_for(LookPeriod);
       this->Device->UpdateState();
-      const double* const force = this->Device->GetForce();
+      const double* const force = this->Device->GetState()->GetForce();
       size = std::hypot(force[0], force[1], force[2]);
     }
   }

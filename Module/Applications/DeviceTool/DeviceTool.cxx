@@ -3,18 +3,56 @@
 #include "Applications/DeviceTool/DeviceTool.h"
 
 #include "Applications/DeviceTool/Calibrate.h"
-#include "Applications/DeviceTool/GentleWall.h"
 #include "Applications/DeviceTool/LiveLine.h"
 #include "Applications/DeviceTool/ToolDevice.h"
 #include "Applications/DeviceTool/ToolOptions.h"
-
-#include <vtkTable.h>
-#include <vtkVariant.h>
+#include "Applications/DeviceTool/WorkspaceVolume.h"
 
 #include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <thread>
+#include <vtkHapticProperty.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+#include <vtkVolumeHapticsFilter.h>
+
+class vtkVolumeHapticsFilter;
+
+namespace
+{
+
+/// Newtons on the hand, at most.
+constexpr double GentleForce = 1.0;
+
+constexpr double Stiffness = 200.0;       // N/m: the whole force after 5 mm
+constexpr double SurfaceStrength = 100.0; // N, much more than the hand gets: it never falls through
+constexpr double WallSpacing = 4.0;       // mm
+constexpr int WallSteps = 50;             // beyond every device's workspace
+
+/**
+ * Makes the filter a wall across an axis (0 to 2): free on the positive side of the device's
+ * middle, a smooth solid of 200 N/m on the negative side. One world unit is a millimetre of the
+ * device.
+ */
+void MakeGentleWall(vtkVolumeHapticsFilter* filter, int axis)
+{
+  // The values are mm into the wall.
+  TouchField(
+    filter, WallSpacing, WallSteps, [axis](const double* position) { return -position[axis]; });
+  vtkHapticProperty* const property = filter->GetProperty();
+  SetEverywhere(property->GetStiffness(), Stiffness);
+  SetEverywhere(property->GetFriction(), 0.0);
+  SetEverywhere(property->GetViscosity(), 0.0);
+  SetEverywhere(property->GetDistinctness(), 1.0);
+  property->GetSurfaceStrength()->RemoveAllPoints();
+  property->GetSurfaceStrength()->AddPoint(0.0, 0.0);
+  property->GetSurfaceStrength()->AddPoint(0.1, SurfaceStrength);
+  property->SetSurfaceSideToHigher();
+}
+
+} // namespace
 
 namespace
 {
@@ -181,13 +219,13 @@ bool Record(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
   // With a wall to touch, though not armed: a recording needs a volume.
   MakeGentleWall(device.GetVolume(), 2);
   device->SetVolumeHaptics(device.GetVolume());
-  if (!device->Start() || !device->StartRecording(options.File.c_str()))
+  if (!device->Start() || !device->GetRecorder()->Start(options.File.c_str()))
   {
     return false;
   }
   const double seconds = options.Seconds > 0.0 ? options.Seconds : RecordSeconds;
   const bool isWhole = Watch(device, seconds, streams);
-  if (!device->StopRecording())
+  if (!device->GetRecorder()->Stop())
   {
     return false;
   }

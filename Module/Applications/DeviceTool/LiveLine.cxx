@@ -28,14 +28,15 @@ bool IsTerminalStream(const std::ostream& out)
 std::string DescribeState(vtkHapticDevice* device)
 {
   const char* const contacts[] = { "free", "sticking", "sliding", "penetrating" };
-  const double* const tip = device->GetTipPosition();
-  const double* const force = device->GetForce();
+  const double* const tip = device->GetState()->GetTipPosition();
+  const double* const force = device->GetState()->GetForce();
   char text[300];
   std::snprintf(text, sizeof(text),
     "tip %7.1f %7.1f %7.1f mm   force %6.2f %6.2f %6.2f N   %-11s  buttons %02x   %5.0f Hz   "
     "reports every %4.1f ms, round trip %4.1f ms",
-    tip[0], tip[1], tip[2], force[0], force[1], force[2], contacts[device->GetContact()],
-    static_cast<unsigned int>(device->GetButtons()), device->GetTickRate(),
+    tip[0], tip[1], tip[2], force[0], force[1], force[2],
+    contacts[device->GetState()->GetContact()],
+    static_cast<unsigned int>(device->GetState()->GetButtons()), device->GetTickRate(),
     1e3 * device->GetReportPeriod(), 1e3 * device->GetRoundTripTime());
   std::string line = text;
   if (device->GetStiffnessCap() > 0.0)

@@ -8,22 +8,22 @@
 namespace
 {
 
-constexpr double PressSpeed = 8e-3;    ///< m/s
-constexpr double ReleaseSpeed = 30e-3; ///< m/s
-constexpr double LongestStep = 0.05;   ///< s
-constexpr double MostWay = 40e-3;      ///< m
-constexpr double RestPlace = 0.3e-3;   ///< m
-constexpr double RestShare = 0.02;     ///< fraction of the largest force
-constexpr double RestTime = 0.5;       ///< s
-constexpr double SettleTime = 10.0;    ///< s
-constexpr double HeldPlace = 1e-3;     ///< m
-constexpr double HeldShare = 0.05;     ///< fraction of the largest force
+constexpr double PressSpeed = 8e-3;       ///< m/s
+constexpr double ReleaseSpeed = 30e-3;    ///< m/s
+constexpr double ScaleLongestStep = 0.05; ///< s
+constexpr double MostWay = 40e-3;         ///< m
+constexpr double ScaleRestPlace = 0.3e-3; ///< m
+constexpr double ScaleRestShare = 0.02;   ///< fraction of the largest force
+constexpr double ScaleRestTime = 0.5;     ///< s
+constexpr double ScaleSettleTime = 10.0;  ///< s
+constexpr double HeldPlace = 1e-3;        ///< m
+constexpr double HeldShare = 0.05;        ///< fraction of the largest force
 
 } // namespace
 
 ScalePress::ScalePress(const Settings& settings)
   : Given(settings)
-  , Rest(RestPlace, RestShare * settings.MostForce, RestTime)
+  , Rest(ScaleRestPlace, ScaleRestShare * settings.MostForce, ScaleRestTime)
   , Held(HeldPlace, HeldShare * settings.MostForce, 0.5 * ReadTime)
 {
 }
@@ -92,7 +92,7 @@ void ScalePress::Step(const HeldSample& sample)
     return;
   }
   const double force = this->Given.Direction * sample.Force[this->Given.Axis];
-  const double elapsed = std::min(sample.Elapsed, LongestStep);
+  const double elapsed = std::min(sample.Elapsed, ScaleLongestStep);
   this->PhaseTime += sample.Elapsed;
   switch (this->Now)
   {
@@ -101,7 +101,7 @@ void ScalePress::Step(const HeldSample& sample)
       {
         this->Begin(Phase::Press);
       }
-      else if (this->PhaseTime > SettleTime)
+      else if (this->PhaseTime > ScaleSettleTime)
       {
         this->Refuse("The handle does not come to rest. Let it go, and stand the device firmly.");
       }

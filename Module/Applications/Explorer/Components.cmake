@@ -43,7 +43,6 @@ set(Explore_SOURCES
   Exploration/Exploration.cxx
   Exploration/GuideFile.cxx
   Exploration/HeardTicks.cxx
-  Exploration/MethodScale.cxx
   Exploration/ModeChoice.cxx
   Exploration/ShapeFile.cxx
   Exploration/TissueTable.cxx
@@ -54,16 +53,13 @@ set(Explore_SOURCES
   Live/KeyBinding.cxx
   Live/LiveRun.cxx
   Live/LookSwitch.cxx
-  Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx
   Live/ToolFile.cxx
   Live/TouchReplay.cxx
   Live/TouchScene.cxx
   Live/WindowFiles.cxx
   Live/WindowRecorder.cxx
-  Live/WindowSound.cxx
   Options.cxx
-  Path/PolarGrid.cxx
   Path/SurfaceMap.cxx
   Path/TipPathPlanner.cxx
   Record/DemoScript.cxx
@@ -72,8 +68,6 @@ set(Explore_SOURCES
   Report/TraceSound.cxx
   Report/TraceSummary.cxx
   Scene/ExplorerScene.cxx
-  Scene/PlaneHandles.cxx
-  Scene/Trail.cxx
   Scene/VolumeCut.cxx
   Scene/VolumeLook.cxx
   Sound/ContactSound.cxx
@@ -91,7 +85,6 @@ set(Explore_SOURCES
   Volume/DicomSeries.cxx
   Volume/DicomStream.cxx
   Volume/GridLoader.cxx
-  Volume/GridOutline.cxx
   Volume/LabelLoader.cxx
   Volume/LabelMap.cxx
   Volume/LargeLoader.cxx

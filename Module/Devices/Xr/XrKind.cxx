@@ -87,7 +87,7 @@ std::string WhyNoXr(bool hasModule, const std::string& runtime)
     return "needs VTK's module RenderingOpenXR, which this library was built without. Build VTK "
            "9.2 or later with -DVTK_MODULE_ENABLE_VTK_RenderingOpenXR=YES, and this library with "
            "that VTK and -DVolumeHaptics_USE_OPENXR=ON. A program that makes controllers vibrate "
-           "by itself (vtkHapticDevice::TakeVibration) can open it all the same.";
+           "by itself (vtkHapticVirtualHand::TakeVibration) can open it all the same.";
   }
 #if defined(__linux__)
   if (runtime.empty())

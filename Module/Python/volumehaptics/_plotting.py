@@ -323,7 +323,7 @@ def add_haptics(
         it, such as an isosurface. Default: the volume under the pointer, whichever the plotter shows when t is pressed;
         with mode, labels, visibility or "propose" its only one. Or a list of images of one geometry, the frames of a
         volume that moves: it plays in a loop at once, and an actor of the first frame shows what is felt; see
-        vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory, of
+        vtkHapticPlayback.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory, of
         open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
         that is in memory finely, in a frame. Or a rectilinear, structured or unstructured grid, or a MultiBlock of
         these: its arrays are felt, resampled around the hand, whatever shows it.
@@ -430,8 +430,8 @@ def add_haptics(
         for text in haptics._check_volumes():
             warnings.warn(text, stacklevel=2)
         if frames is not None:
-            haptics.device.SetPlaybackToLoop()
-            haptics.device.Play()
+            haptics.device.GetPlayback().SetModeToLoop()
+            haptics.device.GetPlayback().Play()
     except BaseException:
         haptics.close()  # an interactive session would keep the exception, and so the plotter
         raise

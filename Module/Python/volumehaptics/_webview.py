@@ -26,7 +26,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from ._touch import apply_preset
 from ._webdoor import door_of, page_now
-from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
+from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     from ._plotting import Haptics
@@ -179,7 +179,7 @@ class View:
     def _make_page(self) -> VAppLayout:
         state, style, touch = self.server.state, self.haptics.style, self.haptics.filter
         names, presets = (names_of(list_names()) for list_names in
-                          (vtkVolumeHapticsAlgorithm.GetMethodNames, vtkHapticProperty.GetPresetNames))
+                          (vtkVolumeHapticsFilter.GetMethodNames, vtkHapticProperty.GetPresetNames))
         methods = [name for name in names if name != "primitives" or touch.GetNumberOfModes()]
         self._methods, self._presets = methods, presets
         for word, value in {"touching": False, "method": touch.GetMethodName(), "preset": None, "status": "",
@@ -397,7 +397,7 @@ class View:
             if self._owed and not self.area.is_late():
                 self.interactor.Render()
             if start - asked > 1.0:
-                now = haptics.device.GetTick()
+                now = haptics.device.GetState().GetTick()
                 if ticks is not None:
                     self.rate = (now - ticks) / (start - asked)
                 ticks, asked, number = now, start, number + 1

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Any
 from .__main__ import PROGRAM, find_explorer
 from ._webview import View, names_of  # first, because its error names the cure if trame is missing
 from ._webdoor import HERE, door_of
-from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
+from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
 from trame.app import get_server
 
@@ -193,7 +193,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--demo", action="store_true", help="the head phantom that comes with the package")
     parser.add_argument("--preset", choices=[*names_of(vtkHapticProperty.GetPresetNames()), "propose"],
                         help="what the tissues feel like (default: by the values)")
-    parser.add_argument("--method", choices=names_of(vtkVolumeHapticsAlgorithm.GetMethodNames()), help="(default: proxy)")
+    parser.add_argument("--method", choices=names_of(vtkVolumeHapticsFilter.GetMethodNames()), help="(default: proxy)")
     parser.add_argument("--device", default="virtual", help="the hand (default: virtual, which the mouse leads)")
     parser.add_argument("--port", type=int, default=0, help="(default: a free one)")
     parser.add_argument("--host", default="localhost",

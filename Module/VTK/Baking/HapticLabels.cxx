@@ -4,13 +4,14 @@
 
 #include "Core/Field/Estimates/NoiseEstimate.h"
 #include "Core/Field/LabelSamples.h"
-#include "VTK/Baking/ScalarLabels.h"
 #include "VTK/Base/HapticVolume.h"
+#include "VTK/Material/HapticPropertySettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -20,12 +21,61 @@
 #include <limits>
 #include <new>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+/** Largest span of labels that gets a table. */
+constexpr int MostScalarLabels = 1 << 16;
+
+/** Returns the value of a function at a scalar, or the constant if the function has no points. */
+double FindScalarMaterial(vtkHapticProperty* property, const char* name, double label)
+{
+  for (const PropertyFunction& rule : PropertyFunctions)
+  {
+    if (std::string(rule.Name) == name)
+    {
+      vtkPiecewiseFunction* const function = (property->*rule.Get)();
+      return function->GetSize() > 0 ? function->GetValue(property->ScalarToValue(label))
+                                     : rule.Default;
+    }
+  }
+  return 0.0;
+}
+
+/**
+ * The materials of a segmentation that is touched itself: a property's functions map its numbers to
+ * materials. Fills a table with a material for each whole number between the least and the largest
+ * sample, including the background. False, with the table empty, if the samples can't be labels:
+ * several components, values that are not finite, or a span of more than MostScalarLabels.
+ */
+bool FillScalarLabels(
+  vtkDataArray* scalars, vtkHapticProperty* property, vtkHapticLabelTable* table)
+{
+  table->RemoveAllLabels();
+  double range[2];
+  scalars->GetRange(range, 0);
+  constexpr double most = VTK_INT_MAX;
+  // The condition is also false for NaN.
+  const bool isSpanned = range[0] >= -most && range[1] <= most && range[0] <= range[1] &&
+    range[1] - range[0] < MostScalarLabels;
+  if (scalars->GetNumberOfComponents() != 1 || !isSpanned)
+  {
+    return false;
+  }
+  for (int label = static_cast<int>(std::ceil(range[0])); label <= range[1]; ++label)
+  {
+    table->SetStiffness(label, FindScalarMaterial(property, "Stiffness", label));
+    table->SetFriction(label, FindScalarMaterial(property, "Friction", label));
+    table->SetViscosity(label, FindScalarMaterial(property, "Viscosity", label));
+    table->SetSurfaceStrength(label, FindScalarMaterial(property, "SurfaceStrength", label));
+  }
+  return true;
+}
 
 constexpr const char* LabelImage = "label image on input port 3";
 

@@ -86,59 +86,6 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(vtkPolyData* surface, const Affine3&
     std::move(points), triangles, std::move(directions), std::move(motions));
 }
 
-} // namespace
-
-std::shared_ptr<const SurfaceMesh> MeshSurface(
-  vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error)
-{
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    const Vector3 point = ReadVector(surface->GetPoints()->GetData(), i);
-    if (!(Norm(point) < FarthestPoint))
-    {
-      error = name + " has a coordinate that is NaN, infinite or beyond 1e30 at point " +
-        std::to_string(i) + ". Replace or remove that point.";
-      return nullptr;
-    }
-  }
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    // Asking the array for its range would store the range in it, while another thread may read it.
-    vtkDataArray* const ids = cells->GetConnectivityArray();
-    const vtkIdType count = cells->GetNumberOfConnectivityIds();
-    double least = 0.0;
-    double most = 0.0;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      least = std::min(least, ids->GetComponent(i, 0));
-      most = std::max(most, ids->GetComponent(i, 0));
-    }
-    if (least < 0.0 || (most > 0.0 && most >= static_cast<double>(surface->GetNumberOfPoints())))
-    {
-      error =
-        name + " has a cell with a point that does not exist. Correct its polygons and strips.";
-      return nullptr;
-    }
-  }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->SetInputData(surface);
-  triangles->Update();
-  const auto mesh = surface->GetNumberOfPoints() > 0
-    ? MakeMesh(triangles->GetOutput(), Affine3{}, Matrix3{})
-    : nullptr;
-  if (!mesh || mesh->GetNumberOfTriangles() == 0)
-  {
-    error = name + " has no triangles to touch. " + cure;
-    return nullptr;
-  }
-  return mesh;
-}
-
-namespace
-{
-
 std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& error)
 {
   return MeshSurface(surface, "The surface on input port 2",
@@ -277,27 +224,6 @@ double EstimateTriangles(const IsoSurface& iso)
   return 2.0 * passed / looks * static_cast<double>(iso.Image->GetNumberOfPoints());
 }
 
-} // namespace
-
-void ShareCells(vtkPolyData* from, vtkPolyData* to)
-{
-  const vtkNew<vtkCellArray> polygons;
-  polygons->ShallowCopy(from->GetPolys());
-  to->SetPolys(polygons);
-  const vtkNew<vtkCellArray> strips;
-  strips->ShallowCopy(from->GetStrips());
-  to->SetStrips(strips);
-}
-
-double EstimateMeshTime(const IsoSurface& iso)
-{
-  return SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
-    SecondsPerTriangle * EstimateTriangles(iso);
-}
-
-namespace
-{
-
 /** Meshes an isosurface and, if asked for, computes how it moves. */
 std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld, const MotionsOf& findMotions)
@@ -321,6 +247,70 @@ std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, cons
 }
 
 } // namespace
+
+std::shared_ptr<const SurfaceMesh> MeshSurface(
+  vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error)
+{
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 point = ReadVector(surface->GetPoints()->GetData(), i);
+    if (!(Norm(point) < FarthestPoint))
+    {
+      error = name + " has a coordinate that is NaN, infinite or beyond 1e30 at point " +
+        std::to_string(i) + ". Replace or remove that point.";
+      return nullptr;
+    }
+  }
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    // Asking the array for its range would store the range in it, while another thread may read it.
+    vtkDataArray* const ids = cells->GetConnectivityArray();
+    const vtkIdType count = cells->GetNumberOfConnectivityIds();
+    double least = 0.0;
+    double most = 0.0;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      least = std::min(least, ids->GetComponent(i, 0));
+      most = std::max(most, ids->GetComponent(i, 0));
+    }
+    if (least < 0.0 || (most > 0.0 && most >= static_cast<double>(surface->GetNumberOfPoints())))
+    {
+      error =
+        name + " has a cell with a point that does not exist. Correct its polygons and strips.";
+      return nullptr;
+    }
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->SetInputData(surface);
+  triangles->Update();
+  const auto mesh = surface->GetNumberOfPoints() > 0
+    ? MakeMesh(triangles->GetOutput(), Affine3{}, Matrix3{})
+    : nullptr;
+  if (!mesh || mesh->GetNumberOfTriangles() == 0)
+  {
+    error = name + " has no triangles to touch. " + cure;
+    return nullptr;
+  }
+  return mesh;
+}
+
+void ShareCells(vtkPolyData* from, vtkPolyData* to)
+{
+  const vtkNew<vtkCellArray> polygons;
+  polygons->ShallowCopy(from->GetPolys());
+  to->SetPolys(polygons);
+  const vtkNew<vtkCellArray> strips;
+  strips->ShallowCopy(from->GetStrips());
+  to->SetStrips(strips);
+}
+
+double EstimateMeshTime(const IsoSurface& iso)
+{
+  return SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
+    SecondsPerTriangle * EstimateTriangles(iso);
+}
 
 std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld)

@@ -11,6 +11,8 @@
 #include "Core/Model/SurfaceMesh.h"
 #include "VTK/Base/BackgroundWork.h"
 
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -18,11 +20,20 @@
 #include <tuple>
 
 class vtkDataArray;
-class vtkImageData;
 class vtkPolyData;
 
 namespace VolumeHaptics
 {
+
+class SurfaceMesh;
+
+/** A part of an image, as vtkHapticRegionFilter makes it, and the isosurface in it. */
+struct SurfaceRegion
+{
+  vtkSmartPointer<vtkImageData> Image;
+  std::shared_ptr<const SurfaceMesh> Mesh; ///< null if the region contains no surface
+};
+
 /** The image and the value of an isosurface. */
 struct IsoSurface
 {

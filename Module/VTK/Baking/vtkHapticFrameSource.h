@@ -10,8 +10,8 @@
  *   source->AddFrame(exhaled, 0.0);
  *   source->AddFrame(inhaled, 2.0);
  *   filter->SetInputConnection(source->GetOutputPort());
- *   device->SetPlaybackToPingPong();
- *   device->Play();
+ *   device->GetPlayback()->SetModeToPingPong();
+ *   device->GetPlayback()->Play();
  *
  * The output shares the arrays of the frame at the requested time (UPDATE_TIME_STEP), or of the
  * last one before it. Nothing is copied, not even for the servo: do not change the arrays

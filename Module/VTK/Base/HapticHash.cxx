@@ -7,16 +7,21 @@
 #include "vtksys/MD5.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
 /**
  * Measured on a desktop computer of 2023; for other memory layouts, the values are copied first.
  */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
+
+constexpr double LookInterval = 0.02; // s
+
 } // namespace
 
 double EstimateHashTime(vtkDataArray* array)
@@ -72,6 +77,43 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3], const HashPr
   vtksysMD5_FinalizeHex(md5, digest);
   vtksysMD5_Delete(md5);
   return isEnded ? std::string() : digest;
+}
+
+std::string ArrayHash::Get(const TouchedArray& array)
+{
+  if (!array.Array)
+  {
+    return {};
+  }
+  const std::string* const known = this->Work.Find(array.GetKey());
+  return known ? *known : HashArray(array.Array, array.Dimensions.data());
+}
+
+std::string ArrayHash::Await(const TouchedArray& array, const std::function<bool(double)>& goesOn)
+{
+  if (!array.Array)
+  {
+    return {};
+  }
+  const TouchedArray::Key key = array.GetKey();
+  const std::string* known = this->Work.Follow(key,
+    [array](WorkMonitor& monitor) -> std::optional<std::string>
+    {
+      std::string hash = HashArray(array.Array, array.Dimensions.data(),
+        [&monitor](double share) { return monitor.GoesOn(share); });
+      return hash.empty() ? std::nullopt : std::optional<std::string>(std::move(hash));
+    });
+  while (!known && this->Work.IsUnderWay() && !this->Work.WaitFor(LookInterval))
+  {
+    if (!goesOn(this->Work.GetProgress()))
+    {
+      this->Work.Forget();
+      return {};
+    }
+  }
+  known = this->Work.Find(key);
+  // The worker lacked memory, or belongs to the process that this one was forked from.
+  return known ? *known : HashArray(array.Array, array.Dimensions.data());
 }
 
 } // namespace VolumeHaptics

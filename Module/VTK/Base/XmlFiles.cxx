@@ -7,6 +7,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
 #include "vtkXMLReader.h"
 #include "vtkXMLWriter.h"
 
@@ -75,6 +77,13 @@ bool WriteXmlFile(
   writer->Write();
   replacement.Write(writer->GetOutputString());
   return replacement.Commit(error);
+}
+
+vtkSmartPointer<vtkPolyData> ReadXmlPolyData(const std::string& file, bool& failed)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  failed = !ReadXmlFile(reader, file) || failed;
+  return reader->GetOutput();
 }
 
 } // namespace VolumeHaptics

@@ -7,9 +7,12 @@
 #ifndef XmlFiles_h
 #define XmlFiles_h
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 
 class vtkDataObject;
+class vtkPolyData;
 class vtkXMLReader;
 class vtkXMLWriter;
 
@@ -21,6 +24,9 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
 /** Writes all of the file, or nothing. Returns false, with the reason and the cure. */
 bool WriteXmlFile(
   vtkXMLWriter* writer, vtkDataObject* data, const std::string& file, std::string& error);
+
+/** Reads what it can of the file; `failed` becomes true after an error. */
+vtkSmartPointer<vtkPolyData> ReadXmlPolyData(const std::string& file, bool& failed);
 
 } // namespace VolumeHaptics
 

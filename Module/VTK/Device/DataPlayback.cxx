@@ -121,7 +121,7 @@ bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
     return false;
   }
   return filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS ||
-    (HasTimeSteps(filter) && !HapticBaker(filter).IsResampled());
+    (HasTimeSteps(filter) && !filter->GetBaker().IsResampled());
 }
 
 bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
@@ -129,7 +129,7 @@ bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
   if (this->IsMoving && filter && filter->GetNumberOfInputConnections(0) > 0)
   {
     filter->GetInputAlgorithm(0, 0)->UpdateInformation();
-    HapticBaker(filter).WarnOfStillSteps();
+    filter->GetBaker().WarnOfStillSteps();
   }
   return this->IsFelt(filter);
 }
@@ -170,7 +170,7 @@ bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, Volume
   try
   {
     HapticFrame read;
-    if (!ReadFrame(filter, this->Steps.Times[step], HapticBaker(filter).GetReading(), read))
+    if (!ReadFrame(filter, this->Steps.Times[step], filter->GetBaker().GetReading(), read))
     {
       error = "A time step of the image on input port 0 can't be read: see the errors of its "
               "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
@@ -180,7 +180,7 @@ bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, Volume
       const FieldFrame& like = this->Window->Frames.front();
       const FrameShape shape{ like.Field.GetView(), this->Window->IndexToWorld,
         this->Window->Series, filter->GetKernelRadius(), filter->GetDisplacementArrayName(),
-        HapticBaker(filter).GetOutside() };
+        filter->GetBaker().GetOutside() };
       MakeVolumeFrame(read, shape, frame, error);
     }
   }
@@ -229,13 +229,13 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   std::vector<HapticFrame>& read = window.Frames;
   if (read.empty())
   {
-    return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
+    return filter->GetBaker().Bake(rate, caps, deviceToWorld);
   }
   this->Rate = rate;
   this->MadeOf = FindOrigin(filter);
   this->Window = last
     ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times), filter->GetKernelRadius(),
-        filter->GetDisplacementArrayName(), HapticBaker(filter).GetOutside())
+        filter->GetDisplacementArrayName(), filter->GetBaker().GetOutside())
     : nullptr;
   if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
@@ -244,7 +244,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
     return std::make_shared<const HapticModel>(this->Window, placement, caps);
   }
   auto model =
-    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
+    filter->GetBaker().BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
   this->Window = model ? model->Baked : nullptr;
   // Read after the bake, because the first bake creates what the property lacks.
   this->MadeBeside = FindChangeTimeBesideImage(filter);
@@ -300,7 +300,7 @@ void DataPlayback::GoOnFrom(const BakedVolume& last, const std::vector<double>& 
 
 void DataPlayback::WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const
 {
-  HapticBaker(filter).WarnOfFastMotion(*this->Window, this->Orders.Mode == Playback::Loop);
+  filter->GetBaker().WarnOfFastMotion(*this->Window, this->Orders.Mode == Playback::Loop);
 }
 
 bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent)

@@ -193,7 +193,7 @@ bool DeviceOrders::Publish()
     {
       vtkErrorWithObjectMacro(device,
         "A recording is under way, and recordings can't be of a region of a larger "
-        "volume: no single image could replay them. StopRecording() first.");
+        "volume: no single image could replay them. Stop() the recorder first.");
       return false;
     }
     ticks->Publish(std::move(model));

@@ -9,7 +9,10 @@
 #include "VTK/Device/Recording/HapticStateTable.h"
 #include "VTK/Trace/TraceRow.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace VolumeHaptics
@@ -24,6 +27,14 @@ void Copy(const Vector3& from, double to[3])
   to[0] = from.X;
   to[1] = from.Y;
   to[2] = from.Z;
+}
+
+void Copy(const Quaternion& from, double to[4])
+{
+  to[0] = from.W;
+  to[1] = from.X;
+  to[2] = from.Y;
+  to[3] = from.Z;
 }
 
 } // namespace
@@ -169,6 +180,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
       std::make_unique<ReplayDevice>(std::move(tips), this->Id, std::move(orientations));
   }
   this->State = {};
+  this->ShowNumbers();
   this->Rate = rate;
   auto servo = std::make_unique<ServoThreads>(*this->Backend, rate, limits, std::move(model));
   GuardServo(servo.get());
@@ -204,7 +216,7 @@ void DeviceSession::Stop()
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
     this->State.Command = {};
-    Copy({}, this->Force);
+    Copy(Vector3{}, this->Latest->Force);
   }
 }
 
@@ -314,33 +326,60 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
   const Matrix3 rotation = RotationOf(toWorld);
   const TickRecord& record = this->State.Record;
-  Copy(this->State.Turn, this->TurnRate);
+  vtkHapticState& latest = *this->Latest;
+  Copy(this->State.Turn, latest.TurnRate);
   const Quaternion q =
     this->State.HasOrientation ? TurnedBy(rotation, this->State.Orientation, true) : Quaternion{};
-  this->Orientation = { q.W, q.X, q.Y, q.Z };
-  Copy(toWorld(record.Tip), this->Tip);
-  Copy(toWorld(record.Proxy), this->Proxy);
-  Copy(rotation * this->State.Command, this->Force);
-  Copy(rotation * record.Force, this->ComputedForce);
-  Copy(rotation * this->State.Torque, this->Torque);
-  Copy(rotation * record.Torque, this->ComputedTorque);
+  Copy(q, latest.TipOrientation);
+  Copy(toWorld(record.Tip), latest.TipPosition);
+  Copy(toWorld(record.Proxy), latest.ProxyPosition);
+  Copy(rotation * this->State.Command, latest.Force);
+  Copy(rotation * record.Force, latest.ComputedForce);
+  Copy(rotation * this->State.Torque, latest.Torque);
+  Copy(rotation * record.Torque, latest.ComputedTorque);
   const bool hasShape = !IsIdentical(record.ToolOrientation, NoOrientation);
   const Quaternion tool = TurnedBy(rotation, record.ToolOrientation, hasShape);
-  this->ToolOrientation = { tool.W, tool.X, tool.Y, tool.Z };
-  Copy(rotation * record.Normal, this->Normal);
+  Copy(tool, latest.ToolOrientation);
+  Copy(rotation * record.Normal, latest.Normal);
   // Fig. 4: x_s and x_v lie on both sides of the proxy at the beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
   const Vector3 reach = (model ? model->KernelLengthAlong(record.Normal) : 0.0) * record.Normal;
-  Copy(toWorld(start + reach), this->SurfacePosition);
-  Copy(toWorld(start - reach), this->MediumPosition);
+  Copy(toWorld(start + reach), latest.SurfacePosition);
+  Copy(toWorld(start - reach), latest.MediumPosition);
   for (std::size_t mode = 0; mode < this->State.Modes.size(); ++mode)
   {
-    Copy(rotation * this->State.Modes[mode], this->ModeForces[mode]);
+    Copy(rotation * this->State.Modes[mode], latest.ModeForces[mode]);
   }
-  this->Label = model ? GetTraceLabel(*model, record) : 0;
-  this->IsAtForbidden = model && IsHeldAtForbidden(*model, record);
+  latest.Label = model ? GetTraceLabel(*model, record) : 0;
+  latest.IsHeldAtLabel = model && IsHeldAtForbidden(*model, record);
+  this->ShowNumbers();
   this->FollowRoundTrip();
   return true;
+}
+
+void DeviceSession::ShowNumbers()
+{
+  vtkHapticState& latest = *this->Latest;
+  const TickRecord& record = this->State.Record;
+  latest.IsOriented = this->State.HasOrientation;
+  latest.IsMeasured = this->State.HasOrientation && !this->State.IsOrdered;
+  latest.Spins = this->State.Before.IsSpinning;
+  latest.Buttons = static_cast<int>(this->State.Buttons);
+  latest.Contact = static_cast<int>(record.Contact);
+  latest.SurfaceValue = record.SurfaceValue;
+  latest.NormalForce = record.NormalForce;
+  latest.FrictionForce = record.FrictionForce;
+  latest.DragForce = record.DragForce;
+  // Tension of the spring at the beginning of the last tick; solvers other than PRECISE leave it at
+  // 1.
+  const double tension = this->State.Before.Precise.Spring.Tension;
+  latest.Slack = record.Contact != ContactState::Free ? std::clamp(1.0 - tension, 0.0, 1.0) *
+      std::sqrt(vtkMath::Distance2BetweenPoints(latest.TipPosition, latest.ProxyPosition))
+                                                      : 0.0;
+  latest.Residency = this->State.Residency;
+  latest.Tick = static_cast<vtkIdType>(this->State.Tick);
+  latest.Time = this->State.Time;
+  latest.Modified();
 }
 
 ForceCaps DeviceSession::FindCaps(double rate) const

@@ -16,6 +16,9 @@
 #include "VTK/Device/ServoThreads.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 
+#include "vtkHapticState.h"
+#include "vtkNew.h"
+
 #include <array>
 #include <map>
 #include <memory>
@@ -51,7 +54,7 @@ public:
   }
   /** The back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
-  /** See vtkHapticDevice::TakeVibration. */
+  /** See vtkHapticVirtualHand::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->TakeAmplitude() : 0.0; }
 
   ///@{
@@ -100,7 +103,7 @@ public:
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{
-  /** See vtkHapticDevice::SetSpinning. */
+  /** See vtkHapticVirtualHand::SetSpinning. */
   void Spin(bool on);
   bool IsSpinOrdered() const { return this->Spinning; }
   ///@}
@@ -188,11 +191,11 @@ public:
 
   /**
    * Writes all states since a reader's last call as rows of a table: see
-   * vtkHapticDevice::DrainStates.
+   * vtkHapticState::Drain.
    */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
-  /** Reserve a number for DrainStates, and release it: see vtkHapticDevice::AddReader. */
+  /** Reserve a number for DrainStates(), and release it: see vtkHapticState::AddReader. */
   int AddReader();
   void RemoveReader(int reader);
   ///@}
@@ -200,27 +203,8 @@ public:
   /** Returns the status as of the last Update. It refers to this object. */
   DeviceStatus GetStatus() const;
 
-  ///@{
-  /** World positions of the latest state. */
-  double Tip[3] = {};
-  double Proxy[3] = {};
-  double Force[3] = {};
-  double ComputedForce[3] = {};
-  double Torque[3] = {};         ///< sent (N m, world axes)
-  double ComputedTorque[3] = {}; ///< computed (N m, world axes)
-  double Normal[3] = {};
-  double SurfacePosition[3] = {};
-  double MediumPosition[3] = {};
-  double ModeForces[MostPrimitives + 1][3] = {}; ///< N, world axes; the last element is 0
-  ///@}
-  /// w, x, y, z of the latest state, in the world; not turned if the device has none
-  std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };
-  /// Orientation (w, x, y, z) of a tool with a shape in the latest state, in the world; all 0
-  /// without such a tool.
-  std::array<double, 4> ToolOrientation{};
-  bool IsAtForbidden = false; ///< in the latest state: see vtkHapticDevice::IsAtForbiddenLabel
-  std::int64_t Label = 0;     ///< in the latest state: see vtkHapticDevice::GetLabel
-  double TurnRate[3] = {};    ///< in the latest state (rad/s, the device's axes)
+  /** The latest state as users of vtkHapticDevice see it. */
+  vtkHapticState* GetLatest() const { return this->Latest; }
 
 private:
   struct Work
@@ -230,6 +214,8 @@ private:
   };
   /** Returns the outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
+  /** Copies numbers of the latest state that need no placement to GetLatest(). */
+  void ShowNumbers();
   /** Publishes the last model with other caps if the measured round trip requires them. */
   void FollowRoundTrip();
   /** Writes the facts to the user's file if the device is remembered. */
@@ -248,6 +234,7 @@ private:
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
+  const vtkNew<vtkHapticState> Latest;
   bool ArmsAtStart = false;           ///< whether Arm was ordered before the servo ran
   bool Clutched = false;              ///< last order of SetClutched
   std::optional<Quaternion> HandTurn; ///< see TurnHand

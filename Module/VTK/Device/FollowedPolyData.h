@@ -14,7 +14,7 @@ namespace VolumeHaptics
 class HapticModel;
 struct Vector3;
 
-/** Replaces the contents of `shapes`: see vtkHapticDevice::GetFollowed. The proxy is in metres. */
+/** Replaces the contents of `shapes`: see vtkHapticState::GetFollowed. The proxy is in metres. */
 void WriteFollowed(
   const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes);
 

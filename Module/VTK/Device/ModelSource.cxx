@@ -89,7 +89,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   {
     const bool isMoving = this->Playback.IsFelt(filter);
     const double seconds =
-      isMoving ? this->Playback.EstimateTime() : HapticBaker(filter).EstimateTime();
+      isMoving ? this->Playback.EstimateTime() : filter->GetBaker().EstimateTime();
     const LongWork work(
       this->Device, "the surface is meshed", this->Device->IsRunning() ? seconds : 0.0);
     const ForceCaps caps = this->Session.FindCaps(rate);
@@ -101,7 +101,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
     else
     {
       this->Playback.Forget();
-      model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
+      model = filter->GetBaker().Bake(rate, caps, this->DeviceToWorld);
     }
     if (model && !this->HoldRemovalOf(*model, filter))
     {
@@ -167,7 +167,7 @@ const char* ModelSource::Prepare(double rate)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   const bool isMoving = this->Playback.FindFelt(filter);
-  this->Awaited = filter ? HapticBaker(filter).Prepare(isMoving) : nullptr;
+  this->Awaited = filter ? filter->GetBaker().Prepare(isMoving) : nullptr;
   if (!isMoving)
   {
     this->Playback.EndPreparing();
@@ -202,9 +202,10 @@ std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
   {
     return nullptr;
   }
-  const std::optional<SurfaceRegion> region = this->Regions.Follow(filter, this->Session.Tip);
+  const std::optional<SurfaceRegion> region =
+    this->Regions.Follow(filter, this->Session.GetLatest()->GetTipPosition());
   const std::shared_ptr<const HapticModel> model = region
-    ? HapticBaker(filter).BakeRegion(
+    ? filter->GetBaker().BakeRegion(
         *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
     : nullptr;
   return model && this->HoldRemovalOf(*model, filter) ? model : nullptr;
@@ -216,7 +217,7 @@ void ModelSource::EndPreparing()
   this->Playback.EndPreparing();
   if (this->Awaited && this->Filter)
   {
-    HapticBaker(this->Filter).EndPreparing();
+    this->Filter->GetBaker().EndPreparing();
   }
   this->Awaited = nullptr;
 }
@@ -231,9 +232,13 @@ bool ModelSource::FollowRegion(std::string& status)
   }
   // The next region waits until the surface in this one can be felt: otherwise a moving hand would
   // end every meshing before it is done.
-  const ServoSnapshot& state = this->Session.GetState();
-  const bool hasCome = state.Time > 0.0 && this->Awaited != MeshingWork &&
-    source->Follow(this->Session.Tip, state.Time, filter);
+  vtkHapticState* const state = this->Session.GetLatest();
+  bool hasCome = false;
+  if (state->GetTime() > 0.0 && this->Awaited != MeshingWork)
+  {
+    filter->ConfigureSource(source);
+    hasCome = source->Follow(state->GetTipPosition(), state->GetTime());
+  }
   this->RegionTime = hasCome ? ServoClock::Now() : this->RegionTime;
   status = source->GetStatusText();
   return hasCome;

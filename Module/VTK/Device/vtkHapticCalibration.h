@@ -23,7 +23,7 @@
  * tremor.
  *
  * While you touch points, let the device's space be the world (an identity matrix in
- * SetDeviceToWorld, so that a world unit is a metre): vtkHapticDevice::GetTipPosition then gives
+ * SetDeviceToWorld, so that a world unit is a metre): vtkHapticState::GetTipPosition then gives
  * the device's position of each pair.
  *
  * @sa vtkHapticDevice, vtkHapticSetup

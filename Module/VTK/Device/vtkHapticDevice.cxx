@@ -2,52 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
-#include "VTK/Device/DeviceOrders.h"
-#include "VTK/Device/DeviceRecorder.h"
-#include "VTK/Device/DeviceSession.h"
-#include "VTK/Device/FollowedPolyData.h"
+#include "Devices/Common/DeviceMemory.h"
+#include "Devices/Kinds/DeviceRegistry.h"
+#include "VTK/Device/DeviceParts.h"
 #include "VTK/Device/HapticDeviceSettings.h"
-#include "VTK/Device/ModelSource.h"
-#include "VTK/Device/VirtualTip.h"
-#include "VTK/Tools/NeedleTrace.h"
 
 #include "vtkCommand.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
 using namespace VolumeHaptics;
 
-//------------------------------------------------------------------------------
-struct vtkHapticDevice::vtkInternals
+namespace
 {
-  explicit vtkInternals(vtkHapticDevice* self)
-    : Models(self, Session)
-    , Orders(self, Session, Models)
-    , Recorder(self, Session)
-    , Tip(Session)
-  {
-  }
+std::vector<DeviceListing> ListAll()
+{
+  std::vector<DeviceListing> all{ { "virtual", "A stylus without hardware: the mouse",
+    "available" } };
+  std::vector<DeviceListing> plugged = VolumeHaptics::ListDevices();
+  std::move(plugged.begin(), plugged.end(), std::back_inserter(all));
+  return all;
+}
 
-  DeviceSession Session;
-  ModelSource Models;
-  DeviceOrders Orders;
-  DeviceRecorder Recorder;
-  VirtualTip Tip;
-};
+vtkSmartPointer<vtkStringArray> AddColumn(vtkTable* table, const char* name)
+{
+  const auto column = vtkSmartPointer<vtkStringArray>::New();
+  column->SetName(name);
+  table->AddColumn(column);
+  return column;
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkHapticDevice::vtkHapticDevice()
-  : Internals(new vtkInternals(this))
+  : Parts(new DeviceParts(this))
 {
+  const char* const file = std::getenv("VOLUMEHAPTICS_FALCON_FIRMWARE");
+  this->FirmwareFile = file ? file : "";
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +67,7 @@ bool vtkHapticDevice::Open(const char* id)
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   this->Close();
-  if (!this->Internals->Orders.Open(id ? id : "", this->MakeOptions()))
+  if (!this->Parts->Orders.Open(id ? id : "", this->MakeOptions()))
   {
     return false;
   }
@@ -74,7 +78,7 @@ bool vtkHapticDevice::Open(const char* id)
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::CalibrateForce(double scale)
 {
-  auto& d = *this->Internals;
+  auto& d = *this->Parts;
   if (!d.Orders.CalibrateForce(scale))
   {
     return false;
@@ -87,7 +91,7 @@ bool vtkHapticDevice::CalibrateForce(double scale)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::TakeLimits()
 {
-  const DeviceLimits limits = this->Internals->Session.GetLimits();
+  const DeviceLimits limits = this->Parts->Session.GetLimits();
   const auto choose = [](double wanted, double most)
   { return wanted < 0.0 ? 0.5 * most : std::min(wanted, most); };
   this->MaximumForce = choose(this->WantedForce, limits.MaximumForce);
@@ -123,9 +127,9 @@ void vtkHapticDevice::Close()
 void vtkHapticDevice::Shut()
 {
   this->Halt();
-  if (this->Internals->Session.IsOpen())
+  if (this->Parts->Session.IsOpen())
   {
-    this->Internals->Session.Close();
+    this->Parts->Session.Close();
     this->Modified();
   }
 }
@@ -133,7 +137,7 @@ void vtkHapticDevice::Shut()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
-  if (this->Internals->Models.SetFilter(filter))
+  if (this->Parts->Models.SetFilter(filter))
   {
     this->Modified();
   }
@@ -142,7 +146,7 @@ void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
 {
-  if (this->Internals->Models.SetDeviceToWorld(matrix))
+  if (this->Parts->Models.SetDeviceToWorld(matrix))
   {
     this->Modified();
   }
@@ -158,12 +162,9 @@ void vtkHapticDevice::Stop()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Halt()
 {
-  auto& d = *this->Internals;
+  auto& d = *this->Parts;
   d.Orders.Disarm(); // at once, because writing a recording takes time
-  if (d.Recorder.IsUnderWay())
-  {
-    d.Recorder.Stop(false); // the force is off, and the owner may be gone
-  }
+  d.Recorder->Finish();
   d.Orders.EndPreparing();
   d.Session.Stop();
   d.Models.LetRemovalsGo();
@@ -172,14 +173,14 @@ void vtkHapticDevice::Halt()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
-  this->Internals->Recorder.Follow();
-  this->Internals->Orders.Follow();
-  const bool wasForbidden = this->IsAtForbiddenLabel();
-  const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
-  this->Internals->Orders.TellMemoryTrouble();
-  this->Internals->Orders.FollowRegion();
-  this->Internals->Orders.FollowFrames();
-  if (!wasForbidden && this->IsAtForbiddenLabel())
+  this->Parts->Recorder->Update();
+  this->Parts->Orders.Follow();
+  const bool wasForbidden = this->GetState()->IsAtForbiddenLabel();
+  const bool isNew = this->Parts->Session.Update(this->Parts->Models.GetPlacement());
+  this->Parts->Orders.TellMemoryTrouble();
+  this->Parts->Orders.FollowRegion();
+  this->Parts->Orders.FollowFrames();
+  if (!wasForbidden && this->GetState()->IsAtForbiddenLabel())
   {
     this->InvokeEvent(vtkCommand::UserEvent);
   }
@@ -187,229 +188,263 @@ bool vtkHapticDevice::UpdateState()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticDevice::IsAtForbiddenLabel()
+bool vtkHapticDevice::IsOpen()
 {
-  return this->Internals->Session.IsAtForbidden;
+  return this->Parts->Session.IsOpen();
 }
 
 //------------------------------------------------------------------------------
-// Functions that are those of a part.
-#define vtkHapticDevicePartMacro(type, name, parameters, call) \
-  type vtkHapticDevice::name parameters                        \
-  {                                                            \
-    return this->Internals->call;                              \
-  }
-
-vtkHapticDevicePartMacro(bool, IsOpen, (), Session.IsOpen());
-vtkHapticDevicePartMacro(std::string, GetDeviceId, (), Session.GetId());
-vtkHapticDevicePartMacro(bool, IsRunning, (), Session.IsRunning());
-vtkHapticDevicePartMacro(int, GetStatus, (), Session.GetStatus().FindType());
-vtkHapticDevicePartMacro(std::string, GetStatusText, (), Session.GetStatus().MakeText());
-vtkHapticDevicePartMacro(bool, IsArmOrdered, (), Session.HasArmOrder());
-vtkHapticDevicePartMacro(bool, HasTipOrientation, (), Session.GetState().HasOrientation);
-vtkHapticDevicePartMacro(bool, GetClutch, (), Session.IsClutched());
-vtkHapticDevicePartMacro(bool, ArmsAfterClutch, (), Session.ReturnsAfterClutch());
-vtkHapticDevicePartMacro(bool, GetSignsConfirmed, (), Session.AreSignsConfirmed());
-vtkHapticDevicePartMacro(bool, IsRemembered, (), Session.IsRemembered());
-vtkHapticDevicePartMacro(double, GetForceScale, (), Session.GetFacts().Scale);
-vtkHapticDevicePartMacro(std::string, GetCalibrationText, (), Session.DescribeCalibration());
-vtkHapticDevicePartMacro(void, SetLights, (int lights), Session.SetLights(lights));
-vtkHapticDevicePartMacro(int, AddReader, (), Session.AddReader());
-vtkHapticDevicePartMacro(void, RemoveReader, (int reader), Session.RemoveReader(reader));
-
-vtkHapticDevicePartMacro(vtkVolumeHapticsFilter*, GetVolumeHaptics, (), Models.GetFilter());
-vtkHapticDevicePartMacro(vtkMatrix4x4*, GetDeviceToWorld, (), Models.GetDeviceToWorld());
-vtkHapticDevicePartMacro(std::string, GetMethodText, (), Models.GetMethodText());
-vtkHapticDevicePartMacro(bool, IsPublished, (), Models.IsUpToDate());
-
-vtkHapticDevicePartMacro(bool, Start, (), Orders.Start());
-vtkHapticDevicePartMacro(bool, Publish, (), Orders.Publish());
-vtkHapticDevicePartMacro(void, Arm, (), Orders.Arm());
-vtkHapticDevicePartMacro(void, Disarm, (), Orders.Disarm());
-vtkHapticDevicePartMacro(void, FadeOut, (), Orders.FadeOut());
-vtkHapticDevicePartMacro(void, Home, (), Orders.Home());
-vtkHapticDevicePartMacro(void, SetClutch, (bool on), Orders.SetClutch(on));
-vtkHapticDevicePartMacro(void, ForgetConfirmation, (), Orders.ForgetConfirmation());
-vtkHapticDevicePartMacro(void, BeginLongWork, (const char* what, double expectedSeconds),
-  Orders.BeginLongWork(what, expectedSeconds));
-vtkHapticDevicePartMacro(void, EndLongWork, (), Orders.EndLongWork());
-
-vtkHapticDevicePartMacro(void, Play, (), Models.GetPlayback().SetPlays(true));
-vtkHapticDevicePartMacro(void, Hold, (), Models.GetPlayback().SetPlays(false));
-vtkHapticDevicePartMacro(bool, IsPlaying, (), Models.GetPlayback().IsPlaying());
-vtkHapticDevicePartMacro(double, GetDataTime, (), Models.GetPlayback().GetTime());
-vtkHapticDevicePartMacro(bool, IsWaitingForData, (), Models.GetPlayback().IsWaiting());
-vtkHapticDevicePartMacro(double, GetPlaybackSpeed, (), Models.GetPlayback().GetSpeed());
-vtkHapticDevicePartMacro(bool, HasFrames, (), Models.HasFrames());
-vtkHapticDevicePartMacro(vtkImageData*, GetFrameImage, (), Models.GetFrameImage());
-vtkHapticDevicePartMacro(double, GetFrameTime, (), Models.GetFrameTime());
-
-vtkHapticDevicePartMacro(void, SetVirtualButtons, (int buttons), Tip.SetButtons(buttons));
-vtkHapticDevicePartMacro(double, TakeVibration, (), Session.TakeVibration());
-
-//------------------------------------------------------------------------------
-#define vtkHapticDeviceStateMacro(type, name, value)          \
-  type vtkHapticDevice::Get##name()                           \
-  {                                                           \
-    return static_cast<type>(this->Internals->Session.value); \
-  }
-
-vtkHapticDeviceStateMacro(double*, TipPosition, Tip);
-vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
-vtkHapticDeviceStateMacro(double*, Force, Force);
-vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
-vtkHapticDeviceStateMacro(double*, TipOrientation, Orientation.data());
-vtkHapticDeviceStateMacro(double*, Torque, Torque);
-vtkHapticDeviceStateMacro(double*, ComputedTorque, ComputedTorque);
-vtkHapticDeviceStateMacro(double*, ToolOrientation, ToolOrientation.data());
-vtkHapticDeviceStateMacro(int, Buttons, GetState().Buttons);
-vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
-vtkHapticDeviceStateMacro(int, Contact, GetState().Record.Contact);
-vtkHapticDeviceStateMacro(double, SurfaceValue, GetState().Record.SurfaceValue);
-vtkHapticDeviceStateMacro(vtkTypeInt64, Label, Label);
-vtkHapticDeviceStateMacro(double, NormalForce, GetState().Record.NormalForce);
-vtkHapticDeviceStateMacro(double, FrictionForce, GetState().Record.FrictionForce);
-vtkHapticDeviceStateMacro(double, DragForce, GetState().Record.DragForce);
-vtkHapticDeviceStateMacro(double*, Normal, Normal);
-vtkHapticDeviceStateMacro(double*, SurfacePosition, SurfacePosition);
-vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
-vtkHapticDeviceStateMacro(double, Residency, GetState().Residency);
-vtkHapticDeviceStateMacro(vtkIdType, Tick, GetState().Tick);
-vtkHapticDeviceStateMacro(double, Time, GetState().Time);
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::IsTipOrientationMeasured()
+std::string vtkHapticDevice::GetDeviceId()
 {
-  const ServoSnapshot& state = this->Internals->Session.GetState();
-  return state.HasOrientation && !state.IsOrdered;
+  return this->Parts->Session.GetId();
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticDevice::GetSlack()
+bool vtkHapticDevice::IsRunning()
 {
-  const DeviceSession& session = this->Internals->Session;
-  const bool isHeld = session.GetState().Record.Contact != ContactState::Free;
-  // Tension of the spring at the beginning of the last tick; solvers other than PRECISE leave it at
-  // 1.
-  const double tension = session.GetState().Before.Precise.Spring.Tension;
-  return isHeld ? std::clamp(1.0 - tension, 0.0, 1.0) *
-      std::sqrt(vtkMath::Distance2BetweenPoints(session.Tip, session.Proxy))
-                : 0.0;
+  return this->Parts->Session.IsRunning();
 }
 
 //------------------------------------------------------------------------------
-double* vtkHapticDevice::GetModeForce(int mode)
+int vtkHapticDevice::GetStatus()
 {
-  const bool isThere = mode >= 0 && mode < MostPrimitives;
-  return this->Internals->Session.ModeForces[isThere ? mode : MostPrimitives];
+  return this->Parts->Session.GetStatus().FindType();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::GetFollowed(vtkPolyData* shapes, double reach)
+std::string vtkHapticDevice::GetStatusText()
 {
-  DeviceSession& session = this->Internals->Session;
-  const HapticModel* const model = session.FindModel();
-  if (!shapes)
-  {
-    vtkErrorMacro("GetFollowed() needs a polydata to write to, but got a null pointer.");
-  }
-  else if (model && session.GetState().Time > 0.0)
-  {
-    WriteFollowed(*model, session.GetState().Record.Proxy, reach, shapes);
-  }
-  else
-  {
-    shapes->Initialize();
-  }
+  return this->Parts->Session.GetStatus().MakeText();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::GetNeedleTrack(vtkPolyData* track)
+bool vtkHapticDevice::IsArmOrdered()
 {
-  DeviceSession& session = this->Internals->Session;
-  const HapticModel* const model = session.FindModel();
-  if (!track)
-  {
-    vtkErrorMacro("GetNeedleTrack() needs a polydata to write to, but got a null pointer.");
-  }
-  else if (model && session.GetState().Time > 0.0)
-  {
-    const ServoState& before = session.GetState().Before;
-    WriteNeedleTrack(*model, before.Needle, before.Proxy, track);
-  }
-  else
-  {
-    track->Initialize();
-  }
+  return this->Parts->Session.HasArmOrder();
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticDevice::GetNeedleDepth()
+bool vtkHapticDevice::GetClutch()
 {
-  DeviceSession& session = this->Internals->Session;
-  const HapticModel* const model = session.FindModel();
-  return model ? model->WorldUnitsPerMeter * session.GetState().Record.Depth : 0.0;
+  return this->Parts->Session.IsClutched();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
+bool vtkHapticDevice::ArmsAfterClutch()
 {
-  auto& d = *this->Internals;
-  d.Session.DrainStates(d.Models.GetPlacement(), states, reader);
+  return this->Parts->Session.ReturnsAfterClutch();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::SetPlayback(int playback)
+bool vtkHapticDevice::GetSignsConfirmed()
 {
-  const int mode = std::clamp<int>(playback, ONCE, PING_PONG);
-  if (mode != this->GetPlayback())
-  {
-    this->Internals->Models.GetPlayback().SetMode(static_cast<Playback>(mode));
-    this->Modified();
-  }
+  return this->Parts->Session.AreSignsConfirmed();
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticDevice::GetPlayback()
+bool vtkHapticDevice::IsRemembered()
 {
-  return static_cast<int>(this->Internals->Models.GetPlayback().GetMode());
+  return this->Parts->Session.IsRemembered();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::SetPlaybackSpeed(double factor)
+double vtkHapticDevice::GetForceScale()
 {
-  constexpr double most = 1e6;
-  if (!std::isfinite(factor))
-  {
-    vtkErrorMacro("The playback speed has to be a finite number, and is "
-      << factor << ": it stays " << this->GetPlaybackSpeed() << ".");
-    return;
-  }
-  const double clamped = std::clamp(factor, -most, most);
-  if (clamped != this->GetPlaybackSpeed())
-  {
-    this->Internals->Models.GetPlayback().SetSpeed(clamped);
-    this->Modified();
-  }
+  return this->Parts->Session.GetFacts().Scale;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::SetDataTime(double time)
+std::string vtkHapticDevice::GetCalibrationText()
 {
-  if (!std::isfinite(time))
-  {
-    vtkErrorMacro("The data time has to be a finite number, in the units of the source's time "
-                  "steps, and is "
-      << time << ": it stays " << this->GetDataTime() << ".");
-    return;
-  }
-  this->Internals->Models.GetPlayback().SetTime(time);
+  return this->Parts->Session.DescribeCalibration();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetLights(int lights)
+{
+  this->Parts->Session.SetLights(lights);
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
+{
+  return this->Parts->Models.GetFilter();
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
+{
+  return this->Parts->Models.GetDeviceToWorld();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticDevice::GetMethodText()
+{
+  return this->Parts->Models.GetMethodText();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsPublished()
+{
+  return this->Parts->Models.IsUpToDate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::Start()
+{
+  return this->Parts->Orders.Start();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::Publish()
+{
+  return this->Parts->Orders.Publish();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Arm()
+{
+  this->Parts->Orders.Arm();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Disarm()
+{
+  this->Parts->Orders.Disarm();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::FadeOut()
+{
+  this->Parts->Orders.FadeOut();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Home()
+{
+  this->Parts->Orders.Home();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetClutch(bool on)
+{
+  this->Parts->Orders.SetClutch(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ForgetConfirmation()
+{
+  this->Parts->Orders.ForgetConfirmation();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
+{
+  this->Parts->Orders.BeginLongWork(what, expectedSeconds);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::EndLongWork()
+{
+  this->Parts->Orders.EndLongWork();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticState* vtkHapticDevice::GetState()
+{
+  return this->Parts->Session.GetLatest();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticPlayback* vtkHapticDevice::GetPlayback()
+{
+  return this->Parts->Playback;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRecorder* vtkHapticDevice::GetRecorder()
+{
+  return this->Parts->Recorder;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticVirtualHand* vtkHapticDevice::GetVirtualHand()
+{
+  return this->Parts->Hand;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetStiffnessCap()
+{
+  return this->Parts->Session.GetCaps().Stiffness;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetDampingCap()
+{
+  return this->Parts->Session.GetCaps().Damping;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetTickRate()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? loop->GetTickRate() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetTickPercentile(double p)
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? loop->GetTickCost().GetPercentile(p / 100.0) * 1e-9 : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetWakePercentile(double p)
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? loop->GetWakeLatency().GetPercentile(p / 100.0) * 1e-9 : 0.0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetMissedTicks()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? static_cast<vtkIdType>(loop->GetMissedTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetAbsentTicks()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? static_cast<vtkIdType>(loop->GetAbsentTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetUnfinishedTicks()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? static_cast<vtkIdType>(loop->GetUnfinishedTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetReportPeriod()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? loop->GetTiming().GetReportPeriod() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetRoundTripTime()
+{
+  ServoLoop* const loop = this->Parts->Session.GetLoop();
+  return loop ? loop->GetTiming().GetRoundTrip() : 0.0;
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SendLimits()
 {
-  this->Internals->Orders.SendLimits();
+  this->Parts->Orders.SendLimits();
   this->Modified();
 }
 
@@ -427,7 +462,7 @@ void vtkHapticDevice::SetServoRate(double rate)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForce(double force)
 {
-  auto& session = this->Internals->Session;
+  auto& session = this->Parts->Session;
   const double most = session.IsOpen() ? session.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
   this->WantedForce = Clamp(DeviceSettingRows::MaximumForce, force);
   const double clamped = std::min(this->WantedForce, most);
@@ -441,7 +476,7 @@ void vtkHapticDevice::SetMaximumForce(double force)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumTorque(double torque)
 {
-  auto& session = this->Internals->Session;
+  auto& session = this->Parts->Session;
   const double most = session.IsOpen() ? session.GetLimits().MaximumTorque : VTK_DOUBLE_MAX;
   this->WantedTorque = Clamp(DeviceSettingRows::MaximumTorque, torque);
   const double clamped = std::min(this->WantedTorque, most);
@@ -476,162 +511,164 @@ void vtkHapticDevice::SetAttentionTime(double seconds)
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualTip(double x, double y, double z)
-{
-  auto& d = *this->Internals;
-  d.Orders.TellError(d.Tip.Lead({ x, y, z }, d.Models.GetPlacement()));
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::PlaceVirtualTip(double x, double y, double z)
-{
-  auto& d = *this->Internals;
-  d.Orders.TellError(d.Tip.Place({ x, y, z }, d.Models.GetPlacement()));
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualTip(const double x[3])
-{
-  if (!x)
-  {
-    vtkErrorMacro(
-      "SetVirtualTip() needs three numbers, but got a null pointer; the tip stays where it is.");
-    return;
-  }
-  this->SetVirtualTip(x[0], x[1], x[2]);
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualTipOrientation(double w, double x, double y, double z)
-{
-  auto& d = *this->Internals;
-  d.Orders.TellError(d.Tip.Turn({ w, x, y, z }, d.Models.GetPlacement()));
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualTipOrientation(const double wxyz[4])
-{
-  if (!wxyz)
-  {
-    vtkErrorMacro("SetVirtualTipOrientation() needs four numbers, but got a null pointer; the "
-                  "stylus stays as it is.");
-    return;
-  }
-  this->SetVirtualTipOrientation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetTipOrientation(double w, double x, double y, double z)
-{
-  auto& d = *this->Internals;
-  d.Orders.TellError(d.Tip.TurnHand({ w, x, y, z }, d.Models.GetPlacement()));
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetSpinning(bool spinning)
-{
-  this->Internals->Session.Spin(spinning);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::GetSpinning()
-{
-  return this->Internals->Session.IsSpinOrdered();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::IsSpinning()
-{
-  return this->Internals->Session.GetState().Before.IsSpinning;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualDynamics(
-  double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
-{
-  auto& d = *this->Internals;
-  d.Orders.TellError(d.Tip.SetDynamics(mass, damping, handStiffness, encoderQuantum, forceDelay));
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualLimits(
-  double maximumForce, double maximumStiffness, double maximumDamping, double friction)
-{
-  auto& d = *this->Internals;
-  const std::string error =
-    d.Tip.SetLimits(maximumForce, maximumStiffness, maximumDamping, friction);
-  if (error.empty())
-  {
-    this->TakeLimits();
-  }
-  d.Orders.TellError(error);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::StartRecording(const char* file)
-{
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  return this->Internals->Recorder.Start(file ? file : "", this->GetVolumeHaptics());
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::StopRecording()
-{
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  return this->Internals->Recorder.Stop(true);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::RecoverRecording(const char* part, const char* file)
-{
-  return this->Internals->Recorder.Recover(part ? part : "", file ? file : "");
-}
-
-//------------------------------------------------------------------------------
-#define vtkHapticDeviceStatisticMacro(type, name, parameters, value) \
-  type vtkHapticDevice::Get##name parameters                         \
-  {                                                                  \
-    ServoLoop* const loop = this->Internals->Session.GetLoop();      \
-    return loop ? static_cast<type>(loop->value) : 0;                \
-  }
-
-vtkHapticDeviceStatisticMacro(double, TickRate, (), GetTickRate());
-vtkHapticDeviceStatisticMacro(
-  double, TickPercentile, (double p), GetTickCost().GetPercentile(p / 100.0) * 1e-9);
-vtkHapticDeviceStatisticMacro(
-  double, WakePercentile, (double p), GetWakeLatency().GetPercentile(p / 100.0) * 1e-9);
-vtkHapticDeviceStatisticMacro(vtkIdType, MissedTicks, (), GetMissedTicks());
-vtkHapticDeviceStatisticMacro(vtkIdType, AbsentTicks, (), GetAbsentTicks());
-vtkHapticDeviceStatisticMacro(vtkIdType, UnfinishedTicks, (), GetUnfinishedTicks());
-vtkHapticDeviceStatisticMacro(double, ReportPeriod, (), GetTiming().GetReportPeriod());
-vtkHapticDeviceStatisticMacro(double, RoundTripTime, (), GetTiming().GetRoundTrip());
-vtkHapticDeviceStateMacro(double, StiffnessCap, GetCaps().Stiffness);
-vtkHapticDeviceStateMacro(double, DampingCap, GetCaps().Damping);
-
-//------------------------------------------------------------------------------
 void vtkHapticDevice::ResetStatistics()
 {
-  if (ServoLoop* const loop = this->Internals->Session.GetLoop())
+  if (ServoLoop* const loop = this->Parts->Session.GetLoop())
   {
     loop->ResetStatistics();
   }
 }
 
 //------------------------------------------------------------------------------
+vtkStringArray* vtkHapticDevice::EnumerateDevices()
+{
+  static const vtkSmartPointer<vtkStringArray> ids = vtkSmartPointer<vtkStringArray>::New();
+  ids->Reset();
+  for (const DeviceListing& device : ListAll())
+  {
+    ids->InsertNextValue(device.Id);
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ListDevices(vtkTable* devices)
+{
+  if (!devices)
+  {
+    return;
+  }
+  devices->Initialize();
+  const auto ids = AddColumn(devices, "Id");
+  const auto names = AddColumn(devices, "Name");
+  const auto states = AddColumn(devices, "State");
+  const auto forces = AddColumn(devices, "Force");
+  for (const DeviceListing& device : ListAll())
+  {
+    ids->InsertNextValue(device.Id);
+    names->InsertNextValue(device.Name);
+    states->InsertNextValue(device.State);
+    std::string error;
+    forces->InsertNextValue(device.Identity.empty()
+        ? std::string()
+        : DeviceMemory::Read(device.Identity, error).DescribeScale());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ListMissingKinds(vtkTable* kinds)
+{
+  if (!kinds)
+  {
+    return;
+  }
+  kinds->Initialize();
+  const auto names = AddColumn(kinds, "Kind");
+  const auto states = AddColumn(kinds, "State");
+  for (const DeviceObstacle& obstacle : VolumeHaptics::ListMissingKinds())
+  {
+    names->InsertNextValue(obstacle.Kind);
+    states->InsertNextValue(obstacle.Text);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::AddDeviceKind(const DeviceKind& kind)
+{
+  std::string error;
+  const bool isAdded = VolumeHaptics::AddDeviceKind(kind, error);
+  if (!isAdded)
+  {
+    vtkGenericWarningMacro(<< error);
+  }
+  return isAdded;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetFirmwareFile(const std::string& file)
+{
+  if (file != this->FirmwareFile)
+  {
+    this->FirmwareFile = file;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVendorPath(const std::string& path)
+{
+  if (path != this->VendorPath)
+  {
+    this->VendorPath = path;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetNewtonsPerFullScale(double x, double y)
+{
+  if (!std::isfinite(x) || !std::isfinite(y))
+  {
+    vtkErrorMacro("NewtonsPerFullScale must be finite; it stays as it was.");
+    return;
+  }
+  const DeviceVector& row = DeviceSettingRows::NewtonsPerFullScale;
+  const double newtons[2] = { std::clamp(x, row.Minimum, row.Maximum),
+    std::clamp(y, row.Minimum, row.Maximum) };
+  if (newtons[0] != this->NewtonsPerFullScale[0] || newtons[1] != this->NewtonsPerFullScale[1])
+  {
+    std::copy(newtons, newtons + 2, this->NewtonsPerFullScale);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetNewtonsPerFullScale(const double newtons[2])
+{
+  if (!newtons)
+  {
+    vtkErrorMacro(
+      "NewtonsPerFullScale needs two numbers, but got a null pointer; it stays as it was.");
+    return;
+  }
+  this->SetNewtonsPerFullScale(newtons[0], newtons[1]);
+}
+
+//------------------------------------------------------------------------------
+DeviceOptions vtkHapticDevice::MakeOptions() const
+{
+  DeviceOptions options;
+  options.FirmwareFile = this->FirmwareFile;
+  options.VendorPath = this->VendorPath;
+  options.HomingTime = this->HomingTime;
+  options.UseGuard = this->UseGuard;
+  options.NewtonsPerFullScale = { this->NewtonsPerFullScale[0], this->NewtonsPerFullScale[1] };
+  return options;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto& d = *this->Internals;
+  auto& d = *this->Parts;
   const std::string& id = d.Session.GetId();
   os << indent << "Device: " << (id.empty() ? "(none)" : id.c_str()) << "\n";
   os << indent << "Status: " << this->GetStatusText() << "\n";
   os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
   os << indent << "VolumeHaptics: " << d.Models.GetFilter() << "\n";
   os << indent << "DeviceToWorld: " << d.Models.GetDeviceToWorld() << "\n";
+  os << indent << "FirmwareFile: " << (this->FirmwareFile.empty() ? "(none)" : this->FirmwareFile)
+     << "\n";
+  os << indent << "VendorPath: "
+     << (this->VendorPath.empty() ? "(VOLUMEHAPTICS_VENDOR_PATH)" : this->VendorPath) << "\n";
   PrintSettings(os, indent, this, DeviceSettings);
-  os << indent << "Playback: " << this->GetPlayback() << "\n";
-  os << indent << "PlaybackSpeed: " << this->GetPlaybackSpeed() << "\n";
-  os << indent << "DataTime: " << this->GetDataTime() << "\n";
-  const std::string& file = d.Recorder.GetFile();
-  os << indent << "Recording: " << (file.empty() ? "(none)" : file.c_str()) << "\n";
+  PrintSettings(os, indent, this, DeviceVectors);
+  os << indent << "State:\n";
+  this->GetState()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Playback:\n";
+  d.Playback->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Recorder:\n";
+  d.Recorder->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "VirtualHand:\n";
+  d.Hand->PrintSelf(os, indent.GetNextIndent());
 }

@@ -4,18 +4,21 @@
  * @class   vtkHapticDevice
  * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
  *
- * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it. The
- * device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with exactly
- * the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither locks,
- * allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands it
- * immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
+ * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it.
  *
  *   device->Open("virtual");
  *   device->SetVolumeHaptics(filter);
  *   device->Start();                  // ticks; the proxy moves, no force yet
  *   device->Arm();                    // force rises over half a second
- *   ... in the GUI's timer: device->UpdateState(); render with GetProxyPosition() ...
+ *   ... in the GUI's timer ...
+ *   device->UpdateState();            // then render with device->GetState()->GetProxyPosition()
+ *   ...
  *   device->Stop();                   // zero force, thread joined
+ *
+ * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
+ * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
+ * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
+ * it immutable snapshots of the filter with Publish, and copies the latest state with UpdateState.
  *
  * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
  * to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every gap
@@ -32,53 +35,149 @@
  * A program can't send zero force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of
  * another program, loss of power, a crash in the thread that talks to the device, a crash that
  * leaves the heap locked if the device's library needs it, or a stack overflow in a thread other
- * than the owner's. Then the device's own watchdog ends the force, or a guard process: see
- * vtkHapticHardware.
+ * than the owner's. Then the device's own watchdog ends the force, or a guard process: see below.
  *
  * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which
- * Publish and StopRecording call by themselves where they need it. If the program does not call the
- * device for 2 s without having announced such work, the force fades and stays off until Arm is
- * called again: see SetAttentionTime.
+ * Publish and vtkHapticRecorder::Stop call by themselves where they need it. If the program does
+ * not call the device for 2 s without having announced such work, the force fades and stays off
+ * until Arm is called again: see SetAttentionTime.
  *
  * The servo reads the image's own array, without a copy, and so does work in the background: give
  * the image a new array instead of resizing or refilling one that is being touched. Call Modified()
  * after changing values in place; background work on them then begins again.
  *
  * Positions are in world units and forces in newtons along the world's axes, unless stated.
- * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "vibration:xr" is led in the
- * same way, and returns how strongly to vibrate: see TakeVibration. "replay:FILE" plays back a
- * recording (.vtp or .csv), tick by tick. vtkHapticHardware lists the real devices. A real device
- * that is not homed opens at once and waits for the hand, as GetStatusText says; Arm is refused
- * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
- * asleep, the force is cut and stays off until the user calls Home() or Open(), and then Arm().
+ * Devices: "virtual" has no hardware: GetVirtualHand leads its tip. "vibration:xr" is led in the
+ * same way, and returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration.
+ * "replay:FILE" plays back a recording (.vtp or .csv), tick by tick. Most real devices are reached
+ * without vendors' libraries:
+ *
+ *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
+ *                      FirmwareFile after it was plugged in, and is homed by hand.
+ *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 2.5 N. Calibrated by hand each
+ *                      time it is opened. The Polhem is refused, since its geometry is different.
+ *   pid[:VVVV:PPPP]    force-feedback wheels and sticks (HID usage page 0x0F), through hidapi, by
+ *                      USB vendor and product (hexadecimal). Set NewtonsPerFullScale to their
+ *                      force. Sticks of two axes are refused unless their firmware is known (an
+ *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
+ *                      firmwares disagree on the direction of the force along the second axis.
+ *   haply[:ID]         Haply's Inverse3, Inverse3x and Minverse, through Haply's Inverse service,
+ *                      which has to run. 3 in and out, 2 N; a VerseGrip adds orientation and
+ *                      buttons. ID is the service's name of the device, such as 049D. The
+ *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
+ *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
+ *                      force.
+ *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
+ *                      Vibration, not force: the sticks move the tip, and the motors render how the
+ *                      force changes.
+ *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
+ *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
+ *                      each time it is opened.
+ *   vendor:PLUGIN[:N]  devices of a vendor's library, through a plug-in that you build against the
+ *                      installed SDK: Force Dimension's (forcedimension) and 3D Systems'
+ *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.
+ *
+ * N counts from 0; without it, the first device is meant. None of this was verified on physical
+ * hardware yet: it runs against emulated devices, which answer as public descriptions of the
+ * protocols say. A program adds devices of its own with AddDeviceKind.
+ *
+ * If the program can't send zero force any more, for example after SIGKILL, only the watchdog of
+ * the device itself ends the force: WoodenHaptics ends it after half a second, a wheel within a
+ * tenth of a second. No watchdog is known for the Falcon. On Linux a process of
+ * its own, the program volumehaptics-guard, talks to the Falcon, and sends zero force within 50 ms
+ * if this program is gone or stands still. Open fails if the guard can't be started. The
+ * environment variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library. Without
+ * a guard, as on other systems, the Falcon may keep its last force until it is switched off: accept
+ * this by UseGuardOff or VOLUMEHAPTICS_GUARD=off, otherwise Open fails.
+ *
+ * On Linux a user needs permission for the device. The installed udev rules,
+ * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
+ * missing, the messages of ListDevices and Open contain the rule that is needed.
+ *
+ * A real device that is not homed opens at once and waits for the hand, as GetStatusText says; Arm
+ * is refused until it is ready. When it is unplugged, stops answering, loses its zero, or the
+ * computer was asleep, the force is cut and stays off until the user calls Home() or Open(), and
+ * then Arm().
  *
  * If a vtkHapticRegionSource is on port 0 of the filter, UpdateState makes it read the region
  * around the tip, and publishes each region when it is there.
  *
- * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner,
- * vtkHapticRegionSource
+ * @sa vtkVolumeHapticsFilter, vtkHapticState, vtkHapticPlayback, vtkHapticRecorder,
+ * vtkHapticVirtualHand, vtkHapticRegionSource
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h
 
-#include "vtkHapticHardware.h"
+#include "vtkHapticPlayback.h"    // for GetPlayback
+#include "vtkHapticRecorder.h"    // for GetRecorder
+#include "vtkHapticState.h"       // for GetState
+#include "vtkHapticVirtualHand.h" // for GetVirtualHand
+#include "vtkObject.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
 class vtkMatrix4x4;
-class vtkImageData;
-class vtkPolyData;
+class vtkStringArray;
 class vtkTable;
 class vtkVolumeHapticsFilter;
 
-class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkHapticHardware
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct DeviceKind;
+struct DeviceOptions;
+struct DeviceParts;
+} // namespace VolumeHaptics
+#endif
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkObject
 {
 public:
   static vtkHapticDevice* New();
-  vtkTypeMacro(vtkHapticDevice, vtkHapticHardware);
+  vtkTypeMacro(vtkHapticDevice, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The status of a device. */
+  enum StatusType
+  {
+    CLOSED = 0,
+    OPEN = 1,
+    FIRMWARE = 2, ///< waits for its firmware
+    HOMING = 3,   ///< waits for its encoders to be homed
+    READY = 4,    ///< can be started, or runs unarmed
+    ARMED = 5,    ///< armed; no force yet, because the servo does not run or gets no samples
+    ACTIVE = 6,   ///< force flows
+    FAULT = 7     ///< the force is off until the device is armed again, or the device is lost
+  };
+
+  ///@{
+  /**
+   * Get the ids that Open accepts now, "virtual" first; "replay:FILE" is not among them.
+   * ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is
+   * plugged in), State: "available", "in use", or the obstacle and the cure; and Force: "calibrated
+   * 0.83 on 2026-11-22" or "uncalibrated", empty for devices without force. Each call searches
+   * again.
+   */
+  static vtkStringArray* EnumerateDevices();
+  static void ListDevices(vtkTable* devices);
+  ///@}
+
+  /**
+   * Overwrite a table with the kinds of devices that this computer can't use, whatever is plugged
+   * in: the columns Kind, such as "vendor", and State, with the obstacle (a service that does not
+   * run, a library that is not found) and the cure.
+   */
+  static void ListMissingKinds(vtkTable* kinds);
+
+#ifndef __VTK_WRAP__
+  /**
+   * Register a kind of devices in this process: see DeviceKind.h, and Examples/Cxx/OwnDevice.cxx.
+   * False, with an error, if the name is taken.
+   */
+  static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
+#endif
 
   /**
    * Open a device by its id, and close the device that was open. False, with an error that names
@@ -184,7 +283,7 @@ public:
    * AttentionTime (unless that is 0), the force stays on: fading would disturb more than such a
    * short pause, and the factor of eight allows for a slow computer. Publish calls these functions
    * by itself for a large mesh that can't be made in the background, because its array has a memory
-   * layout of its own. StopRecording and RecoverRecording call them to write a long recording. If
+   * layout of its own. vtkHapticRecorder calls them to write a long recording. If
    * the pipeline before the filter takes seconds, the application has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
@@ -259,284 +358,89 @@ public:
   std::string GetStatusText();
   ///@}
 
-  ///@{
   /**
-   * The position to which the hand leads the tip of the virtual device (world). Without simulated
-   * dynamics the tip goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip
-   * does so at any time: the hand takes the stylus up at a new position, and feels nothing on the
-   * way. Disarm before: an armed device would see a hand that is too fast.
-   */
-  void SetVirtualTip(double x, double y, double z);
-  void PlaceVirtualTip(double x, double y, double z);
-  void SetVirtualTip(const double x[3]) VTK_SIZEHINT(3);
-  void SetVirtualButtons(int buttons);
-  ///@}
-
-  ///@{
-  /**
-   * The orientation of the virtual device's stylus (world): a quaternion w, x, y, z of any norm,
-   * see GetTipOrientation. Until this is called, and after four zeros, it has none.
-   */
-  void SetVirtualTipOrientation(double w, double x, double y, double z);
-  void SetVirtualTipOrientation(const double wxyz[4]) VTK_SIZEHINT(4);
-  ///@}
-
-  /**
-   * Get how strongly the device "vibration:xr" should vibrate: the largest amplitude since the last
-   * call, 0 to 1. The program leads the tip like the virtual device's tip, and makes vibrate what
-   * the hand holds; call this in each frame. vtkHapticXRController does both for the controllers of
-   * a headset. 0 for other devices, and while the servo stands still.
-   */
-  double TakeVibration();
-
-  /**
-   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
-   * damping x' with mass in kg (0, the default: no dynamics), damping in N s/m and the hand's
-   * stiffness in N/m. Positions are rounded to an encoder's quantum (m; 0: not), and forces are
-   * delayed by ticks (0 to 16). Call it before Start.
-   */
-  void SetVirtualDynamics(
-    double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
-
-  /**
-   * Give the virtual device the limits of another device: its force (N), stiffness (N/m), damping
-   * (N s/m), and its own friction b (N s/m); a spring is not stable above 2 b / period. 0 does not
-   * limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to
-   * half of the force, as Open does. Call it before Start.
-   */
-  void SetVirtualLimits(
-    double maximumForce, double maximumStiffness, double maximumDamping, double friction);
-
-  ///@{
-  /**
-   * The time of a volume that moves: its source has several time steps (TIME_STEPS), or its
-   * components are its frames (SetFramesToComponents of the filter). It begins with the first Play
-   * or SetDataTime: until then, the time step that the source shows is felt, or the component of
-   * the property, and the volume stands still.
-   *
-   * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
-   * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
-   * and another end never step the data time nor the force. At the end of the time steps, it holds
-   * (PlaybackToOnce, the default), goes on to the first step through a mean interval in which the
-   * last step is blended to it (PlaybackToLoop), or turns around (PlaybackToPingPong).
-   *
-   * SetDataTime jumps to another time, in the units of the source; beyond the time steps, the
-   * nearest step is used. The volume there is felt as a new one: a force that would jump begins
-   * again at zero. GetDataTime returns the data time of the latest state, or the time of
-   * SetDataTime until it is felt; default 0. In the interval after the last step, it is above the
-   * last step's time.
-   *
-   * UpdateState reads the time steps ahead of the servo, three in memory at most: when SetDataTime
-   * jumps to a pair of two other steps, one of them may be felt alone for a moment. If steps are
-   * late, data time stands still: IsWaitingForData becomes true, and GetStatusText says which steps
-   * are awaited. Components are felt in their array, without a copy.
-   */
-  void Play();
-  void Hold();
-  bool IsPlaying(); ///< Get whether the last order was Play. Default false.
-  enum PlaybackType
-  {
-    ONCE = 0,
-    LOOP = 1,
-    PING_PONG = 2
-  };
-  void SetPlayback(int playback);
-  int GetPlayback();
-  void SetPlaybackToOnce() { this->SetPlayback(ONCE); }
-  void SetPlaybackToLoop() { this->SetPlayback(LOOP); }
-  void SetPlaybackToPingPong() { this->SetPlayback(PING_PONG); }
-  void SetDataTime(double time);
-  double GetDataTime();
-  bool IsWaitingForData();
-  ///@}
-
-  ///@{
-  /**
-   * How many times as fast as by the filter's TimeUnitsPerSecond a volume that moves is played;
-   * less than 0, backwards. Unlike that setting, it needs no Publish. -1e6 to 1e6, default 1.
-   */
-  void SetPlaybackSpeed(double factor);
-  double GetPlaybackSpeed();
-  ///@}
-
-  ///@{
-  /**
-   * Get the volume that moves as it is felt now: the frame nearest to GetDataTime, as an image
-   * whose scalars are the touched array of that time step, or the component that is the frame; and
-   * its time. The image stays the same until the frame changes; its samples must not be changed.
-   * vtkInteractorStyleHaptic shows it by itself. nullptr if HasFrames is false: no volume that
-   * moves is felt.
-   */
-  bool HasFrames();
-  vtkImageData* GetFrameImage();
-  double GetFrameTime();
-  ///@}
-
-  /**
-   * Copy the latest state from the servo; true if it is a new one. The following getters all return
-   * values of this one tick.
+   * Copy the latest state from the servo to GetState; true if it is a new one. Call this in each
+   * tick of the GUI: it also publishes what was prepared in the background, reads regions and time
+   * steps of the volume ahead, and reports faults.
    */
   bool UpdateState();
 
   ///@{
   /**
-   * Get the latest tip and proxy (world); the force sent to the device, and the computed force (N,
-   * world axes).
+   * Get the parts of this device: its latest state, the player of a volume that moves, the recorder
+   * of its ticks, and the hand that leads the virtual device. They stay the same as long as the
+   * device lives.
    */
-  double* GetTipPosition() VTK_SIZEHINT(3);
-  double* GetProxyPosition() VTK_SIZEHINT(3);
-  double* GetForce() VTK_SIZEHINT(3);
-  double* GetComputedForce() VTK_SIZEHINT(3);
+  vtkHapticState* GetState();
+  vtkHapticPlayback* GetPlayback();
+  vtkHapticRecorder* GetRecorder();
+  vtkHapticVirtualHand* GetVirtualHand();
   ///@}
-  ///@{
-  /**
-   * Get, in the latest state, the torque of a tool that has a shape (vtkHapticPointShell) on the
-   * hand about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
-   * whose origin is the proxy: a unit quaternion (w, x, y, z) that turns from the world's axes to
-   * the tool's. All are zeros without such a tool; the head of a vtkHapticBurr does not turn, and
-   * gives no torque. No torque is sent to a device that gives none.
-   */
-  double* GetTorque() VTK_SIZEHINT(3);
-  double* GetComputedTorque() VTK_SIZEHINT(3);
-  double* GetToolOrientation() VTK_SIZEHINT(4);
-  ///@}
-  ///@{
-  /**
-   * Get the orientation of the stylus in the latest state, if the device measures one. It is a unit
-   * quaternion (w, x, y, z, as in vtkQuaternion) that turns from the world's axes to the stylus's:
-   * the stylus points along its -z, its handle is on the side of +z, and its button on the side of
-   * +y. HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or
-   * its quaternion is not finite or not of unit norm within 1 %, unless SetTipOrientation turns it.
-   * The forces of tools depend on it.
-   */
-  double* GetTipOrientation() VTK_SIZEHINT(4);
-  bool HasTipOrientation();
-  ///@}
-  /** Get whether, in the latest state, the device itself measures how it is held. */
-  bool IsTipOrientationMeasured();
-  /**
-   * How the hand holds its tool (world) if the device measures no orientation, such as one with
-   * three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns to this
-   * orientation at 4 rad/s at most, and then turns with the device's placement, as a stylus does.
-   * Until this is called, and after four zeros, there is none. It holds for later servos, too.
-   */
-  void SetTipOrientation(double w, double x, double y, double z);
-  ///@{
-  /**
-   * Whether a vtkHapticBurr spins without its SpinButton while the device is armed, for this and
-   * later servos. Default: off.
-   */
-  void SetSpinning(bool spinning);
-  bool GetSpinning();
-  vtkBooleanMacro(Spinning, bool);
-  ///@}
-  /** Get whether, in the latest state, a vtkHapticBurr spins, by SetSpinning() or its button. */
-  bool IsSpinning();
-  int GetButtons(); ///< Get the buttons in the latest state: bit 0 is the main button.
-  /** Get how fast a SpaceMouse turns the volume in the latest state (rad/s, the device's axes). */
-  double* GetTurnRate() VTK_SIZEHINT(3);
-  /** Get the contact in the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
-  int GetContact();
-  ///@{
-  /**
-   * Get, in the latest state, the value V(x_s) in the surface, and the parts of the force from the
-   * surface, friction and the medium (N).
-   */
-  double GetSurfaceValue();
-  double GetNormalForce();
-  double GetFrictionForce();
-  double GetDragForce();
-  ///@}
-  /**
-   * Get, in the latest state, the part of the distance between tip and proxy (world) that gives no
-   * force. With the solver PRECISE, a spring that gets stiffer under a resting hand gets slack
-   * instead of more force; 0 otherwise.
-   */
-  double GetSlack();
-  /**
-   * Get, in the latest state, the force of a mode of PRIMITIVES on the hand (N, world axes), before
-   * MaximumForce; zero for other methods and numbers. Modes count from 0 as in GetMode of the
-   * filter.
-   */
-  double* GetModeForce(int mode) VTK_SIZEHINT(3);
-
-  /**
-   * Write the shapes that the felt modes hold the hand on, at the proxy of the latest state: lines
-   * such as a flow line, up to `reach` voxels to either side, and fronts as polygons with a radius
-   * of a quarter of `reach`, with point normals to the free side. A mode about tensors also gives a
-   * vertex at the proxy with the tensor as point tensors, whose first eigenvalue is scaled to an
-   * eighth of `reach`, for vtkTensorGlyph. The shapes come from the data that the servo reads, in
-   * world units. The cell array Mode has the number of the mode. Empty for other methods.
-   */
-  void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
-
-  /**
-   * Write where a vtkHapticNeedle in the hand runs through tissue (world): a line for each stretch
-   * of one label, from the entry to the tip. Point array Depth (world units), cell arrays Label and
-   * Length (world units). Field arrays, one number each: Depth and Deepest (world units), Angle to
-   * the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
-   * ForbiddenTouches, how often a forbidden label stopped this insertion. Without a needle in
-   * tissue there are no lines. vtkXMLPolyDataWriter exports the track. Make sure that there is
-   * room: on a full disk it leaves a part of the file, and Write() may return 1 all the same.
-   */
-  void GetNeedleTrack(vtkPolyData* track);
-
-  /**
-   * Get how deep a vtkHapticNeedle is inserted in the latest state (world units); 0 if it is not.
-   */
-  double GetNeedleDepth();
-
-  /**
-   * Get the label just inside the surface in the latest state, that is, at the proxy plus r times
-   * the normal; 0 if the filter has no label image, or there is no label. vtkHapticLabelTable has
-   * its name.
-   */
-  vtkTypeInt64 GetLabel();
-  /**
-   * Get whether, in the latest state, the wall in front of a forbidden label holds the tip back.
-   * When this begins, UpdateState invokes vtkCommand::UserEvent.
-   */
-  bool IsAtForbiddenLabel();
-  ///@{
-  /**
-   * Get, in the latest state (world), the unit normal inwards, and the positions x_s and x_v at
-   * which the materials were read (fig. 4).
-   */
-  double* GetNormal() VTK_SIZEHINT(3);
-  double* GetSurfacePosition() VTK_SIZEHINT(3);
-  double* GetMediumPosition() VTK_SIZEHINT(3);
-  ///@}
-  /**
-   * Get the fraction of the force, 0 to 1, that missing data around the tip
-   * (vtkHapticRegionFilter), FadeOut, AttentionTime and long work leave in the latest state; 1
-   * without any of these. Changes from 0 to 1 or back in 50 ms at the fastest. The ramp after Arm
-   * is not part of it.
-   */
-  double GetResidency();
-  /** Get the number of the latest state since Start, and its time (s). */
-  vtkIdType GetTick();
-  double GetTime();
-
-  /**
-   * Write all states since the last call, oldest first, as rows of a table that is overwritten. Its
-   * columns are Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact,
-   * Armed, Fault, Residency, with three components Tip, Proxy (world), Force (computed) and Command
-   * (sent; N, world axes), with four Orientation (world; w, x, y, z; all 0 if the device has none),
-   * and with eight ModeForces (N, magnitudes of GetModeForce). States are kept from the first call
-   * on; a reader that does not call for 86000 ticks loses the oldest. Each reader has a number, and
-   * gets all states; a call with nullptr as the table ends the reading. The first
-   * vtkInteractorStyleHaptic of a device has number 0, further ones have -1, -2 and so on: see
-   * AddReader.
-   */
-  void DrainStates(vtkTable* states, int reader = 0);
 
   ///@{
   /**
-   * Reserve a number for DrainStates: 0, or if it is taken, -1, -2 and so on. RemoveReader releases
-   * the number and ends the reading. Applications may use numbers above 0 without reserving them.
+   * The firmware image for a Novint Falcon that has none. It belongs to Novint and can't be
+   * distributed with this library: it is the file that comes with their drivers. Default: the value
+   * of the environment variable VOLUMEHAPTICS_FALCON_FIRMWARE, else none. Takes effect with Open.
    */
-  int AddReader();
-  void RemoveReader(int reader);
+  void SetFirmwareFile(const std::string& file);
+  std::string GetFirmwareFile() const
+  {
+    return this->FirmwareFile;
+  }
+  ///@}
+
+  ///@{
+  /**
+   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. No
+   * plug-in is loaded that other users may write; the libraries that it needs are not checked.
+   * Default: empty, which stands for the environment variable VOLUMEHAPTICS_VENDOR_PATH.
+   * EnumerateDevices and ListDevices look by the variable only. Takes effect with Open.
+   */
+  void SetVendorPath(const std::string& path);
+  std::string GetVendorPath() const
+  {
+    return this->VendorPath;
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How long (s) each step of homing by hand may take, 1 to 3600. Default 120. After that, Home()
+   * begins again. Takes effect with Open.
+   */
+  vtkSetClampMacro(HomingTime, double, 1.0, 3600.0);
+  vtkGetMacro(HomingTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * The force (N) of a force-feedback device at full scale, -100 to 100, along its axes x and y. A
+   * second number of 0 says that only the first axis has a motor, as that of a wheel: then the tip
+   * moves along x only, and pedals do not move it. Wheels often have a descriptor of two axes.
+   * No device reports its force: measure it with a spring scale. A negative number reverses the
+   * direction; a first number of 0 gives no force. Firmwares differ in the direction, so try it
+   * gently first (volumehaptics-device test): if the wall pulls the hand in, give a negative
+   * number. A number that is too small gives too much force. Default 100, more than nearly all
+   * devices have, so that none pushes harder than was asked for; weaker ones are hardly felt until
+   * this is set. Takes effect with Open.
+   */
+  void SetNewtonsPerFullScale(double x, double y);
+  void SetNewtonsPerFullScale(const double newtons[2]) VTK_SIZEHINT(2);
+  vtkGetVector2Macro(NewtonsPerFullScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, and
+   * a DualSense through hidapi. Default: on. Open fails if there is no guard, as on systems other
+   * than Linux. Without it, the Falcon may keep its last force, and a DualSense its vibration, if
+   * this program is killed or stopped: keep the power switch within reach. VOLUMEHAPTICS_GUARD=off
+   * in the environment also turns it off. Takes effect with Open.
+   */
+  vtkSetMacro(UseGuard, bool);
+  vtkGetMacro(UseGuard, bool);
+  vtkBooleanMacro(UseGuard, bool);
   ///@}
 
   ///@{
@@ -575,63 +479,14 @@ public:
   ///@{
   /**
    * How long (s) an armed device keeps its force if the program stands still: a window that hangs
-   * can't stop the device. If for that long the program calls none of UpdateState, DrainStates,
-   * Publish and Arm, and sets no limit, the servo fades the force out, and a fault holds until Arm.
-   * 0.05 or more, default 2; 0 turns it off, for programs that call the device rarely. Work between
-   * BeginLongWork and EndLongWork does not count.
+   * can't stop the device. If for that long the program calls none of UpdateState,
+   * vtkHapticState::Drain, Publish and Arm, and sets no limit, the servo fades the force out, and a
+   * fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that call the
+   * device rarely. Work between BeginLongWork and EndLongWork does not count.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
   ///@}
-
-  ///@{
-  /**
-   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
-   * writes it to a .vtp, or to a .csv with all data that do not belong to a tick in a .csv.json
-   * beside it. On port 1 of vtkVolumeHapticsFilter a .vtp gives the same forces to the bit, as long
-   * as only the placement of the device changed during the recording. Needs a running servo and a
-   * filter. A region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no
-   * single image could replay it.
-   *
-   * The recording begins at once, however large the volume is. The hashes of volume and labels are
-   * computed meanwhile, from the values at that time; UpdateState hands them to the recording, and
-   * GetStatusText reports their progress. StopRecording waits up to 10 s for them, but not while
-   * the device is armed: if they are not known then, VolumeHash is empty, a replay is not refused
-   * for its labels, and a warning says so.
-   *
-   * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
-   * Torque (N m, of tools; computed) and TorqueCommand (N m, sent), Orientation (world) and
-   * DeviceOrientation (w, x, y, z; all 0 if the device has none), Tick, Buttons, Armed, Fault,
-   * Share (0 to 1: the fraction of Force that the gate let through) and Reason (why Share is below
-   * 1; numbers in Documentation/devices.md). A vtkHapticBurr adds Spinning, RemovedVolume and
-   * RemovalRequest (1 undo, 2 redo, 3 reset that began), and the tissue that was removed before as
-   * field arrays.
-   *
-   * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
-   * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), 65 more while the stylus turns,
-   * and FILE.part up to about two thirds of that, beside the .vtp while it is written.
-   * StartRecording is false, with an error, if the file can't be written. If writing fails later,
-   * for example because the disk is full, the next UpdateState gives an error, and GetStatusText
-   * says so from then on.
-   *
-   * StopRecording is false, with an error, unless the file holds all ticks that were collected. It
-   * replaces an existing file only with a complete one. If a busy machine or a slow disk kept ticks
-   * from being collected, StopRecording gives a warning, and the field array LostTicks has their
-   * number.
-   */
-  bool StartRecording(const char* file);
-  bool StopRecording();
-  ///@}
-  /**
-   * Make a .vtp or .csv from a FILE.part that was left because StopRecording failed or the program
-   * died. The file gets all ticks that reached the disk; after a crash usually fewer than 600 of
-   * the last ticks are missing, and up to 16500 if the disk was slow. FILE.part is then removed,
-   * except on a file system without locks, where another program might still write to it. On
-   * failure, returns false with an error, and keeps FILE.part. If FILE.part can't be read to its
-   * end, that is an error, too, but the ticks before the damage are written unless the file exists
-   * already. Needs neither a device nor a volume.
-   */
-  bool RecoverRecording(const char* part, const char* file);
 
   ///@{
   /**
@@ -670,6 +525,11 @@ protected:
   vtkHapticDevice();
   ~vtkHapticDevice() override;
 
+  std::string FirmwareFile;
+  std::string VendorPath;
+  double HomingTime = 120.0;
+  bool UseGuard = true;
+  double NewtonsPerFullScale[2] = { 100.0, 100.0 };
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
@@ -682,13 +542,17 @@ private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;
   void operator=(const vtkHapticDevice&) = delete;
 
+#ifndef __VTK_WRAP__
+  friend class vtkHapticVirtualHand; // changes the limits of the virtual device
+
+  VolumeHaptics::DeviceOptions MakeOptions() const;
   void SendLimits();
   void TakeLimits();
   void Shut();
   void Halt();
 
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<VolumeHaptics::DeviceParts> Parts;
+#endif
 };
 
 #endif

@@ -51,9 +51,9 @@ vtkHapticDevice* vtkHapticStateSource::GetDevice()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkHapticStateSource::GetMTime()
 {
-  if (this->Device && this->Device->GetTime() != this->SeenTime)
+  if (this->Device && this->Device->GetState()->GetTime() != this->SeenTime)
   {
-    this->SeenTime = this->Device->GetTime();
+    this->SeenTime = this->Device->GetState()->GetTime();
     this->StateTime.Modified();
   }
   return std::max(this->Superclass::GetMTime(), this->StateTime.GetMTime());
@@ -62,25 +62,25 @@ vtkMTimeType vtkHapticStateSource::GetMTime()
 //------------------------------------------------------------------------------
 bool vtkHapticStateSource::ReadState(ShownState& state)
 {
-  vtkHapticDevice* const device = this->Device;
-  if (!device || device->GetTime() == 0.0)
+  vtkHapticState* const latest = this->Device ? this->Device->GetState() : nullptr;
+  if (!latest || latest->GetTime() == 0.0)
   {
     return false;
   }
-  state.Tip = vtkVector3d(device->GetTipPosition());
-  state.Proxy = vtkVector3d(device->GetProxyPosition());
-  state.SurfacePosition = vtkVector3d(device->GetSurfacePosition());
-  state.MediumPosition = vtkVector3d(device->GetMediumPosition());
-  state.Force = vtkVector3d(device->GetForce());
-  state.ComputedForce = vtkVector3d(device->GetComputedForce());
-  state.Normal = vtkVector3d(device->GetNormal());
-  state.NormalForce = device->GetNormalForce();
-  state.FrictionForce = device->GetFrictionForce();
-  state.Contact = device->GetContact();
-  state.SurfaceValue = device->GetSurfaceValue();
-  if (device->HasTipOrientation())
+  state.Tip = vtkVector3d(latest->GetTipPosition());
+  state.Proxy = vtkVector3d(latest->GetProxyPosition());
+  state.SurfacePosition = vtkVector3d(latest->GetSurfacePosition());
+  state.MediumPosition = vtkVector3d(latest->GetMediumPosition());
+  state.Force = vtkVector3d(latest->GetForce());
+  state.ComputedForce = vtkVector3d(latest->GetComputedForce());
+  state.Normal = vtkVector3d(latest->GetNormal());
+  state.NormalForce = latest->GetNormalForce();
+  state.FrictionForce = latest->GetFrictionForce();
+  state.Contact = latest->GetContact();
+  state.SurfaceValue = latest->GetSurfaceValue();
+  if (latest->HasTipOrientation())
   {
-    std::copy_n(device->GetTipOrientation(), 4, state.Orientation);
+    std::copy_n(latest->GetTipOrientation(), 4, state.Orientation);
   }
   return true;
 }

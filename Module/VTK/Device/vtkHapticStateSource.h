@@ -14,7 +14,7 @@
  * spring and the forces. The cell array "Part" identifies them (see Parts); "Newtons" (N) is the
  * size of a force. Lines begin at the point on which a force acts and are Newtons / ForceScale
  * world units long. The field arrays "Contact", "SurfaceValue" and "Orientation" hold the state's
- * values; the last one is w, x, y, z as in vtkHapticDevice::GetTipOrientation, all 0 if the device
+ * values; the last one is w, x, y, z as in vtkHapticState::GetTipOrientation, all 0 if the device
  * has none. The output is empty without a device or before its first state.
  *
  * The owner of the device calls its UpdateState(); the output is out of date whenever this call

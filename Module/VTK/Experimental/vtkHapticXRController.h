@@ -18,8 +18,8 @@
  * The interactor's Move3DEvent and Select3DEvent (or Button3DEvent) of the hand lead the tip, turn
  * the stylus and press its button. In each frame, at its RenderEvent, the device is updated
  * (vtkHapticDevice::UpdateState, as a headset's interactor has no timers) and the controller gets
- * the amplitude of vtkHapticDevice::TakeVibration: at most every 10 ms, for 150 ms, and again every
- * 50 ms, so that it falls silent if the program stands still.
+ * the amplitude of vtkHapticVirtualHand::TakeVibration: at most every 10 ms, for 150 ms, and again
+ * every 50 ms, so that it falls silent if the program stands still.
  *
  * The vibration needs a library that was built with VTK's module RenderingOpenXR
  * (VolumeHaptics_USE_OPENXR), and an action that is bound to the controller's motor, see

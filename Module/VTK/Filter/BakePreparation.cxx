@@ -89,7 +89,7 @@ bool BakePreparation::PrepareTool()
 //------------------------------------------------------------------------------
 const char* BakePreparation::PrepareLabels()
 {
-  const HapticBaker baker(this->Filter);
+  HapticBaker& baker = this->Filter->GetBaker();
   const std::array<TouchedArray, 2> touched = baker.GetTouched();
   vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   if (image && touched[1].Array && this->Filter->GetLabelTable())
@@ -110,7 +110,7 @@ const char* BakePreparation::PrepareLabels()
 bool BakePreparation::PrepareSurface()
 {
   vtkImageData* const image = this->Filter->GetTouchedImage();
-  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(this->Filter).GetFilled().Array;
+  const vtkSmartPointer<vtkDataArray> scalars = this->Filter->GetBaker().GetFilled().Array;
   const int component = this->Filter->GetProperty()->GetComponent();
   HapticVolume volume;
   std::string error;
@@ -169,7 +169,7 @@ double BakePreparation::EstimateTime()
     return 0.0; // Bake() reports the error
   }
   vtkImageData* const image = this->Filter->GetTouchedImage();
-  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(this->Filter).GetFilled().Array;
+  const vtkSmartPointer<vtkDataArray> scalars = this->Filter->GetBaker().GetFilled().Array;
   if (!scalars)
   {
     return 0.0; // Bake() reports the error

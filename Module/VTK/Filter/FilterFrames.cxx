@@ -55,7 +55,7 @@ bool CollectComponents(
   vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames, std::string& error)
 {
   vtkImageData* const image = filter->GetTouchedImage();
-  vtkDataArray* const array = image ? HapticBaker(filter).GetReading().GetArray(image) : nullptr;
+  vtkDataArray* const array = image ? filter->GetBaker().GetReading().GetArray(image) : nullptr;
   if (!array)
   {
     return true;
@@ -118,7 +118,7 @@ bool CollectFramesOfPaths(
     ? FindLastDataTime(*recording)
     : steps.front() + filter->GetTimeUnitsPerSecond() * paths.FindLastTime();
   frames.Series = MakeSeries(steps);
-  frames.Frames = CollectFrames(filter, steps, last, HapticBaker(filter).GetReading());
+  frames.Frames = CollectFrames(filter, steps, last, filter->GetBaker().GetReading());
   if (isMoving)
   {
     AddLoop(*recording, frames.Frames);
@@ -171,8 +171,7 @@ std::string FastMotionWarning::Describe(
   if (this->Series != series)
   {
     vtkImageData* const image = filter->GetTouchedImage();
-    vtkDataArray* const scalars =
-      image ? HapticBaker(filter).GetReading().GetArray(image) : nullptr;
+    vtkDataArray* const scalars = image ? filter->GetBaker().GetReading().GetArray(image) : nullptr;
     if (!scalars)
     {
       return {};

@@ -6,11 +6,9 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/WholeFacts.h"
-#include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticModelBuilder.h"
-#include "VTK/Filter/ResampledInput.h"
 #include "VTK/Trace/RecordedLabels.h"
 
 #include "vtkDataSetAttributes.h"
@@ -31,8 +29,8 @@ namespace VolumeHaptics
 {
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(double rate, const ForceCaps& deviceCaps,
-  vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const
+std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(
+  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames)
 {
   try
   {
@@ -57,9 +55,9 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(double rate, const Fo
 }
 
 //------------------------------------------------------------------------------
-void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const
+void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop)
 {
-  const std::string warning = this->Filter->MotionWarning->Describe(this->Filter, volume, isLoop);
+  const std::string warning = this->MotionWarning.Describe(this->Filter, volume, isLoop);
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(this->Filter, << warning);
@@ -67,21 +65,21 @@ void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const
 }
 
 //------------------------------------------------------------------------------
-bool HapticBaker::IsResampled() const
+bool HapticBaker::IsResampled()
 {
   vtkDataObject* const data = this->Filter->GetInputDataObject(0, 0);
   return data && !vtkImageData::SafeDownCast(data);
 }
 
 //------------------------------------------------------------------------------
-void HapticBaker::WarnOfStillSteps() const
+void HapticBaker::WarnOfStillSteps()
 {
   if (this->Filter->GetFrames() != vtkVolumeHapticsFilter::TIME_STEPS ||
     this->Filter->GetTimeUnitsPerSecond() == 0.0 || !this->IsResampled())
   {
     return;
   }
-  const std::string warning = this->Filter->Resampled->DescribeStillSteps(
+  const std::string warning = this->Resampled.DescribeStillSteps(
     this->Filter->GetInputDataObject(0, 0), ReadTimeSteps(this->Filter->GetInputInformation(0, 0)));
   if (!warning.empty())
   {
@@ -90,15 +88,15 @@ void HapticBaker::WarnOfStillSteps() const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const ForceCaps& deviceCaps,
-  vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const
+std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
+  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames)
 {
   const bool isMoving = !frames.Frames.empty();
   std::string error;
   if (auto* const source =
         vtkHapticRegionSource::SafeDownCast(this->Filter->GetInputAlgorithm(0, 0)))
   {
-    source->UseSettingsOf(this->Filter);
+    this->Filter->ConfigureSource(source);
   }
   const char* const hint = UpdateSources(this->Filter) ? "" : FailedSource;
   vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
@@ -106,15 +104,14 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
   if (!image)
   {
     vtkErrorWithObjectMacro(this->Filter,
-      << this->Filter->Resampled->DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
+      << this->Resampled.DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
     return nullptr;
   }
   // The baked volume is shared if only the device has moved, as in every frame while it follows the
   // camera, or if its caps have changed.
-  vtkDataArray* const scalars = this->Filter->GetInputArrayToProcess(0, image);
+  vtkDataArray* const scalars = this->GetArray(0, image);
   vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
-  vtkDataArray* const labelArray =
-    labels ? this->Filter->GetInputArrayToProcess(1, labels) : nullptr;
+  vtkDataArray* const labelArray = labels ? this->GetArray(1, labels) : nullptr;
   const auto getTime = [&]
   {
     return std::max({ this->Filter->GetMTime(), image->GetMTime(),
@@ -122,8 +119,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
       labels ? labels->GetMTime() : 0, labelArray ? labelArray->GetMTime() : 0 });
   };
   Affine3 placement;
-  const std::shared_ptr<const BakedVolume> baked = this->Filter->LastBaked.lock();
-  const bool isCurrent = baked && !isMoving && getTime() == this->Filter->LastBakedTime &&
+  const std::shared_ptr<const BakedVolume> baked = this->LastBaked.lock();
+  const bool isCurrent = baked && !isMoving && getTime() == this->LastBakedTime &&
     baked->Settings.TickPeriod == 1.0 / rate;
   std::shared_ptr<const HapticModel> model;
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
@@ -141,23 +138,23 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
     return nullptr;
   }
   // Keeps the volume, not the model: a model that is baked only once would take the volume with it.
-  this->Filter->LastBaked = isMoving || !model ? nullptr : model->Baked;
+  this->LastBaked = isMoving || !model ? nullptr : model->Baked;
   // Read after the bake, because the first bake creates what the property lacks.
-  this->Filter->LastBakedTime = getTime();
+  this->LastBakedTime = getTime();
   return model;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, double tickPeriod,
   const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
-  vtkPolyData* recording, HapticFrames&& frames) const
+  vtkPolyData* recording, HapticFrames&& frames)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->Filter->GetInputArrayToProcess(0, image, association);
-  if (!scalars && this->Filter->Method == vtkVolumeHapticsFilter::PRIMITIVES)
+  vtkDataArray* scalars = this->Filter->GetChosenArray(0, image, association);
+  if (!scalars && this->Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES)
   {
     // Modes need no scalars; only the array Value reads these.
-    scalars = FindModeArray(this->Filter->Modes, image);
+    scalars = FindModeArray(this->Filter->GetModes(), image);
   }
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
@@ -194,32 +191,33 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   }
   if (frames.Frames.empty() && this->AreLabels(image))
   {
-    options.Description.Labels = this->Filter->Preparation->GetLabels().GetOfScalars(
+    options.Description.Labels = this->Preparation.GetLabels().GetOfScalars(
       image, scalars, this->Filter->GetProperty(), HasFineLabels(recording));
     options.Description.Settings.Geometry =
       options.Description.Labels ? SurfaceGeometry::Labels : SurfaceGeometry::Scalars;
   }
-  const std::string warning = this->Filter->Preparation->GetLabels().TakeWarning();
+  const std::string warning = this->Preparation.GetLabels().TakeWarning();
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(this->Filter, << warning);
   }
   options.Description.Settings.TickPeriod = tickPeriod;
-  options.Description.Settings.Caps.Stiffness = this->Filter->MaximumStiffness;
+  options.Description.Settings.Caps.Stiffness = this->Filter->GetMaximumStiffness();
   options.Description.DeviceCaps = deviceCaps;
-  options.Surfaces = &this->Filter->Preparation->GetSurfaces();
-  options.Regions = this->Filter->Regions.get();
+  options.Surfaces = &this->Preparation.GetSurfaces();
+  options.Regions = &this->Regions;
   options.Frames = std::move(frames.Frames);
   options.Series = frames.Series;
-  options.Displacements = this->Filter->DisplacementArrayName;
-  options.Modes = this->Filter->Modes;
-  options.Tool = this->Filter->Tool;
-  options.Removal = this->Filter->Removal;
-  options.Cut = this->Filter->Cut.get();
-  options.MetersPerWorldUnit = this->Filter->MetersPerWorldUnit;
+  options.Displacements = this->Filter->GetDisplacementArrayName();
+  options.Modes = this->Filter->GetModes();
+  options.Tool = this->Filter->GetTool();
+  options.Removal = this->Filter->GetRemoval();
+  options.Cut = this->Filter->GetCut();
+  options.MetersPerWorldUnit = this->Filter->GetMetersPerWorldUnit();
   vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
   options.Surface = vtkPolyData::SafeDownCast(surface);
-  if (surface && !options.Surface && this->Filter->Method == vtkVolumeHapticsFilter::SURFACE_PROXY)
+  if (surface && !options.Surface &&
+    this->Filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY)
   {
     error = std::string("The surface (input port 2) is a ") + surface->GetClassName() +
       ", which has no triangles. Give it a vtkPolyData, or nothing: then the isosurface at the "
@@ -227,19 +225,18 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
     return nullptr;
   }
   const bool areFrames = !options.Frames.empty();
-  const vtkSmartPointer<vtkDataArray> filled =
-    this->Filter->Preparation->FillOutside(image, scalars,
-      areFrames ? options.Frames.front().Component : this->Filter->GetProperty()->GetComponent(),
-      areFrames && this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS);
+  const vtkSmartPointer<vtkDataArray> filled = this->Preparation.FillOutside(image, scalars,
+    areFrames ? options.Frames.front().Component : this->Filter->GetProperty()->GetComponent(),
+    areFrames && this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS);
   options.Outside = filled != scalars ? this->GetOutside() : OutsideSamples{};
-  const std::string notice = this->Filter->Preparation->GetOutside().TakeNotice();
+  const std::string notice = this->Preparation.GetOutside().TakeNotice();
   if (!notice.empty())
   {
     vtkWarningWithObjectMacro(this->Filter, << Printable(notice));
   }
   std::string guess;
   auto model = BuildHapticModel(image, filled, this->Filter->GetProperty(), options, guess, error);
-  if (this->Filter->Preparation->IsNewGuess(guess))
+  if (this->Preparation.IsNewGuess(guess))
   {
     vtkWarningWithObjectMacro(this->Filter, << Printable(guess));
   }
@@ -248,11 +245,11 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
 
 //------------------------------------------------------------------------------
 bool HapticBaker::BakeLabels(
-  vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error) const
+  vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error)
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
-  if (!image && this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
-    this->Filter->Geometry != vtkVolumeHapticsFilter::FROM_SCALARS)
+  if (!image && this->Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY &&
+    this->Filter->GetGeometry() != vtkVolumeHapticsFilter::FROM_SCALARS)
   {
     error =
       "The geometry is to come from labels, and there is no label image. Connect one to input "
@@ -264,7 +261,7 @@ bool HapticBaker::BakeLabels(
     return true;
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* const array = this->Filter->GetInputArrayToProcess(1, image, association);
+  vtkDataArray* const array = this->Filter->GetChosenArray(1, image, association);
   if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     const char* const name =
@@ -276,51 +273,52 @@ bool HapticBaker::BakeLabels(
       "SetInputArrayToProcess(1, 3, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
     return false;
   }
-  labels = this->Filter->Preparation->GetLabels().Get(image, array, this->Filter->LabelTable,
+  labels = this->Preparation.GetLabels().Get(image, array, this->Filter->GetLabelTable(),
     this->HasLabelWalls() && HasFineLabels(recording), error);
   return labels != nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool HapticBaker::HasLabelWalls() const
+bool HapticBaker::HasLabelWalls()
 {
-  return this->Filter->LabelTable && this->Filter->Geometry != vtkVolumeHapticsFilter::FROM_SCALARS;
+  return this->Filter->GetLabelTable() &&
+    this->Filter->GetGeometry() != vtkVolumeHapticsFilter::FROM_SCALARS;
 }
 
 //------------------------------------------------------------------------------
-bool HapticBaker::AreLabels(vtkImageData* image) const
+bool HapticBaker::AreLabels(vtkImageData* image)
 {
   WholeFacts whole;
   std::string error; // BuildHapticModel() reports the error
   return this->Filter->GetProperty()->GetScalarsAreLabels() &&
-    this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
-    this->Filter->Geometry == vtkVolumeHapticsFilter::FROM_SCALARS &&
+    this->Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY &&
+    this->Filter->GetGeometry() == vtkVolumeHapticsFilter::FROM_SCALARS &&
     !this->Filter->GetInputDataObject(3, 0) && ReadWholeFacts(image, 0, whole, error) &&
     !whole.IsThere;
 }
 
 //------------------------------------------------------------------------------
-bool HapticBaker::ReadPlacement(
-  vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error) const
+bool HapticBaker::ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error)
 {
   if (deviceToWorld)
   {
     return ReadSimilarity(deviceToWorld, placement, error);
   }
-  placement = ScaledPlacement(this->Filter->MetersPerWorldUnit);
+  placement = ScaledPlacement(this->Filter->GetMetersPerWorldUnit());
   return true;
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(const SurfaceRegion& part, double rate,
-  const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
+std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(
+  const SurfaceRegion& part, double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   try
   {
     std::string error;
     vtkDataArray* const scalars = part.Image->GetPointData()->GetScalars();
-    this->Filter->Preparation->GetSurfaces().Give(
-      { part.Image, scalars, this->Filter->GetProperty()->GetComponent(), this->Filter->IsoValue },
+    this->Preparation.GetSurfaces().Give(
+      { part.Image, scalars, this->Filter->GetProperty()->GetComponent(),
+        this->Filter->GetIsoValue() },
       part.Mesh);
     return this->BakeImage(part.Image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, {});
   }
@@ -331,7 +329,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(const SurfaceRegion& 
 }
 
 //------------------------------------------------------------------------------
-std::array<TouchedArray, 2> HapticBaker::GetTouched() const
+std::array<TouchedArray, 2> HapticBaker::GetTouched()
 {
   std::array<TouchedArray, 2> touched;
   constexpr int ports[] = { 0, 3 };
@@ -340,8 +338,7 @@ std::array<TouchedArray, 2> HapticBaker::GetTouched() const
     vtkImageData* const image = i == 0
       ? this->Filter->GetTouchedImage()
       : vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(ports[i], 0));
-    if (vtkDataArray* const array =
-          image ? this->Filter->GetInputArrayToProcess(i, image) : nullptr)
+    if (vtkDataArray* const array = image ? this->GetArray(i, image) : nullptr)
     {
       touched[i].Array = array;
       std::copy_n(image->GetDimensions(), 3, touched[i].Dimensions.begin());
@@ -352,14 +349,14 @@ std::array<TouchedArray, 2> HapticBaker::GetTouched() const
 }
 
 //------------------------------------------------------------------------------
-TouchedArray HapticBaker::GetFilled(int component, bool areFrames) const
+TouchedArray HapticBaker::GetFilled(int component, bool areFrames)
 {
   TouchedArray filled = this->GetTouched()[0];
   try
   {
     if (filled.Array)
     {
-      filled.Array = this->Filter->Preparation->FillOutside(
+      filled.Array = this->Preparation.FillOutside(
         this->Filter->GetTouchedImage(), filled.Array, component, areFrames);
     }
   }

@@ -5,9 +5,12 @@
 
 #include "Core/Model/ForceCaps.h"
 #include "VTK/Baking/HapticFrames.h"
-#include "VTK/Baking/SurfaceRegion.h"
+#include "VTK/Baking/HapticSurface.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Filter/BakePreparation.h"
+#include "VTK/Filter/FilterFrames.h"
+#include "VTK/Filter/RegionSeries.h"
+#include "VTK/Filter/ResampledInput.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
@@ -26,13 +29,14 @@ namespace VolumeHaptics
 
 /**
  * Makes models from a filter and its inputs for the code that ticks on them: the device, and the
- * search for a surface under the mouse. Models do not belong to the filter's public interface.
+ * search for a surface under the mouse. Belongs to the filter, and keeps what later bakes need.
  */
 class VTKVOLUMEHAPTICS_EXPORT HapticBaker
 {
 public:
   explicit HapticBaker(vtkVolumeHapticsFilter* filter)
     : Filter(filter)
+    , Preparation(filter)
   {
   }
 
@@ -42,7 +46,7 @@ public:
    * world; nullptr means the world scaled by MetersPerWorldUnit. Returns null after an error.
    */
   std::shared_ptr<const HapticModel> Bake(
-    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
+    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
   {
     return this->BakeOrTell(rate, deviceCaps, deviceToWorld, {});
   }
@@ -53,14 +57,14 @@ public:
    */
   std::shared_ptr<const HapticModel> BakeFrames(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, std::vector<HapticFrame>&& frames,
-    const std::vector<double>& steps) const
+    const std::vector<double>& steps)
   {
     return this->BakeOrTell(
       rate, deviceCaps, deviceToWorld, { std::move(frames), MakeSeries(steps) });
   }
 
   /** Returns the data times of the image's frames; empty if there are fewer than two. */
-  std::vector<double> FindFrameTimes() const
+  std::vector<double> FindFrameTimes()
   {
     if (this->Filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS)
     {
@@ -80,12 +84,12 @@ public:
   }
 
   /** Says which arrays of a time step are read. */
-  FrameReading GetReading() const
+  FrameReading GetReading()
   {
     const auto getArray = [filter = this->Filter](vtkImageData* step)
     {
       int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-      vtkDataArray* const array = filter->GetInputArrayToProcess(0, step, association);
+      vtkDataArray* const array = filter->GetChosenArray(0, step, association);
       return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
     };
     return { getArray, this->Filter->GetProperty()->GetComponent(),
@@ -97,7 +101,7 @@ public:
    * without an error, if the part can't be touched.
    */
   std::shared_ptr<const HapticModel> BakeRegion(const SurfaceRegion& part, double rate,
-    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const;
+    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
 
   /**
    * Bakes an image without changing it, for ticks of a period (s). Null, with the cure in `error`,
@@ -107,7 +111,7 @@ public:
    */
   std::shared_ptr<const HapticModel> BakeImage(vtkImageData* image, double tickPeriod,
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
-    vtkPolyData* recording, HapticFrames&& frames) const;
+    vtkPolyData* recording, HapticFrames&& frames);
 
   /**
    * Returns null if Bake() needs no slow work that can be done in the background: the distances to
@@ -115,62 +119,70 @@ public:
    * work, and returns a text for the status, such as MeshingWork.
    * @param isMoving whether BakeFrames() follows, whose frames may have meshes of their own
    */
-  const char* Prepare(bool isMoving = false) const
-  {
-    return this->Filter->Preparation->Prepare(isMoving);
-  }
+  const char* Prepare(bool isMoving = false) { return this->Preparation.Prepare(isMoving); }
   /** Ends the work that Prepare() began. */
-  void EndPreparing() const { this->Filter->Preparation->EndPreparing(); }
+  void EndPreparing() { this->Preparation.EndPreparing(); }
   /** Whether walls between the labels on port 3 are felt, if there are labels. */
-  bool HasLabelWalls() const;
+  bool HasLabelWalls();
   /** Whether the scalars of an image on port 0 are felt as labels, if they can be labels. */
-  bool AreLabels(vtkImageData* image) const;
+  bool AreLabels(vtkImageData* image);
 
   /**
    * Estimates how long (s) Bake() would take now on a desktop computer, without the pipeline before
    * the filter. Only the mesh of SURFACE_PROXY counts; 0 if it is up to date.
    */
-  double EstimateTime() const { return this->Filter->Preparation->EstimateTime(); }
+  double EstimateTime() { return this->Preparation.EstimateTime(); }
 
   /** Whether port 0 has a grid, which is resampled around the tip. */
-  bool IsResampled() const;
+  bool IsResampled();
   /** Warns once that only the first time step of a grid is felt. */
-  void WarnOfStillSteps() const;
+  void WarnOfStillSteps();
   /**
    * Warns, once for a series of frames, if their edges are too fast for blending.
    * @param isLoop whether the first frame follows the last one
    */
-  void WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const;
+  void WarnOfFastMotion(const BakedVolume& volume, bool isLoop);
+
+  BakePreparation& GetPreparation() { return this->Preparation; }
+  ResampledInput& GetResampled() { return this->Resampled; }
 
   /** Returns the arrays of HashScalars() and HashLabels(), each null if it is missing. */
-  std::array<TouchedArray, 2> GetTouched() const;
+  std::array<TouchedArray, 2> GetTouched();
   /**
    * Returns the array of HashScalars() with its outside samples filled: see
    * BakePreparation::FillOutside().
    */
-  TouchedArray GetFilled() const
+  TouchedArray GetFilled()
   {
     return this->GetFilled(this->Filter->GetProperty()->GetComponent(), false);
   }
-  TouchedArray GetFilled(int component, bool areFrames) const;
+  TouchedArray GetFilled(int component, bool areFrames);
   /** Returns what was outside in the array that was filled last. */
-  const OutsideSamples& GetOutside() const
-  {
-    return this->Filter->Preparation->GetOutside().GetLast();
-  }
+  const OutsideSamples& GetOutside() { return this->Preparation.GetOutside().GetLast(); }
 
 private:
+  vtkDataArray* GetArray(int index, vtkDataObject* data)
+  {
+    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    return this->Filter->GetChosenArray(index, data, association);
+  }
   /** Bakes like Bake(), and reports the filter's errors. */
-  std::shared_ptr<const HapticModel> BakeOrTell(double rate, const ForceCaps& deviceCaps,
-    vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
-  std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
-    vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
+  std::shared_ptr<const HapticModel> BakeOrTell(
+    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames);
+  std::shared_ptr<const HapticModel> BakeInput(
+    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames);
   /** Bakes the labels, if there are any, for a recording (or null); false after an error. */
   bool BakeLabels(
-    vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error) const;
-  bool ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error) const;
+    vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error);
+  bool ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error);
 
   vtkVolumeHapticsFilter* const Filter;
+  BakePreparation Preparation;
+  ResampledInput Resampled;
+  FastMotionWarning MotionWarning;
+  RegionSeries Regions;
+  std::weak_ptr<const BakedVolume> LastBaked; ///< valid while anything uses the volume
+  vtkMTimeType LastBakedTime = 0;
 };
 
 } // namespace VolumeHaptics

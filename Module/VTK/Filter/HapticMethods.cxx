@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-using A = vtkVolumeHapticsAlgorithm;
+using A = vtkVolumeHapticsFilter;
 
 std::vector<MethodChoice> MakeChoices()
 {

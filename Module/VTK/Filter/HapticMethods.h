@@ -19,8 +19,8 @@ struct MethodChoice
 {
   static constexpr int AnySolver = -1;
 
-  int Method;       ///< vtkVolumeHapticsAlgorithm::MethodType
-  int Solver;       ///< vtkVolumeHapticsAlgorithm::SolverType, or AnySolver
+  int Method;       ///< vtkVolumeHapticsFilter::MethodType
+  int Solver;       ///< vtkVolumeHapticsFilter::SolverType, or AnySolver
   std::string Name; ///< the name in programs
   std::string Text; ///< the name that the user sees
   bool IsPrepared;  ///< whether a switch to it may keep the GUI thread busy for about a second

@@ -2,32 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
-#include "VTK/Baking/ArrayHash.h"
 #include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticHash.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
-#include "VTK/Filter/BakePreparation.h"
 #include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
 #include "VTK/Filter/HapticBaker.h"
-#include "VTK/Filter/RegionSeries.h"
-#include "VTK/Filter/ResampledInput.h"
+#include "VTK/Filter/HapticFilterSettings.h"
+#include "VTK/Filter/HapticMethods.h"
+#include "VTK/Filter/PlannerSettings.h"
+#include "VTK/Modes/ModePresets.h"
 #include "VTK/Regions/RegionsAlongPath.h"
 #include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/ToolKind.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/Paths/TipPaths.h"
 #include "VTK/Trace/Paths/TipPathsWalk.h"
 #include "VTK/Trace/RecordedLabels.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRegionPlanner.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkHapticRemoval.h"
 #include "vtkHapticTool.h"
@@ -38,8 +42,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -59,10 +65,8 @@ vtkCxxSetSmartPointerMacro(vtkVolumeHapticsFilter, LabelTable, vtkHapticLabelTab
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
-  : Preparation(new VolumeHaptics::BakePreparation(this))
-  , Resampled(new VolumeHaptics::ResampledInput)
-  , MotionWarning(new VolumeHaptics::FastMotionWarning)
-  , Regions(new VolumeHaptics::RegionSeries)
+  : TraceArrays(VolumeHaptics::AllTraceArrays)
+  , Baker(new VolumeHaptics::HapticBaker(this))
   , Hashes(new VolumeHaptics::ArrayHash[2])
   , Removal(vtkSmartPointer<vtkHapticRemoval>::New())
   , Cut(new VolumeHaptics::HapticCut)
@@ -76,6 +80,341 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::~vtkVolumeHapticsFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetProperty(vtkHapticProperty* property)
+{
+  if (this->Property != property)
+  {
+    this->Property = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticProperty* vtkVolumeHapticsFilter::GetProperty()
+{
+  if (!this->Property)
+  {
+    this->Property = vtkSmartPointer<vtkHapticProperty>::New();
+  }
+  return this->Property;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::AddMode(vtkHapticMode* mode)
+{
+  if (mode && std::find(this->Modes.begin(), this->Modes.end(), mode) == this->Modes.end())
+  {
+    this->Modes.emplace_back(mode);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::RemoveMode(vtkHapticMode* mode)
+{
+  const auto found = std::find(this->Modes.begin(), this->Modes.end(), mode);
+  if (found != this->Modes.end())
+  {
+    this->Modes.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::RemoveAllModes()
+{
+  if (!this->Modes.empty())
+  {
+    this->Modes.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::GetNumberOfModes()
+{
+  return static_cast<int>(this->Modes.size());
+}
+
+//------------------------------------------------------------------------------
+vtkHapticMode* vtkVolumeHapticsFilter::GetMode(int mode)
+{
+  return mode >= 0 && mode < this->GetNumberOfModes()
+    ? this->Modes[static_cast<std::size_t>(mode)].Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetTool(vtkHapticTool* tool)
+{
+  if (tool && !VolumeHaptics::FindToolKind(tool))
+  {
+    vtkErrorMacro("A " << tool->GetClassName()
+                       << " can't be felt and is not set: derive it from one of the module's "
+                          "tools, such as vtkHapticNeedle.");
+    return;
+  }
+  if (this->Tool != tool)
+  {
+    this->Tool = tool;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticTool* vtkVolumeHapticsFilter::GetTool()
+{
+  return this->Tool;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::ApplyModePreset(const char* name, vtkImageData* image)
+{
+  std::string error;
+  const VolumeHaptics::HapticModes modes = VolumeHaptics::MakeModePreset(name, image, error);
+  if (modes.empty())
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  this->RemoveAllModes();
+  for (vtkHapticMode* const mode : modes)
+  {
+    this->AddMode(mode);
+  }
+  this->SetMethodToPrimitives();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkVolumeHapticsFilter::GetModePresetNames()
+{
+  static const vtkSmartPointer<vtkStringArray> names = VolumeHaptics::MakeModePresetNames();
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetDisplacementArrayName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->DisplacementArrayName != wanted)
+  {
+    this->DisplacementArrayName = wanted;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::GetDisplacementArrayName()
+{
+  return this->DisplacementArrayName;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkVolumeHapticsFilter::GetMethodNames()
+{
+  static const vtkSmartPointer<vtkStringArray> names = []
+  {
+    auto array = vtkSmartPointer<vtkStringArray>::New();
+    for (const VolumeHaptics::MethodChoice& choice : VolumeHaptics::MethodChoices())
+    {
+      array->InsertNextValue(choice.Name);
+    }
+    return array;
+  }();
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::Choose(std::size_t choice)
+{
+  const VolumeHaptics::MethodChoice& chosen = VolumeHaptics::MethodChoices()[choice];
+  this->SetMethod(chosen.Method);
+  if (chosen.Solver != VolumeHaptics::MethodChoice::AnySolver)
+  {
+    this->SetSolver(chosen.Solver);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::SetMethodByName(const char* name)
+{
+  const auto& all = VolumeHaptics::MethodChoices();
+  const std::string wanted = name ? name : "";
+  std::string known;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (wanted == all[i].Name)
+    {
+      this->Choose(i);
+      return true;
+    }
+    known += (i > 0 ? ", \"" : "\"") + std::string(all[i].Name) + "\"";
+  }
+  vtkErrorMacro("There is no method \"" << wanted << "\". Take one of " << known << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::GetMethodName()
+{
+  return VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::GetMethodText()
+{
+  return VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Text;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::NextMethod()
+{
+  const auto& all = VolumeHaptics::MethodChoices();
+  std::size_t next = VolumeHaptics::FindMethodChoice(this->Method, this->Solver) + 1;
+  if (next < all.size() && all[next].Method == PRIMITIVES && this->Modes.empty())
+  {
+    ++next;
+  }
+  this->Choose(next % all.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::ChooseTraceArrays(const std::vector<std::string>& names)
+{
+  VolumeHaptics::TraceArrayChoice choice = 0;
+  const std::string error = VolumeHaptics::ReadTraceArrays(names, choice);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  if (this->TraceArrays != choice)
+  {
+    this->TraceArrays = choice;
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::SetTraceArrays(const char* names)
+{
+  return this->ChooseTraceArrays(VolumeHaptics::SplitTraceArrays(names ? names : "all"));
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::SetTraceArrays(vtkStringArray* names)
+{
+  std::vector<std::string> words;
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    words.push_back(names->GetValue(i));
+  }
+  return this->ChooseTraceArrays(names ? words : std::vector<std::string>{ "all" });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::GetTraceArrays()
+{
+  return VolumeHaptics::DescribeTraceArrays(this->TraceArrays);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::CheckTraceArrays(const std::string& names)
+{
+  VolumeHaptics::TraceArrayChoice choice = 0;
+  return VolumeHaptics::ReadTraceArrays(VolumeHaptics::SplitTraceArrays(names), choice);
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::GetNumberOfTraceArrays()
+{
+  return static_cast<int>(VolumeHaptics::GetNumberOfTraceArrays());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkVolumeHapticsFilter::GetTraceArrayName(int array)
+{
+  return array >= 0 && array < this->GetNumberOfTraceArrays()
+    ? VolumeHaptics::GetTraceArrayName(static_cast<std::size_t>(array))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::GetTraceArrayStatus(const char* name)
+{
+  const std::size_t array = VolumeHaptics::FindTraceArray(name ? name : "");
+  return array < VolumeHaptics::GetNumberOfTraceArrays() &&
+    VolumeHaptics::IsChosen(this->TraceArrays, array);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetTraceArrayStatus(const char* name, int status)
+{
+  const std::string changed = name ? name : "";
+  const std::size_t count = VolumeHaptics::GetNumberOfTraceArrays();
+  const bool isKnown = VolumeHaptics::FindTraceArray(changed) < count;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string other = VolumeHaptics::GetTraceArrayName(i);
+    if (other != changed && VolumeHaptics::IsChosen(this->TraceArrays, i))
+    {
+      names.push_back(other);
+    }
+  }
+  if (status != 0 || !isKnown) // for an unknown name, ChooseTraceArrays reports the error
+  {
+    names.push_back(changed);
+  }
+  this->ChooseTraceArrays(names);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::CheckSettings(double rate)
+{
+  for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
+  {
+    // The servo's rate replaces the filter's.
+    const bool isRate = std::string("ServoRate") == setting.Name;
+    if (!std::isfinite(isRate ? rate : setting.Get(this)))
+    {
+      return std::string("The setting ") + setting.Name +
+        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting.Name + "() to one.";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
+{
+  os << indent << "Property: ";
+  if (this->Property)
+  {
+    os << "\n";
+    this->Property->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterSettings);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterTexts);
+  for (vtkHapticMode* const mode : this->Modes)
+  {
+    os << indent << "Mode: " << mode->GetClassName() << "\n";
+    mode->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "Tool: " << (this->Tool ? this->Tool->GetClassName() : "(none)") << "\n";
+  if (this->Tool)
+  {
+    this->Tool->PrintSelf(os, indent.GetNextIndent());
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsFilter::SetPathData(vtkPolyData* path)
@@ -242,8 +581,14 @@ bool vtkVolumeHapticsFilter::GetFeelCutFaces()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
 {
-  const vtkMTimeType time =
+  vtkMTimeType time =
     std::max({ this->Superclass::GetMTime(), this->Cut->GetMTime(), this->Removal->GetMTime() });
+  for (vtkHapticMode* const mode : this->Modes)
+  {
+    time = std::max(time, mode->GetMTime());
+  }
+  time = this->Tool ? std::max(time, this->Tool->GetMTime()) : time;
+  time = this->Property ? std::max(time, this->Property->GetMTime()) : time;
   return this->LabelTable ? std::max(time, this->LabelTable->GetMTime()) : time;
 }
 
@@ -262,7 +607,7 @@ vtkHapticRegionSource* vtkVolumeHapticsFilter::GetRegionSource()
     const bool isFelt = this->Method == PRIMITIVES && mode->GetActive();
     arrays.push_back(isFelt ? mode->GetArrayName() : std::string());
   }
-  return this->Resampled->Find(this->GetInputDataObject(0, 0), std::move(arrays));
+  return this->Baker->GetResampled().Find(this->GetInputDataObject(0, 0), std::move(arrays));
 }
 
 //------------------------------------------------------------------------------
@@ -272,11 +617,36 @@ vtkImageData* vtkVolumeHapticsFilter::GetTouchedImage()
   vtkHapticRegionSource* const source = this->GetRegionSource();
   if (source && source != this->GetInputAlgorithm(0, 0))
   {
-    source->UseSettingsOf(this);
+    this->ConfigureSource(source);
     source->Update();
     return source->GetOutput();
   }
   return image;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::ConfigurePlanner(vtkHapticRegionPlanner* planner)
+{
+  if (!planner)
+  {
+    vtkErrorMacro("ConfigurePlanner() needs a planner, but got a null pointer.");
+    return;
+  }
+  VolumeHaptics::ConfigurePlanner(planner, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::ConfigureSource(vtkHapticRegionSource* source)
+{
+  if (!source)
+  {
+    vtkErrorMacro("ConfigureSource() needs a source of regions, but got a null pointer.");
+    return;
+  }
+  source->GetPlanner()->SetSpacing(source->GetSpacing());
+  source->GetPlanner()->SetDirection(source->GetDirection());
+  VolumeHaptics::ConfigurePlanner(source->GetPlanner(), this);
+  source->SetFeltAs(this->KernelRadius, this->GetProperty()->GetScalarsAreLabels());
 }
 
 //------------------------------------------------------------------------------
@@ -296,13 +666,13 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashScalars()
 {
-  return this->Hashes[0].Get(VolumeHaptics::HapticBaker(this).GetTouched()[0]);
+  return this->Hashes[0].Get(this->Baker->GetTouched()[0]);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashLabels()
 {
-  return this->Hashes[1].Get(VolumeHaptics::HapticBaker(this).GetTouched()[1]);
+  return this->Hashes[1].Get(this->Baker->GetTouched()[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -372,7 +742,7 @@ int vtkVolumeHapticsFilter::RequestData(
   vtkImageData* const image = this->GetTouchedImage();
   if (!image)
   {
-    vtkErrorMacro(<< this->Resampled->DescribeFault(this->GetInputDataObject(0, 0)));
+    vtkErrorMacro(<< this->Baker->GetResampled().DescribeFault(this->GetInputDataObject(0, 0)));
     return 0;
   }
   vtkIdType ticks = 0;
@@ -420,12 +790,11 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
   if (VolumeHaptics::AreTimeStepsFelt(this))
   {
-    HapticBaker(this).WarnOfStillSteps();
+    this->Baker->WarnOfStillSteps();
   }
   const RegionsAlongPath regions(source,
-    [&](vtkImageData* region, std::string& flaw) {
-      return HapticBaker(this).BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {});
-    });
+    [&](vtkImageData* region, std::string& flaw)
+    { return this->Baker->BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {}); });
   HapticFrames frames;
   if (path && readable && !source && !CollectFramesOfPaths(this, paths, frames, error))
   {
@@ -434,14 +803,15 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
   // Without a path, only the input is checked, and a slow mesh is left to the background.
   if (readable && !source && frames.Frames.empty() &&
-    !(path ? this->Preparation->AwaitSurface() : this->Preparation->IsSurfaceAtHand()))
+    !(path ? this->Baker->GetPreparation().AwaitSurface()
+           : this->Baker->GetPreparation().IsSurfaceAtHand()))
   {
     return 1;
   }
   std::string imageError;
   std::shared_ptr<const HapticModel> model = source
     ? regions.Begin()
-    : HapticBaker(this).BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{},
+    : this->Baker->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{},
         nullptr, imageError, recording ? path : nullptr, std::move(frames));
   if (!model || !readable)
   {
@@ -452,11 +822,11 @@ int vtkVolumeHapticsFilter::TouchPath(
 
   if (model->Baked->IsMoving())
   {
-    HapticBaker(this).WarnOfFastMotion(*model->Baked, true);
+    this->Baker->WarnOfFastMotion(*model->Baked, true);
   }
   if (path && !FindLabelHash(path).empty())
   {
-    const std::string hash = this->Hashes[1].Await(VolumeHaptics::HapticBaker(this).GetTouched()[1],
+    const std::string hash = this->Hashes[1].Await(this->Baker->GetTouched()[1],
       [this](double)
       {
         this->UpdateProgress(0.0);
@@ -515,6 +885,7 @@ int vtkVolumeHapticsFilter::TouchPath(
 void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintSettings(os, indent);
   this->Cut->Print(os, indent);
   os << indent << "LabelTable: ";
   if (this->LabelTable)

@@ -12,47 +12,14 @@
  *   filter->GetProperty()->ApplyPreset("CT contrast");
  *   filter->Update();                                      // the trace: proxy and forces by tick
  *
- * It implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric
- * Density Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual
- * surfaces, perpendicular to the gradient of the volume, hold the proxy back, as do friction and
- * drag. The force on the hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick
- * moves the proxy x_p from x_0 to
- *
- *   N = grad V / |grad V|,  d = x_tip - x_p,  T = T_N W_d(|grad V|)
- *   x_p += N sgn(d.N) (|d.N| - T/k)      if k |d.N| > T; outward with T = 0       (eqs. 12, 13)
- *   x_p += t/|t| (|t| - mu |d.N|)        if |t| > mu |d.N|, t = d - N (d.N)       (eqs. 8 to 10)
- *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
- *
- * (solver PAPER). d is computed again in each line; k, mu and T_N belong to the value at x_s = x_0
- * + r N, and R to the value at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest
- * spacing (all but PAPER: KernelRadius voxels along N). Beyond the volume the border's value
- * continues and there is no surface; over the last KernelRadius voxels inside the volume surfaces
- * fade. A sample that is NaN or infinite makes no surface; if such a sample, or a number for
- * missing values, is in a corner, all of them are felt as the least value. The first tick of a path
- * puts the proxy on the tip, without force.
- *
- * Solver PRECISE (default) is the same law for motions that are not small. With F = k (x_tip - x),
- *
- *   x' = 0                        while |F - q| <= R,
- *   F  = q + R x' / |x'|          else,
- *
- * along the tip's straight path. q is the part of F that surface and friction hold, with N, k, mu,
- * T and R at the position x. The tip moves in steps of a quarter of a voxel (or 2 % of the spring).
- * For one material point the proxy's motion exists and is unique: the drag's motion is the proximal
- * map of R |m| after the surface's map, both convex; friction, which is not convex, comes after the
- * surface. A motion is checked at its end and drawn back to the first point that holds as much as
- * the spring pulls. Such a point exists, because the spring gets shorter; at a step of a material
- * function, it is found to a thousandth of a voxel, on the side that holds. While a surface holds,
- * the proxy stays on the level of the smoothed value at which it met the surface: it neither drifts
- * nor leaks.
- *
- * If k rises, the force stays as it is; if k falls, the stretch stays. So no energy is created. The
- * array Stiffness is the stiffness of this spring, |F| / |d|. A tick takes 256 samples at most. If
- * more are needed (a tip that jumps by tens of voxels), the proxy stays at the point that it has
- * reached, with the force in balance there, the array Unfinished is 1, and the next tick continues.
- * With PRECISE, GAUSSIAN is the derivative of its own smoothed value: N is normal to that value's
- * levels. CENTRAL_DIFFERENCE has no such value: it keeps the proxy on its level only to a hundredth
- * of a voxel.
+ * A proxy is tied to the tip of the stylus by a spring. Virtual surfaces, perpendicular to the
+ * gradient of the volume, hold the proxy back, as do friction and drag; vtkHapticProperty has their
+ * materials. The force on the hand is k (x_p - x_tip), with the proxy's position x_p and the
+ * stiffness k. Equations, figures and the choices beyond the paper that it implements (Lundin,
+ * Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002) are
+ * in Documentation/method.md. The first tick of a path puts the proxy on the tip, without force. A
+ * sample that is NaN or infinite makes no surface; if such a sample, or a number for missing
+ * values, is in a corner, all of them are felt as the least value.
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
  * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
@@ -71,14 +38,9 @@
  * If the source of port 0 has several time steps, or the components of the touched array are frames
  * (SetFramesToComponents), the volume moves. The steps that the path needs are requested one after
  * the other and kept, and blended linearly between their times. At the path's time 0, the data time
- * is the first step's time; it advances by TimeUnitsPerSecond, and stops at the last step's time. A
- * surface that approaches a resting tip pushes it, with T_N W_d at most: before each tick the proxy
- * is carried along the gradient to where its level has moved. Motion along a surface is not felt,
- * since values do not show it. Blended edges stay edges as long as an edge moves by at most twice
- * its width from step to step. Neither limit holds if the steps have an array that says where their
- * material moves (DisplacementArrayName): the material is then blended and felt along its way.
- * Without such an array, edges that move by more than twice their width get a warning, once for
- * each source.
+ * is the first step's time; it advances by TimeUnitsPerSecond, and stops at the last step's time.
+ * Edges that move by more than twice their width from step to step get a warning, unless the steps
+ * have an array that says where their material moves (DisplacementArrayName).
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
@@ -158,48 +120,47 @@
  * piece 0 requests the whole image and is the whole trace; the other pieces request nothing and are
  * empty.
  *
- * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter,
+ * @sa vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter,
  * vtkHapticRegionSource
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
 
-#include "vtkSmartPointer.h" // for ivars
-#include "vtkVolumeHapticsAlgorithm.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
-#include <memory> // for std::shared_ptr
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkHapticLabelTable;
-class vtkHapticRemoval;
+class vtkHapticMode;
+class vtkHapticProperty;
+class vtkHapticRegionPlanner;
 class vtkHapticRegionSource;
+class vtkHapticRemoval;
+class vtkHapticTool;
 class vtkImageData;
 class vtkInformation;
-class vtkMatrix4x4;
 class vtkPlane;
 class vtkPlaneCollection;
+class vtkStringArray;
 
 #ifndef __VTK_WRAP__
 namespace VolumeHaptics
 {
 class ArrayHash;
-class BakePreparation;
-class FastMotionWarning;
 class HapticBaker;
-class HapticModel;
-class RegionSeries;
-class ResampledInput;
-struct BakedVolume;
 struct HapticCut;
 } // namespace VolumeHaptics
 #endif
 
-class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkVolumeHapticsAlgorithm
+class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkPolyDataAlgorithm
 {
 public:
   static vtkVolumeHapticsFilter* New();
-  vtkTypeMacro(vtkVolumeHapticsFilter, vtkVolumeHapticsAlgorithm);
+  vtkTypeMacro(vtkVolumeHapticsFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -297,11 +258,501 @@ public:
   vtkHapticRemoval* GetRemoval();
   ///@}
 
+  ///@{
+  /** The materials. Created with its defaults on first Get; nullptr restores these. */
+  void SetProperty(vtkHapticProperty* property);
+  vtkHapticProperty* GetProperty();
+  ///@}
+
+  enum MethodType
+  {
+    PROXY = 0,
+    FORCE_FIELD = 1,
+    SURFACE_PROXY = 2,
+    LOCAL_SURFACE = 3,
+    PRIMITIVES = 4
+  };
+
+  ///@{
   /**
-   * Includes the change times of the property, its functions, the label table, the clipping planes,
-   * and the settings of the removal.
+   * PROXY (default): a proxy held back by virtual surfaces everywhere in the volume, eqs. 2 to
+   * 14. The others are for comparison. FORCE_FIELD, eq. 1: the gradient pushes, -C1 grad V - C2
+   * v, without a proxy. SURFACE_PROXY: a small ball that no triangle of the isosurface at the
+   * IsoValue (or of the surface) lets through. LOCAL_SURFACE: a slow loop fits a plane or a
+   * quadric to that isosurface near the proxy, and the servo touches that. PRIMITIVES: modes,
+   * which hold the hand by the vectors, tensors or lines in the volume.
+   *
+   * C1 is ForceFieldGain and C2 ForceFieldDamping; NormalForce and DragForce are then the
+   * magnitudes of the two terms. SURFACE_PROXY is polygonal surface haptics (Ruspini et al. 1997)
+   * with a ball of ProxyRadius. LOCAL_SURFACE is an intermediate representation (Mark et al.
+   * 1996): the hand falls through a surface that it meets before the slow loop has looked.
+   *
+   * Both surfaces have the stiffness and friction of the material at IsoValue, no drag, and no
+   * limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. If one of
+   * these methods is chosen while a servo runs and the hand is inside the isosurface, its depth
+   * counts. Up to three kernel radii deep, both hold the hand from outside. Deeper, SURFACE_PROXY
+   * holds it from inside, and LOCAL_SURFACE does not hold it.
+   *
+   * PRIMITIVES feels the modes of AddMode(), with a spring of the CouplingStiffness; without modes
+   * the hand is free. The scalars are felt if there is a mode of the kind SURFACE. NormalForce is
+   * the magnitude of the whole force, along Normal; the arrays of materials are 0, but Stiffness.
+   */
+  vtkSetClampMacro(Method, int, PROXY, PRIMITIVES);
+  vtkGetMacro(Method, int);
+  void SetMethodToProxy() { this->SetMethod(PROXY); }
+  void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
+  void SetMethodToSurfaceProxy() { this->SetMethod(SURFACE_PROXY); }
+  void SetMethodToLocalSurface() { this->SetMethod(LOCAL_SURFACE); }
+  void SetMethodToPrimitives() { this->SetMethod(PRIMITIVES); }
+  ///@}
+
+  ///@{
+  /**
+   * The modes of the method PRIMITIVES, at most eight, which are felt together. A mode that is
+   * there already is not added again. All active modes have eight primitives at most: shear, ridge
+   * and one-sided front one each; follow, two-sided front and guide two; vortex, tensor and surface
+   * three.
+   */
+  void AddMode(vtkHapticMode* mode);
+  void RemoveMode(vtkHapticMode* mode);
+  void RemoveAllModes();
+  int GetNumberOfModes();
+  ///@}
+
+  /**
+   * Get a mode by its number, which counts from 0 as in the array ModeForce_i; nullptr if there is
+   * none.
+   */
+  vtkHapticMode* GetMode(int mode);
+
+  /**
+   * Set the method to PRIMITIVES, and replace all modes by those of a named way to feel:
+   *
+   * - "Follow the flow": held across vectors, free along them.
+   * - "Drift with the flow": held across vectors, and pushed along them with a quarter of the
+   *   strength.
+   * - "Feel wave fronts": held along vectors, free across them.
+   * - "Find a vortex": held in around a vortex, and, more gently, along its axis.
+   * - "Feel where a flow stretches": free along the direction that stretches most.
+   * - "Slide along fibres", "Slide along fibres and sheets": tensors.
+   * - "Follow a vessel", "Follow a dark vessel": ridges of the scalars, bright or dark.
+   * - "Follow the flow and touch surfaces": with the material of the property, too.
+   *
+   * Strengths suit the image (vtkHapticMode::ProposeFromImage). Without active vectors or tensors,
+   * the modes are about the first array that fits. If the image is nullptr, strengths are 2 N.
+   * Returns false, with an error and no change, for another name, or if the image has nothing to
+   * feel in this way.
+   */
+  bool ApplyModePreset(const char* name, vtkImageData* image);
+
+  /** Get the names that ApplyModePreset accepts. */
+  static vtkStringArray* GetModePresetNames();
+
+  ///@{
+  /**
+   * What the hand holds, such as a vtkHapticNeedle; nullptr (default) is a point. It may change
+   * while a hand feels it: after the next vtkHapticDevice::Publish(), a force that would jump rises
+   * gradually. A tool of a class outside this module is an error, and changes nothing.
+   */
+  void SetTool(vtkHapticTool* tool);
+  vtkHapticTool* GetTool();
+  ///@}
+
+  enum SolverType
+  {
+    PAPER = 0,
+    PRECISE = 1
+  };
+
+  ///@{
+  /**
+   * How the method PROXY moves the proxy in a tick. PAPER: as published, with one look at the
+   * volume, at the proxy's position before the tick. PRECISE (default): the same law, in balance
+   * at the proxy's position after it; it neither drifts off curved walls nor leaks out of
+   * cavities.
+   */
+  vtkSetClampMacro(Solver, int, PAPER, PRECISE);
+  vtkGetMacro(Solver, int);
+  void SetSolverToPaper() { this->SetSolver(PAPER); }
+  void SetSolverToPrecise() { this->SetSolver(PRECISE); }
+  ///@}
+
+  enum ContactAlignmentType
+  {
+    DISTINCTNESS = 0,
+    EDGE = 1
+  };
+
+  ///@{
+  /**
+   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS: as soon as
+   * distinctness and strength say so, which on a blurred edge is some voxels before its middle.
+   * EDGE (default): not before the middle of the edge, so that what is felt lies on what is seen.
+   *
+   * At the middle, V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a linear
+   * ramp both settings are alike.
+   */
+  vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
+  vtkGetMacro(ContactAlignment, int);
+  void SetContactAlignmentToDistinctness() { this->SetContactAlignment(DISTINCTNESS); }
+  void SetContactAlignmentToEdge() { this->SetContactAlignment(EDGE); }
+  ///@}
+
+  enum MaterialPlacementType
+  {
+    KERNEL = 0,
+    FAR_SIDE = 1
+  };
+
+  ///@{
+  /**
+   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL: those
+   * a kernel radius to either side of the proxy, as in the paper. FAR_SIDE (default): those that a
+   * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
+   *
+   * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
+   * Along a surface in contact, the values change over 2.5 voxels of the proxy's path, and the
+   * medium's value over 8, so that no material changes in a step. The arrays SurfaceValue and
+   * MediumValue are the values that were read.
+   */
+  vtkSetClampMacro(MaterialPlacement, int, KERNEL, FAR_SIDE);
+  vtkGetMacro(MaterialPlacement, int);
+  void SetMaterialPlacementToKernel() { this->SetMaterialPlacement(KERNEL); }
+  void SetMaterialPlacementToFarSide() { this->SetMaterialPlacement(FAR_SIDE); }
+  ///@}
+
+  enum GeometryType
+  {
+    FROM_SCALARS = 0,
+    FROM_LABELS = 1,
+    FROM_BOTH = 2
+  };
+
+  ///@{
+  /**
+   * Which image makes the surfaces of the method PROXY. FROM_SCALARS (default): the volume.
+   * FROM_LABELS: the label image, with walls between its labels. FROM_BOTH: the volume, and walls
+   * between labels where it has no distinct surface.
+   *
+   * A wall is where two labels have equal shares of the voxels around, weighted by a Gaussian of
+   * 0.355 (KernelRadius + 2) voxels of the label image (1.4 by default); its normal is the shares'
+   * gradient. On a ball of R voxels, the wall lies inside by the square of this width over R;
+   * sheets thinner than 1.35 times this width have no wall. The structure of a wall is the harder
+   * label: a label with an entry in the label table before one without; then the label with more
+   * surface strength, then with more stiffness, then with the higher number. With
+   * vtkHapticProperty::SetSurfaceSideToLower() it is the softer label. Labels that are not felt
+   * have no walls between them. A wall holds as firmly as the surface strength says; neither
+   * distinctness nor ContactAlignment changes this. Walls fade over the last KernelRadius + 1
+   * voxels inside the label image. With FROM_BOTH, a wall replaces the surface of the volume where
+   * that surface has a distinctness below one half.
+   */
+  vtkSetClampMacro(Geometry, int, FROM_SCALARS, FROM_BOTH);
+  vtkGetMacro(Geometry, int);
+  void SetGeometryFromScalars() { this->SetGeometry(FROM_SCALARS); }
+  void SetGeometryFromLabels() { this->SetGeometry(FROM_LABELS); }
+  void SetGeometryFromBoth() { this->SetGeometry(FROM_BOTH); }
+  ///@}
+
+  enum GradientEstimatorType
+  {
+    CENTRAL_DIFFERENCE = 0,
+    GAUSSIAN = 1,
+    CUBIC_BSPLINE = 2
+  };
+
+  ///@{
+  /**
+   * How gradients are estimated. CENTRAL_DIFFERENCE: of six trilinear samples KernelRadius voxels
+   * away. GAUSSIAN (default): the derivative of a Gaussian, which noise disturbs least; its
+   * standard deviation after its cut is about 1.0 voxel at KernelRadius 2 and 1.4 at 3.
+   * CUBIC_BSPLINE: the analytic derivative of a smoothing cubic B-spline over 64 voxels. Values are
+   * trilinear with the first two and B-spline values with the third.
+   */
+  vtkSetClampMacro(GradientEstimator, int, CENTRAL_DIFFERENCE, CUBIC_BSPLINE);
+  vtkGetMacro(GradientEstimator, int);
+  void SetGradientEstimatorToCentralDifference() { this->SetGradientEstimator(CENTRAL_DIFFERENCE); }
+  void SetGradientEstimatorToGaussian() { this->SetGradientEstimator(GAUSSIAN); }
+  void SetGradientEstimatorToCubicBSpline() { this->SetGradientEstimator(CUBIC_BSPLINE); }
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the gradient kernel in voxels, 1 to 16. So many voxels along the normal (with the
+   * solver Paper, times the largest spacing) is the distance r from the proxy at which materials
+   * are picked (fig. 4): larger ones are smoother and feel less detail. Default 2.
+   */
+  vtkSetClampMacro(KernelRadius, int, 1, 16);
+  vtkGetMacro(KernelRadius, int);
+  ///@}
+
+  ///@{
+  /** Ticks per second (Hz), 1 to 100000. Default 1000. */
+  vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
+  vtkGetMacro(ServoRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Metres of hand motion for one world unit, 1e-12 to 1e12. The default 0.001 means life-size
+   * for data in millimetres; 0.002 means twice life-size, and no stiffer.
+   */
+  vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
+  vtkGetMacro(MetersPerWorldUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * The data time that passes in a second of the hand: time steps of the image's source per second
+   * if these are whole numbers, -1e9 to 1e9. Negative, time runs backwards. 0 takes one time step,
+   * that which the pipeline asks for, as if the volume did not move. Default 1.
+   */
+  vtkSetClampMacro(TimeUnitsPerSecond, double, -1e9, 1e9);
+  vtkGetMacro(TimeUnitsPerSecond, double);
+  ///@}
+
+  enum FramesType
+  {
+    TIME_STEPS = 0,
+    COMPONENTS = 1
+  };
+  ///@{
+  /**
+   * What the frames of a volume that moves are. TIME_STEPS (default): those of the image's source,
+   * if it has several. COMPONENTS: those of the touched array, FrameSpacing apart, without a copy.
+   *
+   * vtkNIFTIImageReader gives a 4-D image such components:
+   *
+   *   reader->TimeAsVectorOn();
+   *   reader->Update();
+   *   filter->SetFramesToComponents();
+   *   filter->SetFrameSpacing(reader->GetTimeSpacing());
+   *
+   * With COMPONENTS, time steps of the source are ignored, and data time begins at 0. All
+   * components are frames, so vtkHapticProperty::Component counts only if TimeUnitsPerSecond is 0.
+   * DisplacementArrayName does not apply to them.
+   */
+  vtkSetClampMacro(Frames, int, TIME_STEPS, COMPONENTS);
+  vtkGetMacro(Frames, int);
+  void SetFramesToTimeSteps() { this->SetFrames(TIME_STEPS); }
+  void SetFramesToComponents() { this->SetFrames(COMPONENTS); }
+  ///@}
+
+  ///@{
+  /**
+   * The data time from one component of the touched array to the next, if the components are the
+   * frames: 1e-12 to 1e12, in any unit. Default 1.
+   */
+  vtkSetClampMacro(FrameSpacing, double, 1e-12, 1e12);
+  vtkGetMacro(FrameSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The point array of the touched image, in each time step, with where its material goes until the
+   * next one: three components, in world units along the world's axes. Surfaces then move with
+   * their material from step to step, however far, and take along a hand that friction holds.
+   * Empty (default): the steps are blended in place.
+   *
+   * Registration gives such arrays, and so do simulations that move a mesh. The last time step
+   * needs no such array. In any other step, a missing array, a wrong number of components, or
+   * numbers that are not finite are errors. nullptr stands for the empty name.
+   */
+  void SetDisplacementArrayName(const char* name);
+  std::string GetDisplacementArrayName();
+  ///@}
+
+  ///@{
+  /**
+   * One stiffness everywhere, the CouplingStiffness, instead of the stiffness of the material. A
+   * hand that strokes with a constant force then feels the shape that it sees; materials are told
+   * apart by surface strength, friction and drag. Default off.
+   *
+   * Off, a constant force f presses in by f/k, so that a change of the stiffness from k1 to k2 is
+   * felt as a step of f (1/k1 - 1/k2): 3.8 mm for 1 N from 150 to 350 N/m. On, the material's
+   * stiffness only decides what is felt: material without stiffness (0.001 N/m or less) is not
+   * felt. The stiffness of labels is replaced likewise.
+   */
+  vtkSetMacro(SameShape, bool);
+  vtkGetMacro(SameShape, bool);
+  vtkBooleanMacro(SameShape, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The stiffness (N/m) with SameShape, and of the method PRIMITIVES, 0 or more. MaximumStiffness
+   * and the limits of a device cap it, too. Default 500.
+   */
+  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CouplingStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * C1 of eq. 1 (N per scalar unit per world unit), for the method FORCE_FIELD. Default 0.01.
+   */
+  vtkSetMacro(ForceFieldGain, double);
+  vtkGetMacro(ForceFieldGain, double);
+  ///@}
+
+  ///@{
+  /**
+   * C2 of eq. 1 (N s/m), 0 or more, for the method FORCE_FIELD. Default 0.
+   */
+  vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ForceFieldDamping, double);
+  ///@}
+
+  ///@{
+  /**
+   * Scalar value whose isosurface the methods SURFACE_PROXY and LOCAL_SURFACE touch, and whose
+   * material it has. Default 0.
+   */
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the ball (world units) of the method SURFACE_PROXY, 0 to 1e9; some voxels at most.
+   * Gaps narrower than its diameter are not felt. 0 (default) stands for half of the smallest
+   * spacing. A tick looks at all triangles that the ball touches: a radius that is too large for
+   * the surface is an error.
+   */
+  vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);
+  vtkGetMacro(ProxyRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Turn the force of the method SURFACE_PROXY smoothly from triangle to triangle, by the point
+   * normals. Default on.
+   */
+  vtkSetMacro(ForceShading, bool);
+  vtkGetMacro(ForceShading, bool);
+  vtkBooleanMacro(ForceShading, bool);
+  ///@}
+
+  enum LocalSurfaceShapeType
+  {
+    PLANE = 0,
+    QUADRIC = 1
+  };
+
+  ///@{
+  /**
+   * The shape that the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that
+   * also bends as the normal does over KernelRadius voxels to either side. A plane stays where the
+   * slow loop last fitted it: sliding over a convex surface costs work, and sliding over a concave
+   * one returns some. Both are fitted to the isosurface at IsoValue; only with CUBIC_BSPLINE is the
+   * gradient exactly normal to it.
+   */
+  vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
+  vtkGetMacro(LocalSurfaceShape, int);
+  void SetLocalSurfaceShapeToPlane() { this->SetLocalSurfaceShape(PLANE); }
+  void SetLocalSurfaceShapeToQuadric() { this->SetLocalSurfaceShape(QUADRIC); }
+  ///@}
+
+  ///@{
+  /**
+   * How often the slow loop of the method LOCAL_SURFACE looks (Hz), 1 to 1000; 30 to 100 are
+   * usual. Its result comes one period later. Default 60. With a device the loop has a thread of
+   * its own; offline it runs in simulated time.
+   */
+  vtkSetClampMacro(LocalSurfaceRate, double, 1.0, 1000.0);
+  vtkGetMacro(LocalSurfaceRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Time constant (s) with which the force of a proxy that leaps goes over to the new one, with the
+   * solver PRECISE and materials of the FAR_SIDE, 0 to 1: where a surface gives way, the hand feels
+   * that over some milliseconds, by 150 N a second at most. 0: at once. Default 0.005.
+   */
+  vtkSetClampMacro(ReleaseTime, double, 0.0, 1.0);
+  vtkGetMacro(ReleaseTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Time (s) in which the force of the method LOCAL_SURFACE goes over from one surface to the
+   * next, 0 to 10: longer ones are smoother, and follow later. Default 0.015.
+   */
+  vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);
+  vtkGetMacro(RecoveryTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
+   */
+  vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumForce, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
+   * stable. 0 (default) does not cap.
+   */
+  vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * The point arrays of the trace, by their names, with commas or spaces between them. Default
+   * "all". "none" leaves the points, the proxy, alone. What is not chosen takes neither time nor
+   * memory; forces do not depend on it. The documentation of the output lists them.
+   *
+   * nullptr stands for all. If no array has one of the names, returns false, with an error that
+   * lists the arrays, and keeps the choice.
+   */
+  bool SetTraceArrays(const char* names);
+  bool SetTraceArrays(vtkStringArray* names);
+  std::string GetTraceArrays();
+  ///@}
+
+  ///@{
+  /** Choose the trace's arrays one by one. An array that does not exist has the status 0. */
+  int GetNumberOfTraceArrays();
+  const char* GetTraceArrayName(int array);
+  int GetTraceArrayStatus(const char* name);
+  void SetTraceArrayStatus(const char* name, int status);
+  ///@}
+
+  /**
+   * Get the names of all choices of Method and Solver, for menus and command lines, in the order of
+   * NextMethod(): "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field",
+   * "surface-proxy", "local-surface", "primitives".
+   */
+  static vtkStringArray* GetMethodNames();
+
+  /** Choose one of GetMethodNames(); false, with an error that lists them, for any other name. */
+  bool SetMethodByName(const char* name);
+  std::string GetMethodName();
+
+  /** Get the name of the method as users see it, such as "Proxy, PRECISE". */
+  std::string GetMethodText();
+
+  /**
+   * Choose the next of GetMethodNames(), after the last the first. "primitives" is left out if
+   * there are no modes.
+   */
+  void NextMethod();
+
+#ifndef __VTK_WRAP__
+  /** Get the fault in names for SetTraceArrays, with the cure; empty if there is none. */
+  static std::string CheckTraceArrays(const std::string& names);
+#endif
+
+  /**
+   * Includes the change times of the property, the modes, the tool and their functions, the label
+   * table, the clipping planes, and the settings of the removal.
    */
   vtkMTimeType GetMTime() override;
+
+  /** Print the settings and the property, without the pipeline around them, for recordings. */
+  void PrintSettings(ostream& os, vtkIndent indent);
 
   /**
    * Compute the MD5 of the touched scalars and of their shape, as recordings store it; empty if
@@ -323,6 +774,49 @@ public:
    */
   vtkHapticRegionSource* GetRegionSource();
 
+  /**
+   * Set SpringLength, Reach, Band and MetersPerWorldUnit of a planner by the settings and the
+   * property of this filter, and by Spacing and Direction of the planner. SpringLength is the
+   * largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05 m; with SameShape,
+   * k is the CouplingStiffness. The methods of surfaces hold without limit, so with them it is 0.05
+   * m.
+   */
+  void ConfigurePlanner(vtkHapticRegionPlanner* planner);
+
+  /**
+   * Set what planner and output of a source of regions need from this filter. The filter and
+   * vtkHapticDevice call this for the source on port 0.
+   */
+  void ConfigureSource(vtkHapticRegionSource* source);
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /** For other classes of the module, such as vtkHapticDevice. */
+  VolumeHaptics::HapticBaker& GetBaker()
+  {
+    return *this->Baker;
+  }
+  const std::vector<vtkSmartPointer<vtkHapticMode>>& GetModes() const
+  {
+    return this->Modes;
+  }
+  /** Returns the array that SetInputArrayToProcess has chosen, and what it belongs to. */
+  vtkDataArray* GetChosenArray(int index, vtkDataObject* data, int& association)
+  {
+    return this->GetInputArrayToProcess(index, data, association);
+  }
+  const VolumeHaptics::HapticCut* GetCut() const
+  {
+    return this->Cut.get();
+  }
+  /**
+   * Returns the fault in the settings for a servo that ticks at a rate (Hz), with the cure; empty
+   * if there is none.
+   */
+  std::string CheckSettings(double rate);
+  ///@}
+#endif
+
 protected:
   vtkVolumeHapticsFilter();
   ~vtkVolumeHapticsFilter() override;
@@ -332,18 +826,45 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  unsigned long long TraceArrays; // a TraceArrayChoice
+
+  vtkSmartPointer<vtkHapticProperty> Property;
+  std::vector<vtkSmartPointer<vtkHapticMode>> Modes;
+  vtkSmartPointer<vtkHapticTool> Tool;
+  int Method = PROXY;
+  int Solver = PRECISE;
+  int ContactAlignment = EDGE;
+  int MaterialPlacement = FAR_SIDE;
+  int Geometry = FROM_SCALARS;
+  int GradientEstimator = GAUSSIAN;
+  int KernelRadius = 2;
+  double ServoRate = 1000.0;
+  double MetersPerWorldUnit = 0.001;
+  double TimeUnitsPerSecond = 1.0;
+  int Frames = TIME_STEPS;
+  double FrameSpacing = 1.0;
+  std::string DisplacementArrayName;
+  bool SameShape = false;
+  double CouplingStiffness = 500.0;
+  double ForceFieldGain = 0.01;
+  double ForceFieldDamping = 0.0;
+  double IsoValue = 0.0;
+  double ProxyRadius = 0.0;
+  bool ForceShading = true;
+  int LocalSurfaceShape = PLANE;
+  double LocalSurfaceRate = 60.0;
+  double RecoveryTime = 0.015;
+  double ReleaseTime = 0.005;
+  double MaximumForce = 0.0;
+  double MaximumStiffness = 0.0;
+
 private:
 #ifndef __VTK_WRAP__
-  friend class VolumeHaptics::HapticBaker;
-
+  void Choose(std::size_t choice);
+  bool ChooseTraceArrays(const std::vector<std::string>& names);
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
 
-  std::weak_ptr<const VolumeHaptics::BakedVolume> LastBaked; // valid while anything uses the volume
-  vtkMTimeType LastBakedTime = 0;
-  std::unique_ptr<VolumeHaptics::BakePreparation> Preparation;
-  std::unique_ptr<VolumeHaptics::ResampledInput> Resampled;
-  std::unique_ptr<VolumeHaptics::FastMotionWarning> MotionWarning;
-  std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
+  std::unique_ptr<VolumeHaptics::HapticBaker> Baker;
   std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // hashes of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
   vtkSmartPointer<vtkHapticRemoval> Removal;

@@ -11,6 +11,7 @@ namespace VolumeHaptics
 {
 namespace
 {
+
 constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
 /**

@@ -9,7 +9,7 @@
 
 #include "Core/Proposal/MaterialProposal.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Material/SearchPart.h"
+#include "VTK/Material/EdgeSearch.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"

@@ -3,7 +3,6 @@
 #include "VTK/Measure/MarkupsJson.h"
 
 #include "VTK/Base/JsonText.h"
-#include "VTK/Measure/MarkupsNames.h"
 
 #include <algorithm>
 #include <cmath>

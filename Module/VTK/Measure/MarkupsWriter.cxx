@@ -1,20 +1,76 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Measure/MarkupsJson.h"
-
 #include "VTK/Base/JsonText.h"
-#include "VTK/Measure/MarkupsNames.h"
+#include "VTK/Measure/MarkupsJson.h"
+#include "VTK/Measure/Measurement.h"
 #include "VTK/Measure/MeasurementUnits.h"
-#include "VTK/Measure/PatchBorder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+/**
+ * Returns the points of the longest closed line along the border of an area (the edges that belong
+ * to only one triangle), in order, without the first point again at the end. A closed surface has
+ * no border; it gives its first triangle.
+ */
+std::vector<Vector3> FindBorder(const Measurement& area)
+{
+  using Edge = std::pair<int, int>;
+  std::set<Edge> edges; // with the direction that triangles give them
+  for (const std::array<int, 3>& t : area.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      edges.insert({ t[i], t[(i + 1) % 3] });
+    }
+  }
+  std::multimap<int, int> next;
+  for (const Edge& edge : edges)
+  {
+    if (edges.count({ edge.second, edge.first }) == 0)
+    {
+      next.insert(edge);
+    }
+  }
+  std::vector<Vector3> longest;
+  double most = 0.0;
+  while (!next.empty())
+  {
+    std::vector<Vector3> line;
+    double length = 0.0;
+    for (auto edge = next.begin(); edge != next.end();)
+    {
+      const auto [from, to] = *edge;
+      next.erase(edge);
+      line.push_back(area.Points[static_cast<std::size_t>(from)]);
+      length += Norm(area.Points[static_cast<std::size_t>(to)] - line.back());
+      edge = next.find(to);
+    }
+    if (length > most)
+    {
+      most = length;
+      longest = std::move(line);
+    }
+  }
+  if (longest.empty() && !area.Triangles.empty())
+  {
+    for (const int corner : area.Triangles.front())
+    {
+      longest.push_back(area.Points[static_cast<std::size_t>(corner)]);
+    }
+  }
+  return longest;
+}
 
 constexpr const char* Schema =
   "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"

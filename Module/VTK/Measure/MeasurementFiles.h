@@ -4,6 +4,18 @@
  * @file
  * Writes and reads files of measurements. The ending selects the format: .csv, .vtp, or .json for
  * markups.
+ *
+ * A .csv has a line of titles, then a line for each point:
+ *
+ *   measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),...,surface value
+ *   1,Nasion,Point,53,,0,1.5,-82,31,...
+ *   2,Distance 1,Distance,42.5,mm,0,...
+ *   2,Distance 1,Distance,42.5,mm,1,...
+ *
+ * An area has a line for each corner of its triangles, one triangle after the other, and `point`
+ * shows which corners are the same point. The columns measurement, name, kind, point and the
+ * following ones are read; only x, y and z are needed. Lines belong together as long as
+ * `measurement` stays the same; without it, each line is a point of its own.
  */
 #ifndef MeasurementFiles_h
 #define MeasurementFiles_h

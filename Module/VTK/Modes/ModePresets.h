@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Named presets of vtkVolumeHapticsAlgorithm::ApplyModePreset.
+ * Named presets of vtkVolumeHapticsFilter::ApplyModePreset.
  */
 #ifndef ModePresets_h
 #define ModePresets_h

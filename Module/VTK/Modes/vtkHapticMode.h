@@ -32,7 +32,7 @@
  * two voxels before the border of the volume, strengths fade. Where a vector is 0 or a sample is
  * not finite, nothing holds.
  *
- * @sa vtkHapticGuideMode, vtkVolumeHapticsAlgorithm
+ * @sa vtkHapticGuideMode, vtkVolumeHapticsFilter
  */
 #ifndef vtkHapticMode_h
 #define vtkHapticMode_h

@@ -42,7 +42,7 @@
  *                       and the fraction of the samples that are not numbers, if these are holes
  *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders inside the
- * whole, the force does not end at a surface but fades (vtkHapticDevice::GetResidency). The whole
+ * whole, the force does not end at a surface but fades (vtkHapticState::GetResidency). The whole
  * force is felt where tip and proxy are farther from such borders than all that a tick reads, plus
  * a band of 4 voxels: with the default settings 13 voxels, 6 of which are the walk to the far side
  * of an edge, and with materials of the kernel (SetMaterialPlacementToKernel) 9.

@@ -18,9 +18,9 @@
  * region would leave, so that a resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
- *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
+ *   haptics->ConfigurePlanner(planner);                   // T_N/k, r, b, metres a world unit
  *   ... in the GUI's timer ...
- *   if (planner->Plan(device->GetTipPosition(), velocity, resident, wanted))
+ *   if (planner->Plan(device->GetState()->GetTipPosition(), velocity, resident, wanted))
  *   {
  *     ... fetch it: vtkHapticRegionFilter's Region where the data are; then give it to the filter,
  *     and Publish ...
@@ -38,7 +38,6 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 class vtkImageData;
-class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionPlanner : public vtkObject
 {
@@ -78,14 +77,6 @@ public:
    */
   bool SetWhole(vtkImageData* image);
 
-  /**
-   * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a
-   * filter, and from Spacing and Direction of this planner. SpringLength is the largest (T_N sqrt(1
-   * + mu^2) + R) / k of the functions' points, at most 0.05 m; with SameShape, k is the
-   * CouplingStiffness. The methods of surfaces hold without limit, so with them it is 0.05 m.
-   */
-  void UseSettingsOf(vtkVolumeHapticsFilter* filter);
-
   ///@{
   /** v_max (m/s), 0 to 10. Default 0.5. */
   vtkSetClampMacro(MaximumSpeed, double, 0.0, 10.0);
@@ -99,19 +90,19 @@ public:
   ///@}
 
   ///@{
-  /** T_N/k (world units), 0 to 1e12. Default 4. See UseSettingsOf. */
+  /** T_N/k (world units), 0 to 1e12. Default 4. See vtkVolumeHapticsFilter::ConfigurePlanner. */
   vtkSetClampMacro(SpringLength, double, 0.0, 1e12);
   vtkGetMacro(SpringLength, double);
   ///@}
 
   ///@{
-  /** r (world units), 0 to 1e12. Default 8. See UseSettingsOf. */
+  /** r (world units), 0 to 1e12. Default 8. See vtkVolumeHapticsFilter::ConfigurePlanner. */
   vtkSetClampMacro(Reach, double, 0.0, 1e12);
   vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
-  /** b (world units), 0 to 1e12. Default 4. See UseSettingsOf. */
+  /** b (world units), 0 to 1e12. Default 4. See vtkVolumeHapticsFilter::ConfigurePlanner. */
   vtkSetClampMacro(Band, double, 0.0, 1e12);
   vtkGetMacro(Band, double);
   ///@}

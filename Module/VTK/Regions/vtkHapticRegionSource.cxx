@@ -25,7 +25,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <exception>
@@ -431,36 +430,32 @@ bool vtkHapticRegionSource::MakeCoarseImage(vtkIdType mostVoxels)
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionSource::UseSettingsOf(vtkVolumeHapticsFilter* filter)
+void vtkHapticRegionSource::SetFeltAs(int kernelRadius, bool areLabels)
 {
-  this->GetPlanner()->SetSpacing(this->Spacing);
-  this->GetPlanner()->SetDirection(this->Direction);
-  this->GetPlanner()->UseSettingsOf(filter);
-  if (filter && this->KernelRadius != filter->GetKernelRadius())
+  if (this->KernelRadius != kernelRadius)
   {
-    this->KernelRadius = filter->GetKernelRadius();
+    this->KernelRadius = kernelRadius;
     if (!this->Store->GetSamples())
     {
       this->Modified(); // the placeholder's size has changed
     }
   }
-  if (filter && this->AreLabels != filter->GetProperty()->GetScalarsAreLabels())
+  if (this->AreLabels != areLabels)
   {
-    this->AreLabels = !this->AreLabels;
+    this->AreLabels = areLabels;
     this->Modified(); // outside samples have another value now
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHapticsFilter* filter)
+bool vtkHapticRegionSource::Follow(const double tip[3], double time)
 {
   std::string error;
-  if (!tip || !filter)
+  if (!tip)
   {
-    vtkErrorMacro("Follow() needs a tip and a filter, but got a null pointer.");
+    vtkErrorMacro("Follow() needs a tip, but got a null pointer.");
     return false;
   }
-  this->UseSettingsOf(filter);
   if (!this->Prepare(error))
   {
     return false; // the pipeline reports the reason

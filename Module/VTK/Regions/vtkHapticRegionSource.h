@@ -25,7 +25,7 @@
  * Live. vtkHapticDevice::UpdateState calls Follow, which plans the region around the tip with a
  * vtkHapticRegionPlanner. A thread of the source reads this region, and writes it into memory
  * before the servo sees it; neither the servo nor the GUI thread ever waits for the read. Where
- * samples are late, or can't be read, the force fades within 50 ms (vtkHapticDevice::GetResidency),
+ * samples are late, or can't be read, the force fades within 50 ms (vtkHapticState::GetResidency),
  * and returns when the samples are there. If there is a CoarseImage, it stands in meanwhile, with
  * half of its force. A failed read gives one error, is reported by GetStatusText() of source and
  * device, and is repeated at intervals that grow from 50 ms to 2 s. At first nothing is felt: 512
@@ -63,7 +63,6 @@ class vtkDataArray;
 class vtkDataObject;
 class vtkHapticRegionPlanner;
 class vtkImageData;
-class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionSource : public vtkImageAlgorithm
 {
@@ -222,11 +221,11 @@ public:
 
   /**
    * Plan and receive regions. Call this on each tick of the GUI if no vtkHapticDevice does, with
-   * the tip (world), the time (s) at which it was there, and the filter that feels the volume.
-   * Returns whether the output has a new region: then Publish. Does not wait, unless a setting of
-   * the volume was changed while a read was under way.
+   * the tip (world) and the time (s) at which it was there, after
+   * vtkVolumeHapticsFilter::ConfigureSource. Returns whether the output has a new region: then
+   * Publish. Does not wait, unless a setting of the volume was changed while a read was under way.
    */
-  bool Follow(const double tip[3], double time, vtkVolumeHapticsFilter* filter);
+  bool Follow(const double tip[3], double time);
 
   ///@{
   /**
@@ -265,8 +264,12 @@ public:
     std::string& error);
 #endif
 
-  /** Set what planner and first output need from a filter; the filter itself calls this. */
-  void UseSettingsOf(vtkVolumeHapticsFilter* filter);
+#ifndef __VTK_WRAP__
+  /**
+   * Set what the output needs from a filter: vtkVolumeHapticsFilter::ConfigureSource calls this.
+   */
+  void SetFeltAs(int kernelRadius, bool areLabels);
+#endif
 
   /**
    * Get the planner of the regions. Its MaximumSpeed is for the user; this source sets all else.
@@ -322,8 +325,8 @@ private:
   vtkTypeInt64 MemoryLimit = 67108864;
   bool IsAwaited = true;
   vtkSmartPointer<vtkImageData> CoarseImage;
-  int KernelRadius = 2;
-  bool AreLabels = false; // copied from the filter
+  int KernelRadius = 2;   // see SetFeltAs
+  bool AreLabels = false; // see SetFeltAs
   int Version = 0;        // counts changes of the samples
 
   vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;

@@ -10,7 +10,7 @@
 #include "vtkHapticGuideMode.h"
 #include "vtkHapticMode.h"
 #include "vtkSmartPointer.h"
-#include "vtkVolumeHapticsAlgorithm.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <functional>
@@ -68,7 +68,7 @@ void PassMode(SetupNode& node, vtkHapticMode* mode)
   }
 }
 
-void WriteModes(SetupNode& modes, vtkVolumeHapticsAlgorithm* filter)
+void WriteModes(SetupNode& modes, vtkVolumeHapticsFilter* filter)
 {
   for (int i = 0; i < filter->GetNumberOfModes(); ++i)
   {
@@ -81,7 +81,7 @@ void WriteModes(SetupNode& modes, vtkVolumeHapticsAlgorithm* filter)
 
 } // namespace
 
-void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
+void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
   if (haptics.IsWriting() ? filter->GetNumberOfModes() == 0 : !haptics.Has("Modes"))
   {

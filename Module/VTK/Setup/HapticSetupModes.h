@@ -9,7 +9,7 @@
 
 #include "VTK/Base/HapticSetupNode.h"
 
-class vtkVolumeHapticsAlgorithm;
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
@@ -19,7 +19,7 @@ namespace VolumeHaptics
  * in a file replaces the filter's modes. Paths, surfaces and distance fields of guides are data,
  * which setups do not hold: a guide that stays at its place in the list keeps them.
  */
-void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter);
+void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter);
 
 } // namespace VolumeHaptics
 

@@ -98,8 +98,8 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
     // The file is a whole setup from before this setting.
     node.Then([=] { filter->SetMaterialPlacementToKernel(); });
   }
-  PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
-  PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterTexts);
+  PassSettings(node, static_cast<vtkVolumeHapticsFilter*>(filter), FilterSettings);
+  PassSettings(node, static_cast<vtkVolumeHapticsFilter*>(filter), FilterTexts);
   PassProperty(node, filter, visible);
   PassModes(node, filter);
   PassTool(node, filter);

@@ -5,14 +5,14 @@
 #include "VTK/Material/HapticSetupFunctions.h"
 #include "VTK/Tools/ToolKind.h"
 
-#include "vtkVolumeHapticsAlgorithm.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 
 namespace VolumeHaptics
 {
 
-void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
+void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
   if (haptics.IsWriting() ? !filter->GetTool() : !haptics.Has("Tool"))
   {

@@ -9,7 +9,7 @@
 
 #include "VTK/Base/HapticSetupNode.h"
 
-class vtkVolumeHapticsAlgorithm;
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
@@ -18,7 +18,7 @@ namespace VolumeHaptics
  * Passes the entry Tool of the section Haptics, with its Kind, its settings and its functions. A
  * filter without a tool writes no entry; an entry in a file replaces the filter's tool.
  */
-void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter);
+void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter);
 
 } // namespace VolumeHaptics
 

@@ -24,7 +24,7 @@ std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track);
 
 /**
  * Writes the track from the entry to the tip, along the needle's present axis: see
- * vtkHapticDevice::GetNeedleTrack. The proxy is in metres. A needle that is not inserted gives an
+ * vtkHapticState::GetNeedleTrack. The proxy is in metres. A needle that is not inserted gives an
  * empty track.
  */
 void WriteNeedleTrack(

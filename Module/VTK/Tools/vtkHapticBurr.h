@@ -25,10 +25,10 @@
  * undoes, saves and loads it.
  *
  * Live, it spins while the device is armed and its SpinButton is pressed, or
- * vtkHapticDevice::SetSpinning() says so. Offline it always spins, or as the point array Spinning
- * of the path says (0 or 1), and each path removes tissue by itself, from the tissue that the hand
- * has left: the trace has the array RemovedVolume, the mm^3 of each tick, and the field arrays of
- * vtkHapticRemoval::ReadTrace().
+ * vtkHapticVirtualHand::SetSpinning() says so. Offline it always spins, or as the point array
+ * Spinning of the path says (0 or 1), and each path removes tissue by itself, from the tissue that
+ * the hand has left: the trace has the array RemovedVolume, the mm^3 of each tick, and the field
+ * arrays of vtkHapticRemoval::ReadTrace().
  *
  * A part of the force may vibrate, at the frequency of the rotation or, where that is too fast to
  * be felt, at a half, quarter ... of it. Lengths and volumes are measured in the hand's space (see

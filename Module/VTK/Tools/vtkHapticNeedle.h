@@ -37,7 +37,7 @@
  * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
  * length that is inserted (world units; 0: none), ShaftForce, F_s (N), and ForbiddenTouches, how
  * often a forbidden label has stopped the insertion. MakeTrack() converts a trace to the track
- * through the tissue; vtkHapticDevice::GetNeedleTrack() writes the track of a needle in the hand.
+ * through the tissue; vtkHapticState::GetNeedleTrack() writes the track of a needle in the hand.
  *
  * @sa vtkHapticTool vtkHapticLabelTable
  */

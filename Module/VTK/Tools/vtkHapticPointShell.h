@@ -26,7 +26,7 @@
  *
  * The origin of the mesh is at the device's tip, and its axes are those of the stylus (see
  * vtkHapticTool), which points along its own -z. A device that measures no orientation holds the
- * tool as vtkHapticDevice::SetTipOrientation says, and a device without torque only gives the
+ * tool as vtkHapticVirtualHand::SetToolOrientation says, and a device without torque only gives the
  * force. A tool that begins in solid material is free to leave it.
  *
  * One core of a PC ticks 10 000 points at 1 kHz, and a few thousand of them may be in contact; the

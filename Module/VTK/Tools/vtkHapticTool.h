@@ -14,11 +14,11 @@
  *   vtkHapticBurr        removes the tissue that it is pressed into while it spins
  *
  * A tool turns with the stylus, if the device measures how it is held
- * (vtkHapticDevice::GetTipOrientation). A stylus points along its own -z. Offline, the path may
+ * (vtkHapticState::GetTipOrientation). A stylus points along its own -z. Offline, the path may
  * have the point array Orientation: w, x, y, z of unit quaternions that turn the stylus's axes to
  * those of the world. A point of four zeros has none. Between points it is interpolated.
  *
- * @sa vtkVolumeHapticsAlgorithm
+ * @sa vtkVolumeHapticsFilter
  */
 #ifndef vtkHapticTool_h
 #define vtkHapticTool_h

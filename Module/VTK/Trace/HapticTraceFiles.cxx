@@ -4,7 +4,7 @@
 
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Base/PolyDataReading.h"
+#include "VTK/Base/XmlFiles.h"
 #include "VTK/Trace/RecordingNames.h"
 
 #include "vtkDataArray.h"
@@ -275,7 +275,7 @@ bool ReadTraceFile(const std::string& file, RecordedTips& result, std::string& e
   }
   result = {};
   error = "The recording " + file + " " + error +
-    ". Record again with vtkHapticDevice::StartRecording, or give another file.";
+    ". Record again with vtkHapticRecorder::Start, or give another file.";
   return false;
 }
 

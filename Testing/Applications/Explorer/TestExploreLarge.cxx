@@ -117,14 +117,14 @@ void ExpectFelt(const Explore::Exploration& exploration)
   options.Interactive = true;
   options.Mapper = Explore::MapperChoice::CPU;
   Explore::BuildTouchScene(touch, exploration, options, {});
-  touch.Device->SetVirtualTip(
+  touch.Device->GetVirtualHand()->SetPosition(
     exploration.Trace->GetPoint(exploration.Trace->GetNumberOfPoints() / 2));
   const bool isFelt = devicetest::Eventually(
     [&]
     {
       touch.Style->UpdateHaptics();
       touch.Device->UpdateState();
-      return touch.Device->GetResidency() == 1.0;
+      return touch.Device->GetState()->GetResidency() == 1.0;
     });
   Expect(isFelt, "the window gets no samples: " + touch.Device->GetStatusText());
   touch.Device->Close();

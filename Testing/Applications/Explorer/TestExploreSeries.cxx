@@ -140,7 +140,7 @@ void ExpectPlaying(const std::vector<std::string>& paths, const std::string& dis
   options.Interactive = true;
   options.Mapper = Explore::MapperChoice::CPU;
   Explore::BuildTouchScene(touch, exploration, options, {});
-  Expect(touch.Device->IsPlaying(), "the window does not play");
+  Expect(touch.Device->GetPlayback()->IsPlaying(), "the window does not play");
   Expect(exploration.Filter->GetDisplacementArrayName() == displacements,
     "the window does not use the displacements '" + displacements + "'");
   double latest = 0.0;
@@ -148,8 +148,8 @@ void ExpectPlaying(const std::vector<std::string>& paths, const std::string& dis
     [&]
     {
       touch.Style->UpdateHaptics();
-      latest = std::max(latest, touch.Device->GetFrameTime());
-      return touch.Device->HasFrames() && latest > 0.15;
+      latest = std::max(latest, touch.Device->GetPlayback()->GetFrameTime());
+      return touch.Device->GetPlayback()->HasFrames() && latest > 0.15;
     });
   Expect(plays, "the window does not get to the last frame");
   const bool warns = displacements.empty();

@@ -78,7 +78,7 @@ void Drill(int argc, char* argv[], Explore::MapperChoice mapper, const std::stri
   const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "burr");
   vtkHapticRemoval* const removal = head.Exploration.Filter->GetRemoval();
   const std::vector<double> before = Draw(head, folder + name + "Before.png");
-  head.Touch.Device->SpinningOn();
+  head.Touch.Device->GetVirtualHand()->SpinningOn();
   head.TouchAt(X, Y,
     [&]
     {
@@ -87,7 +87,7 @@ void Drill(int argc, char* argv[], Explore::MapperChoice mapper, const std::stri
         head.Press(X, Y, 2);
       }
     });
-  head.Touch.Device->SpinningOff();
+  head.Touch.Device->GetVirtualHand()->SpinningOff();
   Expect(removal->GetRemovedVolume() > 400.0, name + ": the burr removes something");
   const int changes = CountChanges(before, Draw(head, folder + name + "Drilled.png"));
   Expect(changes > 60, name + ": the hole is seen in " + std::to_string(changes) + " pixels");

@@ -105,7 +105,7 @@ struct CutHead : TouchedHead
   {
     this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 3); });
     std::array<double, 3> proxy;
-    std::copy_n(this->Touch.Device->GetProxyPosition(), 3, proxy.data());
+    std::copy_n(this->Touch.Device->GetState()->GetProxyPosition(), 3, proxy.data());
     return proxy;
   }
 
@@ -175,7 +175,7 @@ int TestTouchCut(int argc, char* argv[])
   CutHead head(argc, argv);
   const int middle[2] = { 181, 154 };
   const std::array<double, 3> skin = head.Touches(middle[0], middle[1]);
-  head.Expect(head.Touch.Device->GetContact() != 0, "the skin is touched");
+  head.Expect(head.Touch.Device->GetState()->GetContact() != 0, "the skin is touched");
   head.Touch.Style->TouchModeOff();
   CutByPlane(head);
   head.Press('x', "x");

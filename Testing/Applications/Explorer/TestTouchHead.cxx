@@ -12,7 +12,7 @@ int TestTouchHead(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::GPU);
   head.TouchAt(165, 160, [&] { head.Press(165, 160, 3); });
-  if (head.Touch.Device->GetContact() == 0)
+  if (head.Touch.Device->GetState()->GetContact() == 0)
   {
     std::cerr << "nothing is touched\n";
     return EXIT_FAILURE;

@@ -24,8 +24,8 @@ Felt PressThroughTheSkin(TouchedHead& head, vtkPiecewiseFunction* opacity)
   vtkHapticDevice* const device = head.Touch.Device;
   Felt felt;
   head.Press(165, 160, 2);
-  felt.OnSkin = device->GetSurfaceValue();
-  if (device->GetContact() == 0)
+  felt.OnSkin = device->GetState()->GetSurfaceValue();
+  if (device->GetState()->GetContact() == 0)
   {
     felt.Wrong = "the skin is not touched";
     return felt;
@@ -34,18 +34,18 @@ Felt PressThroughTheSkin(TouchedHead& head, vtkPiecewiseFunction* opacity)
   opacity->AddPoint(300.0, 0.0);
   opacity->AddPoint(600.0, 1.0);
   head.Run(20);
-  if (device->GetContact() != 0)
+  if (device->GetState()->GetContact() != 0)
   {
     felt.Wrong = "the skin is still felt";
     return felt;
   }
-  for (int i = 0; i < 12 && device->GetContact() == 0; ++i)
+  for (int i = 0; i < 12 && device->GetState()->GetContact() == 0; ++i)
   {
     head.Event(165, 160, vtkCommand::MouseWheelForwardEvent);
     head.Run(30);
   }
-  felt.OnSkull = device->GetSurfaceValue();
-  if (device->GetContact() == 0 || felt.OnSkull < felt.OnSkin + 100.0)
+  felt.OnSkull = device->GetState()->GetSurfaceValue();
+  if (device->GetState()->GetContact() == 0 || felt.OnSkull < felt.OnSkin + 100.0)
   {
     felt.Wrong = "the skull is not felt";
   }
@@ -69,8 +69,8 @@ int TestTouchHidden(int argc, char* argv[])
     });
   if (felt.Wrong)
   {
-    std::cerr << felt.Wrong << ": contact " << head.Touch.Device->GetContact() << ", values "
-              << felt.OnSkin << " and " << felt.OnSkull << "\n";
+    std::cerr << felt.Wrong << ": contact " << head.Touch.Device->GetState()->GetContact()
+              << ", values " << felt.OnSkin << " and " << felt.OnSkull << "\n";
     return EXIT_FAILURE;
   }
   vtkRenderWindow* const window = head.Touch.Scene.Window;

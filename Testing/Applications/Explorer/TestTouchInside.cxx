@@ -24,7 +24,7 @@ double FindHalfOpacity(TouchedHead& head)
   vtkVolumeProperty* const look = head.Touch.Scene.Look;
   const double unit = look->GetScalarOpacityUnitDistance();
   double proxy[3], way[3];
-  std::copy_n(head.Touch.Device->GetProxyPosition(), 3, proxy);
+  std::copy_n(head.Touch.Device->GetState()->GetProxyPosition(), 3, proxy);
   head.Touch.Scene.Renderer->GetActiveCamera()->GetPosition(way);
   vtkMath::Subtract(proxy, way, way);
   vtkMath::Normalize(way);
@@ -51,13 +51,13 @@ double FindHalfOpacity(TouchedHead& head)
 /// Presses until something holds; false if nothing does.
 bool Meet(TouchedHead& head, int x, int y)
 {
-  for (int i = 0; i < 12 && head.Touch.Device->GetContact() == 0; ++i)
+  for (int i = 0; i < 12 && head.Touch.Device->GetState()->GetContact() == 0; ++i)
   {
     head.Event(x, y, vtkCommand::MouseWheelForwardEvent);
     head.Run(30);
   }
   head.Run(600);
-  return head.Touch.Device->GetContact() != 0;
+  return head.Touch.Device->GetState()->GetContact() != 0;
 }
 } // namespace
 
@@ -72,9 +72,9 @@ int TestTouchInside(int argc, char* argv[])
     [&]
     {
       head.Press(150, 230, 2);
-      isFelt = device->GetContact() != 0;
+      isFelt = device->GetState()->GetContact() != 0;
       outside = FindHalfOpacity(head);
-      skin = device->GetSurfaceValue();
+      skin = device->GetState()->GetSurfaceValue();
     });
   const auto press = [&]
   {
@@ -88,7 +88,7 @@ int TestTouchInside(int argc, char* argv[])
     [&]
     {
       isFelt = Meet(head, 150, 230) && isFelt;
-      skull = device->GetSurfaceValue();
+      skull = device->GetState()->GetSurfaceValue();
     });
   press();
   const bool isBack = head.Touch.Scene.Look->GetScalarOpacity()->GetValue(40.0) > 0.99;

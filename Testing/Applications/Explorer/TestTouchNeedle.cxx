@@ -45,7 +45,7 @@ int TestTouchNeedle(int argc, char* argv[])
   const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "needle");
   Expect(Contains(PressKey(head, 'T'), "has no track"), "there is no track without a puncture");
   head.TouchAt(165, 160, [&] { head.Press(165, 160, 6); });
-  Expect(head.Touch.Device->GetNeedleDepth() > 0.0, "the needle is inserted");
+  Expect(head.Touch.Device->GetState()->GetNeedleDepth() > 0.0, "the needle is inserted");
   {
     const devicetest::FullDisk full(100);
     const std::string text = PressKey(head, 'T');

@@ -42,8 +42,8 @@ struct TouchedHead
   /// The GUI's timer, for some ticks of the servo.
   void Run(vtkIdType ticks)
   {
-    const vtkIdType end = this->Touch.Device->GetTick() + ticks;
-    while (this->Touch.Device->GetTick() < end)
+    const vtkIdType end = this->Touch.Device->GetState()->GetTick() + ticks;
+    while (this->Touch.Device->GetState()->GetTick() < end)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       this->Touch.Style->UpdateHaptics();

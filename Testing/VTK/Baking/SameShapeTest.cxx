@@ -91,9 +91,9 @@ TEST_F(SameShape, HidesIsosurfacesWithoutStiffness)
 TEST_F(SameShape, DecidesHowFarASpringOfARegionReaches)
 {
   vtkNew<vtkHapticRegionPlanner> planner;
-  planner->UseSettingsOf(this->Filter);
+  this->Filter->ConfigurePlanner(planner);
   EXPECT_DOUBLE_EQ(planner->GetSpringLength(), 1000.0 * 2.0 / 80.0);
   this->Filter->SameShapeOn();
-  planner->UseSettingsOf(this->Filter);
+  this->Filter->ConfigurePlanner(planner);
   EXPECT_DOUBLE_EQ(planner->GetSpringLength(), 4.0) << "2 N and 500 N/m";
 }

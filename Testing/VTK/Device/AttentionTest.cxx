@@ -42,13 +42,13 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
 {
   vtkNew<vtkTable> table;
   this->BeginPressed();
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   this->Device->SetAttentionTime(0.2);
   ASSERT_TRUE(this->IsLetGo()) << this->Device->GetStatusText();
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_NE(this->Device->GetStatusText().find("AttentionTime"), std::string::npos);
   EXPECT_NE(this->Device->GetStatusText().find("Arm() again"), std::string::npos);
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   auto* const command = vtkDataArray::SafeDownCast(table->GetColumnByName("Command"));
   ASSERT_TRUE(command && command->GetNumberOfTuples() > 100);
   int falling = 0;
@@ -74,7 +74,7 @@ TEST_F(Attention, IsAskedForByDefault)
   EXPECT_EQ(this->Device->GetAttentionTime(), 2.0);
   this->BeginPressed();
   ASSERT_TRUE(this->IsLetGo(std::chrono::milliseconds(2100))) << this->Device->GetStatusText();
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
 }
 
 TEST_F(Attention, IsNotAskedForWithZero)

@@ -20,8 +20,8 @@ protected:
   void BeginWith(double stiffness, double damping, double friction)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualLimits(8.0, stiffness, damping, friction);
-    this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+    this->Device->GetVirtualHand()->SetLimits(8.0, stiffness, damping, friction);
+    this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
@@ -32,7 +32,7 @@ protected:
     SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->Lead(7.0, 7.0, 7.0));
-    EXPECT_NEAR(this->Device->GetComputedForce()[2], force, 1e-6);
+    EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], force, 1e-6);
   }
 };
 } // namespace
@@ -109,9 +109,9 @@ TEST_F(Caps, FollowTheMeasuredRoundTrip)
   ASSERT_TRUE(this->Device->Open("virtual"));
   EXPECT_EQ(this->Device->GetRoundTripTime(), 0.0);
   EXPECT_EQ(this->Device->GetStiffnessCap(), 0.0);
-  this->Device->SetVirtualLimits(8.0, 0.0, 20.0, 0.1);
-  this->Device->SetVirtualDynamics(0.0, 0.0, 0.0, 0.0, 2);
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetLimits(8.0, 0.0, 20.0, 0.1);
+  this->Device->GetVirtualHand()->SetDynamics(0.0, 0.0, 0.0, 0.0, 2);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
   ASSERT_TRUE(this->Device->Start());
   ASSERT_TRUE(this->WaitTicks(40));
   this->Device->UpdateState();
@@ -129,9 +129,9 @@ TEST_F(Caps, FollowTheMeasuredRoundTrip)
 TEST_F(Caps, ThatChangeDuringARecordingAreReplayed)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualLimits(8.0, 0.0, 0.0, 0.1);
-  this->Device->SetVirtualDynamics(0.0, 0.0, 0.0, 0.0, 2);
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetLimits(8.0, 0.0, 0.0, 0.1);
+  this->Device->GetVirtualHand()->SetDynamics(0.0, 0.0, 0.0, 0.0, 2);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
   ASSERT_TRUE(this->Device->Start());
   EXPECT_NEAR(this->Device->GetStiffnessCap(), 200.0, 1e-6) << "nothing was measured yet";
   this->StartRecording();
@@ -144,14 +144,14 @@ TEST_F(Caps, ThatChangeDuringARecordingAreReplayed)
 
 TEST_F(Caps, AreSetBetweenOpenAndStart)
 {
-  this->Device->SetVirtualLimits(8.0, 0.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetLimits(8.0, 0.0, 0.0, 0.0);
   this->ExpectError("Open(\"virtual\")");
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualLimits(0.0, 0.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetLimits(0.0, 0.0, 0.0, 0.0);
   this->ExpectError("above 0");
-  this->Device->SetVirtualLimits(8.0, std::nan(""), 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetLimits(8.0, std::nan(""), 0.0, 0.0);
   this->ExpectError("finite");
   ASSERT_TRUE(this->Device->Start());
-  this->Device->SetVirtualLimits(8.0, 0.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetLimits(8.0, 0.0, 0.0, 0.0);
   this->ExpectError("Start()");
 }

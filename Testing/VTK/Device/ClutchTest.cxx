@@ -29,12 +29,12 @@ protected:
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
     this->Device->SetClutch(true);
     ASSERT_TRUE(this->Device->GetClutch());
-    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; }));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; }));
   }
   bool IsForceless()
   {
     this->WaitTicks(100);
-    return Length(this->Device->GetForce()) == 0.0 &&
+    return Length(this->Device->GetState()->GetForce()) == 0.0 &&
       this->Device->GetStatus() == vtkHapticDevice::READY;
   }
   std::string Text() { return this->Device->GetStatusText(); }
@@ -49,16 +49,16 @@ TEST_F(Clutch, TakesTheForceAndGivesItBackFromZero)
   EXPECT_TRUE(this->Device->ArmsAfterClutch());
   EXPECT_TRUE(this->Device->IsArmOrdered()) << "the clutch only delays it";
   vtkNew<vtkTable> states;
-  this->Device->DrainStates(states);
+  this->Device->GetState()->Drain(states);
   this->Device->SetClutch(false);
   EXPECT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "at once, as after Arm()";
   ASSERT_TRUE(this->WaitTicks(10));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0) << "the proxy begins at the tip";
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0) << "the proxy begins at the tip";
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
   ASSERT_TRUE(this->WaitFullyArmed());
   ASSERT_TRUE(this->LeadInto(11.0));
   ASSERT_TRUE(this->WaitForce());
-  this->Device->DrainStates(states);
+  this->Device->GetState()->Drain(states);
   auto* const force = vtkDataArray::SafeDownCast(states->GetColumnByName("Command"));
   auto* const tip = vtkDataArray::SafeDownCast(states->GetColumnByName("Tip"));
   ASSERT_TRUE(force && tip);
@@ -121,7 +121,7 @@ TEST_F(Clutch, LetsArmTakeEffectAfterIt)
 TEST_F(Clutch, KeepsAFault)
 {
   this->BeginFast();
-  this->Device->SetVirtualTip(500.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(500.0, 7.0, 5.0);
   const auto hasFault = [this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; };
   ASSERT_TRUE(this->Wait(hasFault));
   this->Device->SetClutch(true);

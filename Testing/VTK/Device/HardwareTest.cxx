@@ -154,7 +154,7 @@ TEST_F(DeviceHardware, TellsHowItIsTurned)
 {
   this->Played.Turn = 0.5;
   this->Begin("played:0");
-  EXPECT_TRUE(this->Wait([this] { return this->Device->GetTurnRate()[1] == 0.5; }));
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetState()->GetTurnRate()[1] == 0.5; }));
   this->Played.Turn = 0.0;
 }
 

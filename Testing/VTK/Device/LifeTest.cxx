@@ -9,6 +9,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkWeakPointer.h>
 
 #include <fstream>
@@ -65,10 +66,11 @@ TEST_F(DeviceLife, TheFilterAndTheImageMayGoWhileTheServoRuns)
   // The servo touches the image that only it holds now.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));
-  EXPECT_LT(this->Device->GetComputedForce()[2], -0.5);
+  EXPECT_LT(this->Device->GetState()->GetComputedForce()[2], -0.5);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(3));
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0) << "without a filter: no touch";
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0)
+    << "without a filter: no touch";
 }
 
 TEST_F(DeviceLife, AnImageIsLetGoOnceItIsNoLongerTouched)
@@ -115,9 +117,55 @@ TEST_F(DeviceLife, MayBeDeletedWhileArmedAndRecording)
     vtkNew<vtkHapticDevice> device;
     device->SetVolumeHaptics(this->Filter);
     ASSERT_TRUE(device->Open("virtual"));
-    device->SetVirtualTip(7.0, 7.0, 7.0);
+    device->GetVirtualHand()->SetPosition(7.0, 7.0, 7.0);
     ASSERT_TRUE(device->Start());
     device->Arm();
-    ASSERT_TRUE(device->StartRecording(this->File("Deleted.csv").c_str()));
+    ASSERT_TRUE(device->GetRecorder()->Start(this->File("Deleted.csv").c_str()));
   }
+}
+
+TEST_F(DeviceLife, PartsOutliveTheDevice)
+{
+  vtkSmartPointer<vtkHapticState> state;
+  vtkSmartPointer<vtkHapticPlayback> playback;
+  vtkSmartPointer<vtkHapticRecorder> recorder;
+  vtkSmartPointer<vtkHapticVirtualHand> hand;
+  {
+    vtkNew<vtkHapticDevice> device;
+    state = device->GetState();
+    playback = device->GetPlayback();
+    recorder = device->GetRecorder();
+    hand = device->GetVirtualHand();
+    ASSERT_TRUE(device->Open("virtual"));
+    hand->Place(1.0, 2.0, 3.0);
+    playback->SetSpeed(2.0);
+    device->SetVolumeHaptics(this->Filter);
+    ASSERT_TRUE(device->Start());
+    ASSERT_TRUE(Eventually([&] { return device->UpdateState() && state->GetTick() > 2; }));
+    EXPECT_EQ(device->GetState(), state) << "the parts stay the same";
+    EXPECT_EQ(playback->GetSpeed(), 2.0);
+  }
+  EXPECT_NEAR(state->GetTipPosition()[2], 3.0, 1e-9) << "the last values stay";
+  EXPECT_EQ(state->GetNeedleDepth(), 0.0);
+  vtkNew<vtkPolyData> shapes;
+  state->GetFollowed(shapes);
+  EXPECT_EQ(shapes->GetNumberOfPoints(), 0);
+  EXPECT_EQ(playback->GetSpeed(), 1.0);
+  EXPECT_FALSE(playback->HasFrames());
+  EXPECT_EQ(recorder->GetFileName(), "");
+  const MessageLog played(playback);
+  playback->Play();
+  ASSERT_EQ(played.Errors.size(), 1U);
+  EXPECT_NE(
+    played.Errors[0].find("take it from vtkHapticDevice::GetPlayback()"), std::string::npos);
+  const MessageLog recorded(recorder);
+  EXPECT_FALSE(recorder->Start("touch.vtp"));
+  ASSERT_EQ(recorded.Errors.size(), 1U);
+  EXPECT_NE(
+    recorded.Errors[0].find("take it from vtkHapticDevice::GetRecorder()"), std::string::npos);
+  const MessageLog led(hand);
+  hand->SetPosition(0.0, 0.0, 0.0);
+  ASSERT_EQ(led.Errors.size(), 1U);
+  EXPECT_NE(
+    led.Errors[0].find("take it from vtkHapticDevice::GetVirtualHand()"), std::string::npos);
 }

@@ -51,13 +51,13 @@ TEST_F(DeviceLimits, TheMaximumForceIsHalfTheDevicesAndAtMostTheDevices)
 TEST_F(DeviceLimits, TheForceIsClampedWhileTheServoRuns)
 {
   this->BeginPressed();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -1.49; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetForce()[2] < -1.49; }));
   this->Device->SetMaximumForce(0.5);
-  EXPECT_TRUE(
-    this->Wait([this] { return std::abs(Length(this->Device->GetForce()) - 0.5) < 1e-9; }));
-  EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6);
+  EXPECT_TRUE(this->Wait(
+    [this] { return std::abs(Length(this->Device->GetState()->GetForce()) - 0.5) < 1e-9; }));
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6);
   this->Device->SetMaximumForce(0.0);
-  EXPECT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; }));
+  EXPECT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; }));
 }
 
 TEST_F(DeviceLimits, RatesStayInTheirRange)
@@ -72,23 +72,23 @@ TEST_F(DeviceLimits, RatesStayInTheirRange)
 
 TEST_F(DeviceLimits, TheVirtualDeviceRefusesNonsense)
 {
-  this->Device->SetVirtualTip(1.0, 2.0, 3.0);
+  this->Device->GetVirtualHand()->SetPosition(1.0, 2.0, 3.0);
   this->ExpectError("Open(\"virtual\")");
-  this->Device->SetVirtualDynamics(0.1, 0.5, 100.0, 0.0, 0);
+  this->Device->GetVirtualHand()->SetDynamics(0.1, 0.5, 100.0, 0.0, 0);
   this->ExpectError("Open(\"virtual\")");
   this->Begin();
-  this->Device->SetVirtualTip(1.0, NaN, 3.0);
+  this->Device->GetVirtualHand()->SetPosition(1.0, NaN, 3.0);
   this->ExpectError("finite");
   ASSERT_TRUE(this->WaitTicks(3));
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], 7.0, 1e-9);
-  this->Device->SetVirtualDynamics(0.1, 0.5, 100.0, 0.0, 0);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 7.0, 1e-9);
+  this->Device->GetVirtualHand()->SetDynamics(0.1, 0.5, 100.0, 0.0, 0);
   this->ExpectError("Start()");
 }
 
 TEST_F(DeviceLimits, AnOverspeedLatchesUntilArmed)
 {
   this->BeginFast();
-  this->Device->SetVirtualTip(7.0, 600.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 600.0, 5.0);
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
   EXPECT_NE(this->Device->GetStatusText().find("faster"), std::string::npos);
   ASSERT_TRUE(this->WaitTicks(2000));

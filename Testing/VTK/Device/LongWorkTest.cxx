@@ -61,11 +61,11 @@ protected:
   void Press()
   {
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
-    this->Device->DrainStates(this->States);
+    this->Device->GetState()->Drain(this->States);
   }
   bool WaitRest()
   {
-    return this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; });
+    return this->Wait([this] { return Length(this->Device->GetState()->GetForce()) == 0.0; });
   }
   /// The force was there all the time, but for pauses of a busy machine, after which only a new
   /// contact is felt.
@@ -74,7 +74,7 @@ protected:
   /// not leap from a tick to the next one.
   int CountForceless(bool isArmed = true)
   {
-    this->Device->DrainStates(this->States);
+    this->Device->GetState()->Drain(this->States);
     const auto column = [this](const char* name)
     { return vtkDataArray::SafeDownCast(this->States->GetColumnByName(name)); };
     int forceless = 0;
@@ -118,8 +118,8 @@ protected:
   void ExpectSameMesh(vtkVolumeHapticsFilter* other, std::int64_t triangles)
   {
     using VolumeHaptics::HapticBaker;
-    const auto ours = HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
-    const auto theirs = HapticBaker(other).Bake(1000.0, {}, nullptr);
+    const auto ours = this->Filter->GetBaker().Bake(1000.0, {}, nullptr);
+    const auto theirs = other->GetBaker().Bake(1000.0, {}, nullptr);
     ASSERT_TRUE(ours && theirs);
     const VolumeHaptics::SurfaceMesh& mesh = *ours->Baked->Mesh;
     const VolumeHaptics::SurfaceMesh& expected = *theirs->Baked->Mesh;
@@ -221,7 +221,7 @@ TEST_F(LongWork, StaysWithoutForceIfAnObserverSaysSo)
   this->Device->BeginLongWork(nullptr);
   this->Device->EndLongWork();
   ASSERT_TRUE(this->WaitTicks(100));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
 }
 
@@ -276,7 +276,7 @@ TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
   this->Begin();
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
-  this->Device->DrainStates(this->States);
+  this->Device->GetState()->Drain(this->States);
   ASSERT_TRUE(this->WaitTicks(100));
   EXPECT_GE(this->CountForceless(false), 100);
   EXPECT_EQ(this->Force, 0.0);
@@ -347,24 +347,24 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_EQ(this->FilterLog.Errors.size(), 0U);
   // The surface around the tip comes first, and follows it.
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
   EXPECT_TRUE(this->WaitPressed()); // 3 mm, with the radius
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->Lead(150.0, 150.0, 5.0));
   this->BeginWayHere();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->WaitFullyArmed());
   for (int z = 10; z <= 20; ++z)
   {
     ASSERT_TRUE(this->Lead(150.0, 150.0, 0.5 * z));
   }
   EXPECT_TRUE(this->WaitPressed())
-    << Length(this->Device->GetForce()) << " N, " << this->Device->GetStatusText();
+    << Length(this->Device->GetState()->GetForce()) << " N, " << this->Device->GetStatusText();
   EXPECT_TRUE(isMeshing());
   EXPECT_FALSE(this->Device->IsPublished());
-  EXPECT_FALSE(this->Device->StartRecording(this->File("LongWorkPart.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->File("LongWorkPart.vtp").c_str()));
   this->ExpectError("if its surface is being meshed, wait until IsPublished()");
-  this->Device->DrainStates(this->States);
+  this->Device->GetState()->Drain(this->States);
   values->IsOpen = true;
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_FALSE(isMeshing());
@@ -388,10 +388,10 @@ TEST_F(LongWork, IsNotMeshingWhenTheServoStarts)
   this->Filter->SetMethodToSurfaceProxy();
   EXPECT_TRUE(this->Device->Publish()) << "which only checks, and does not wait for the worker";
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
   this->BeginWayHere();
   ASSERT_TRUE(this->Device->Start());
-  EXPECT_FALSE(this->Device->StartRecording(this->File("LongWorkStart.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->File("LongWorkStart.vtp").c_str()));
   this->ExpectError("nothing to record");
   EXPECT_TRUE(this->Says("Meanwhile the surface is meshed.")) << this->Device->GetStatusText();
   ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
@@ -468,8 +468,8 @@ TEST_F(LongWork, IsNotMeshingASmallVolume)
   this->Filter->SetIsoValue(700.0);
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Device->StartRecording(this->File("LongWorkSmall.vtp").c_str()));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(this->File("LongWorkSmall.vtp").c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->Starts.Count, 0);
 }
 
@@ -489,11 +489,11 @@ TEST_F(LongWork, IsNotHashingALargeVolume)
   this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   this->Press();
   this->ExpectForce();
-  ASSERT_TRUE(this->Device->StartRecording(this->File("LongWork.vtp").c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(this->File("LongWork.vtp").c_str()));
   ASSERT_TRUE(this->WaitTicks(10));
   this->ExpectForce();
   EXPECT_TRUE(this->Wait([this] { return !this->Says("is hashed"); }));
-  EXPECT_TRUE(this->Device->StopRecording());
+  EXPECT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->Starts.Count, 0);
   EXPECT_TRUE(this->Log.Warnings.empty());
 }

@@ -44,9 +44,12 @@ protected:
   }
   void SetOrientation(const vtkQuaterniond& q)
   {
-    this->Device->SetVirtualTipOrientation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
+    this->Device->GetVirtualHand()->SetOrientation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
   }
-  vtkQuaterniond GetOrientation() { return vtkQuaterniond(this->Device->GetTipOrientation()); }
+  vtkQuaterniond GetOrientation()
+  {
+    return vtkQuaterniond(this->Device->GetState()->GetTipOrientation());
+  }
   /// The same turn, q or -q.
   static double Difference(const vtkQuaterniond& a, const vtkQuaterniond& b)
   {
@@ -66,8 +69,10 @@ protected:
   bool WaitOrientation(const vtkQuaterniond& q)
   {
     return this->Wait(
-      [&] {
-        return this->Device->HasTipOrientation() && Difference(this->GetOrientation(), q) < 1e-14;
+      [&]
+      {
+        return this->Device->GetState()->HasTipOrientation() &&
+          Difference(this->GetOrientation(), q) < 1e-14;
       });
   }
   static vtkQuaterniond At(vtkPolyData* trace, const char* array, vtkIdType tick)
@@ -82,13 +87,13 @@ protected:
 TEST_F(Orientation, IsNoneUntilItIsSet)
 {
   this->Begin();
-  EXPECT_FALSE(this->Device->HasTipOrientation());
+  EXPECT_FALSE(this->Device->GetState()->HasTipOrientation());
   EXPECT_EQ(Difference(this->GetOrientation(), vtkQuaterniond(1, 0, 0, 0)), 0.0);
   const vtkQuaterniond turn = TurnAbout(40.0, 1.0, 2.0, -3.0);
   this->SetOrientation(turn);
   ASSERT_TRUE(this->WaitOrientation(turn));
-  this->Device->SetVirtualTipOrientation(0.0, 0.0, 0.0, 0.0);
-  ASSERT_TRUE(this->Wait([this] { return !this->Device->HasTipOrientation(); }));
+  this->Device->GetVirtualHand()->SetOrientation(0.0, 0.0, 0.0, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->HasTipOrientation(); }));
   EXPECT_EQ(Difference(this->GetOrientation(), vtkQuaterniond(1, 0, 0, 0)), 0.0);
 }
 
@@ -125,7 +130,7 @@ TEST_F(Orientation, IsDividedByItsNorm)
 {
   this->Begin();
   const double long4[4] = { 0.0, 30.0, 0.0, -40.0 };
-  this->Device->SetVirtualTipOrientation(long4);
+  this->Device->GetVirtualHand()->SetOrientation(long4);
   EXPECT_TRUE(this->WaitOrientation(vtkQuaterniond(0.0, 0.6, 0.0, -0.8)));
 }
 
@@ -137,10 +142,10 @@ TEST_F(Orientation, StaysIfItIsSetToNonsense)
   ASSERT_TRUE(this->WaitOrientation(turn));
   for (const double bad : { Nan, HUGE_VAL, -HUGE_VAL, 1e300, 1e-300 })
   {
-    this->Device->SetVirtualTipOrientation(0.0, bad, 0.0, 0.0);
+    this->Device->GetVirtualHand()->SetOrientation(0.0, bad, 0.0, 0.0);
     this->ExpectError("quaternion of finite numbers");
   }
-  this->Device->SetVirtualTipOrientation(nullptr);
+  this->Device->GetVirtualHand()->SetOrientation(nullptr);
   this->ExpectError("null pointer");
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_LT(Difference(this->GetOrientation(), turn), 1e-14);
@@ -154,12 +159,12 @@ TEST_F(Orientation, IsInTheStates)
   this->PlaceDevice(70.0, 0.3, -1.0, 0.4);
   this->Begin();
   vtkNew<vtkTable> table;
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   ASSERT_TRUE(this->WaitTicks(3));
   const vtkQuaterniond turn = TurnAbout(110.0, -1.0, 0.5, 2.0);
   this->SetOrientation(turn);
   ASSERT_TRUE(this->WaitOrientation(turn));
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   auto* const column = vtkDataArray::SafeDownCast(table->GetColumnByName("Orientation"));
   ASSERT_TRUE(column);
   ASSERT_EQ(column->GetNumberOfComponents(), 4);
@@ -179,18 +184,18 @@ TEST_F(Orientation, IsRecordedAndReplayed)
   const std::string table = this->File("Recording.csv");
   for (const std::string& file : { this->Name, table })
   {
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     this->Wander(5);
     for (int i = 0; i < 10; ++i)
     {
       this->SetOrientation(TurnAbout(17.0 * i, 1.0, -0.1 * i, 0.3));
       this->Wander(2);
     }
-    this->Device->SetVirtualTipOrientation(0.0, 0.0, 0.0, 0.0);
+    this->Device->GetVirtualHand()->SetOrientation(0.0, 0.0, 0.0, 0.0);
     this->Wander(3);
     if (file == table)
     {
-      ASSERT_TRUE(this->Device->StopRecording());
+      ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     }
     else
     {
@@ -225,10 +230,10 @@ TEST_F(Orientation, IsRecordedAndReplayed)
   {
     ASSERT_TRUE(this->Device->Open(("replay:" + file).c_str()));
     ASSERT_TRUE(this->Device->Start());
-    ASSERT_TRUE(this->Device->StartRecording(again.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(again.c_str()));
     ASSERT_TRUE(this->Wait(
       [this] { return this->Device->GetStatusText().find("end") != std::string::npos; }));
-    ASSERT_TRUE(this->Device->StopRecording());
+    ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     this->Device->Close();
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(again.c_str());
@@ -270,5 +275,5 @@ TEST_F(Orientation, OfATraceInTheWorldIsReplayed)
   ASSERT_TRUE(this->Device->Open(("replay:" + file).c_str()));
   ASSERT_TRUE(this->Device->Start());
   EXPECT_TRUE(this->WaitOrientation(turn));
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], 7.0, 1e-9);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 7.0, 1e-9);
 }

@@ -12,21 +12,22 @@ using namespace devicetest;
 TEST_F(DeviceTest, APlacedTipFeelsNothingOfTheWay)
 {
   // The device space's origin is a corner of the ramp; the first tip is deep in it.
-  this->Device->SetVirtualTip(7.0, 7.0, 12.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 12.0);
   ASSERT_TRUE(this->Device->Open("virtual") && this->Device->Start());
   this->Log.Errors.clear();
-  this->Device->SetVirtualTip(7.0, 7.0, 12.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 12.0);
   const auto isAt = [&](double z)
-  { return this->Wait([&] { return this->Device->GetTipPosition()[2] == z; }); };
+  { return this->Wait([&] { return this->Device->GetState()->GetTipPosition()[2] == z; }); };
   ASSERT_TRUE(isAt(12.0));
-  EXPECT_EQ(this->Device->GetProxyPosition()[2], 12.0) << "the hand did not come from the origin";
+  EXPECT_EQ(this->Device->GetState()->GetProxyPosition()[2], 12.0)
+    << "the hand did not come from the origin";
   ASSERT_TRUE(this->Lead(7.0, 7.0, 13.0));
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 12.0, 1e-6) << "held";
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 12.0, 1e-6) << "held";
   for (const double z : { 3.0, 10.0 })
   {
-    this->Device->PlaceVirtualTip(7.0, 7.0, z);
+    this->Device->GetVirtualHand()->Place(7.0, 7.0, z);
     ASSERT_TRUE(isAt(z));
-    EXPECT_EQ(this->Device->GetProxyPosition()[2], z);
+    EXPECT_EQ(this->Device->GetState()->GetProxyPosition()[2], z);
   }
   EXPECT_EQ(this->Device->GetUnfinishedTicks(), 0);
 }

@@ -125,12 +125,12 @@ protected:
   {
     this->BeginWayHere();
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(1000.0, 1000.0, 1000.0);
+    this->Device->GetVirtualHand()->SetPosition(1000.0, 1000.0, 1000.0);
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
     ASSERT_TRUE(this->ArmFully());
-    this->Device->DrainStates(this->States);
+    this->Device->GetState()->Drain(this->States);
   }
   void Press(double x = 1000.0)
   {
@@ -148,7 +148,7 @@ protected:
   /// limit allows.
   void ExpectNoStep()
   {
-    this->Device->DrainStates(this->States);
+    this->Device->GetState()->Drain(this->States);
     auto* const command = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Command"));
     auto* const time = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Time"));
     ASSERT_TRUE(command && time && command->GetNumberOfTuples() > 10);
@@ -191,14 +191,14 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
 {
   this->BeginInTheMiddle();
   this->Press();
-  const double pressed = Length(this->Device->GetForce());
+  const double pressed = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(pressed, 0.5);
   EXPECT_LT(
     4.0 * this->Filter->GetInputDataObject(0, 0)->GetActualMemorySize() * 1024.0, 1.1 * 4194304.0);
   // Farther than the region reaches, and back: it is felt there, too.
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   ASSERT_TRUE(this->Lead(1400.0, 1000.0, 998.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->WaitFullyArmed());
   this->Press(1400.0);
   EXPECT_TRUE(this->Wait([&] { return !this->Says("being read"); }))
@@ -219,21 +219,22 @@ TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
   this->Filter->SetProxyRadius(0.5);
   SetConstant(this->Filter->GetProperty()->GetStiffness(), 500.0);
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(1000.0, 1000.0, 998.0);
+  this->Device->GetVirtualHand()->SetPosition(1000.0, 1000.0, 998.0);
   ASSERT_TRUE(this->Device->Start());
   ASSERT_TRUE(this->Wait([&] { return this->Says("the surface is meshed"); }));
   const int* const extent = this->Source->GetOutput()->GetExtent();
   EXPECT_GT(extent[1] - extent[0], 150);
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   EXPECT_FALSE(this->Says("the surface is meshed"));
   ASSERT_TRUE(this->ArmFully());
-  this->Device->DrainStates(this->States);
+  this->Device->GetState()->Drain(this->States);
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 1002.0));
-  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) > 0.9; }));
-  const double* const proxy = this->Device->GetProxyPosition();
+  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetState()->GetForce()) > 0.9; }));
+  const double* const proxy = this->Device->GetState()->GetProxyPosition();
   EXPECT_NEAR(proxy[2], 999.5, 0.01) << "the surface is in its place in the whole";
-  ASSERT_TRUE(this->Wait([&] { return std::abs(Length(this->Device->GetForce()) - 1.25) < 0.01; }))
-    << Length(this->Device->GetForce());
+  ASSERT_TRUE(this->Wait(
+    [&] { return std::abs(Length(this->Device->GetState()->GetForce()) - 1.25) < 0.01; }))
+    << Length(this->Device->GetState()->GetForce());
   ASSERT_TRUE(this->WaitTicks(20));
   this->ExpectNoStep();
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
@@ -243,21 +244,21 @@ TEST_F(RegionSource, GivesNoForceBeforeItsSamplesAreThere)
 {
   this->Reader->IsOpen = false;
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(1000.0, 1000.0, 1000.0);
+  this->Device->GetVirtualHand()->SetPosition(1000.0, 1000.0, 1000.0);
   ASSERT_TRUE(this->Device->Start()) << "without waiting for the reader";
-  this->Device->DrainStates(this->States);
+  this->Device->GetState()->Drain(this->States);
   this->Device->Arm();
   ASSERT_TRUE(this->WaitTicks(20));
   ASSERT_TRUE(this->Wait([&] { return this->Reader->Waiting == 1; }));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.0; }));
   EXPECT_TRUE(this->Says("The noise of the volume is being estimated."))
     << this->Device->GetStatusText();
-  this->Device->DrainStates(this->States);
+  this->Device->GetState()->Drain(this->States);
   auto* const command = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Command"));
   ASSERT_TRUE(command && command->GetNumberOfTuples() > 10);
   EXPECT_EQ(command->GetMaxNorm(), 0.0);
   this->Reader->IsOpen = true;
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   this->Press();
   this->ExpectNoStep();
 }
@@ -268,13 +269,13 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
   this->Press();
   this->Reader->IsOpen = false;
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
-  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetState()->GetForce()) == 0.0; }));
   EXPECT_TRUE(this->Says("The samples around the tip are being read."))
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Source->IsWaiting());
   this->Reader->IsOpen = true;
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
   ASSERT_TRUE(this->WaitForce());
   this->ExpectNoStep();
@@ -308,11 +309,11 @@ TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
   this->Press();
   LedGrid::IsOpen = false;
   EXPECT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
-  EXPECT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
-  EXPECT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) == 0.0; }));
+  EXPECT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.0; }));
+  EXPECT_TRUE(this->Wait([&] { return Length(this->Device->GetState()->GetForce()) == 0.0; }));
   EXPECT_TRUE(source->IsWaiting());
   LedGrid::IsOpen = true;
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
   ASSERT_TRUE(this->WaitForce());
   this->ExpectNoStep();
@@ -332,19 +333,19 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
   this->Source->SetCoarseImage(coarse);
   this->BeginInTheMiddle();
   this->Press();
-  const double whole = Length(this->Device->GetForce());
+  const double whole = Length(this->Device->GetState()->GetForce());
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   this->Reader->IsOpen = false;
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->BeginWayHere();
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.5; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.5; }));
   EXPECT_TRUE(this->Says("the coarse image stands in")) << this->Device->GetStatusText();
   this->Press(1300.0);
-  EXPECT_TRUE(this->Wait(
-    [&] { return std::abs(Length(this->Device->GetForce()) - 0.5 * whole) < 0.1 * whole; }))
-    << Length(this->Device->GetForce()) << " N, of " << whole;
+  EXPECT_TRUE(this->Wait([&]
+    { return std::abs(Length(this->Device->GetState()->GetForce()) - 0.5 * whole) < 0.1 * whole; }))
+    << Length(this->Device->GetState()->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   // A contact that faded out in between, on a busy machine, begins anew.
   ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
   this->Press(1300.0);
@@ -358,7 +359,7 @@ TEST_F(RegionSource, ThatFailsIsToldFadesAndIsTriedAgain)
   this->Press();
   this->Reader->IsBroken = true;
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.0; }));
   ASSERT_TRUE(this->Wait([&] { return this->Says("the disk is on fire."); }))
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Says("can't be read from the reader"));
@@ -366,7 +367,7 @@ TEST_F(RegionSource, ThatFailsIsToldFadesAndIsTriedAgain)
   ASSERT_EQ(this->SourceLog.Errors.size(), 1U) << "once, not with every attempt";
   EXPECT_NE(this->SourceLog.Errors[0].find("The samples ("), std::string::npos);
   this->Reader->IsBroken = false;
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   EXPECT_FALSE(this->Says("on fire"));
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
   ASSERT_TRUE(this->WaitForce());
@@ -380,10 +381,10 @@ TEST_F(RegionSource, OfSamplesThatAreNotNumbersGivesNoForce)
   this->Reader->GivesNumbers = false;
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->WaitTicks(100));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-  EXPECT_LT(Length(this->Device->GetForce()), 1e-9);
+  EXPECT_LT(Length(this->Device->GetState()->GetForce()), 1e-9);
   this->ExpectNoStep();
 }
 
@@ -393,7 +394,7 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->Press();
   this->Reader->GivesJunk = true;
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   for (int i = 0; i < 40; ++i)
   {
     if (this->Device->GetStatus() == vtkHapticDevice::FAULT)
@@ -410,8 +411,8 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->Source->Reload();
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
   this->BeginWayHere();
-  ASSERT_TRUE(
-    this->Wait([&] { return !this->Source->IsWaiting() && this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait(
+    [&] { return !this->Source->IsWaiting() && this->Device->GetState()->GetResidency() == 1.0; }));
   // The hand leaves the place, and waits until all of the force flows again.
   this->Device->Arm();
   ASSERT_TRUE(this->Lead(1000.0, 1000.0, 990.0));
@@ -426,8 +427,12 @@ TEST_F(RegionSource, ThatIsReloadedIsFeltAsItIsThen)
   this->Press();
   this->Reader->GivesNumbers = false;
   this->Source->Reload();
-  ASSERT_TRUE(this->Wait([&]
-    { return this->Device->GetResidency() == 1.0 && Length(this->Device->GetForce()) == 0.0; }));
+  ASSERT_TRUE(this->Wait(
+    [&]
+    {
+      return this->Device->GetState()->GetResidency() == 1.0 &&
+        Length(this->Device->GetState()->GetForce()) == 0.0;
+    }));
   this->Reader->GivesNumbers = true;
   this->Source->Reload();
   ASSERT_TRUE(this->Wait([&] { return !this->Source->IsWaiting(); }));
@@ -460,7 +465,7 @@ TEST_F(RegionSource, CanGoWhileItIsBeingRead)
 TEST_F(RegionSource, IsNotRecorded)
 {
   this->BeginInTheMiddle();
-  EXPECT_FALSE(this->Device->StartRecording(this->File("Large.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->File("Large.vtp").c_str()));
   this->ExpectError("region of a larger volume can't be recorded");
 }
 
@@ -469,9 +474,9 @@ TEST_F(RegionSource, ReplaysNoRecording)
   const std::string file = this->File("Whole.vtp");
   this->Filter->SetInputData(0, this->Image);
   this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_TRUE(this->WaitTicks(20));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   vtkNew<vtkVolumeHapticsFilter> replay;
@@ -485,15 +490,15 @@ TEST_F(RegionSource, ReplaysNoRecording)
   EXPECT_EQ(replay->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST_F(RegionSource, FollowsNothingWithoutATipOrAFilter)
+TEST_F(RegionSource, FollowsNothingWithoutATip)
 {
   const double tip[3] = { 1000.0, 1000.0, 1000.0 };
-  EXPECT_FALSE(this->Source->Follow(nullptr, 0.0, this->Filter));
-  EXPECT_FALSE(this->Source->Follow(tip, 0.0, nullptr));
-  EXPECT_EQ(this->SourceLog.Errors.size(), 2U);
+  EXPECT_FALSE(this->Source->Follow(nullptr, 0.0));
+  EXPECT_EQ(this->SourceLog.Errors.size(), 1U);
   const double nowhere[3] = { NAN, NAN, NAN };
-  ASSERT_TRUE(Eventually([&] { return this->Source->Follow(nowhere, 1.0, this->Filter); }));
-  EXPECT_EQ(this->SourceLog.Errors.size(), 2U);
+  this->Filter->ConfigureSource(this->Source);
+  ASSERT_TRUE(Eventually([&] { return this->Source->Follow(nowhere, 1.0); }));
+  EXPECT_EQ(this->SourceLog.Errors.size(), 1U);
 }
 
 // Where a segmentation has -32768 in its corners, as in memory: see FilterOutsideTest.cxx.
@@ -523,7 +528,8 @@ TEST_F(RegionSource, LabelsAreReadAsTheyAre)
   for (const bool areLabels : { true, false, true })
   {
     this->Filter->GetProperty()->SetScalarsAreLabels(areLabels);
-    ASSERT_TRUE(Eventually([&] { return source->Follow(tip, 1.0, this->Filter); }));
+    this->Filter->ConfigureSource(source);
+    ASSERT_TRUE(Eventually([&] { return source->Follow(tip, 1.0); }));
     source->Update();
     EXPECT_EQ(
       source->GetOutput()->GetScalarComponentAsDouble(5, 30, 30, 0), areLabels ? -32768.0 : 1.0);

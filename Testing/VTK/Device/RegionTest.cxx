@@ -33,7 +33,7 @@ protected:
     ASSERT_TRUE(this->ArmFully());
     ASSERT_TRUE(this->Lead(20.0, 20.0, 8.0));
     ASSERT_TRUE(this->Lead(20.0, 20.0, 13.0));
-    ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) > 0.5; }));
+    ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetState()->GetForce()) > 0.5; }));
   }
   bool Says(const char* words)
   {
@@ -48,25 +48,25 @@ TEST_F(Region, SaysThatDataAreAwaitedAndGoesOnWhenTheyCome)
 {
   vtkNew<vtkTable> table;
   this->Press();
-  this->Device->DrainStates(table);
-  EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  this->Device->GetState()->Drain(table);
+  EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0);
   EXPECT_FALSE(this->Says("awaited"));
   ASSERT_TRUE(this->Lead(20.0, 20.0, 40.0));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 0.0; }));
   EXPECT_TRUE(this->Says("awaited")) << this->Device->GetStatusText();
   EXPECT_GT(this->Device->GetAbsentTicks(), 0);
-  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) == 0.0; }));
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 40.0, 1e-6);
+  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetState()->GetForce()) == 0.0; }));
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 40.0, 1e-6);
   this->Crop->SetRegion(0, 47, 0, 47, 20, 47);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetResidency() == 1.0; }));
   EXPECT_FALSE(this->Says("awaited"));
   this->Device->ResetStatistics();
   ASSERT_TRUE(this->WaitTicks(3));
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0);
   // The column has the whole story, a step at a time.
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   auto* const residency = vtkDataArray::SafeDownCast(table->GetColumnByName("Residency"));
   ASSERT_TRUE(residency && residency->GetNumberOfTuples() > 50);
   double least = 1.0;
@@ -82,15 +82,15 @@ TEST_F(Region, SaysThatDataAreAwaitedAndGoesOnWhenTheyCome)
 TEST_F(Region, IsNotRecorded)
 {
   this->Press();
-  EXPECT_FALSE(this->Device->StartRecording(this->File("Region.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->File("Region.vtp").c_str()));
   this->ExpectError("region of a larger volume can't be recorded");
   this->Filter->SetInputData(0, this->Image);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Device->StartRecording(this->File("Region.vtp").c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(this->File("Region.vtp").c_str()));
   this->Filter->SetInputConnection(0, this->Crop->GetOutputPort());
   EXPECT_FALSE(this->Device->Publish()) << "no region during a recording";
-  this->ExpectError("StopRecording() first");
-  EXPECT_TRUE(this->Device->StopRecording());
+  this->ExpectError("Stop() the recorder first");
+  EXPECT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_TRUE(this->Device->Publish());
 }
 
@@ -99,11 +99,11 @@ TEST_F(Region, FadesOutAndDisarms)
   vtkNew<vtkTable> table;
   this->Device->FadeOut(); // nothing runs
   this->Press();
-  this->Device->DrainStates(table);
+  this->Device->GetState()->Drain(table);
   this->Device->FadeOut();
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
-  this->Device->DrainStates(table);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
+  this->Device->GetState()->Drain(table);
   vtkDataArray* const armed = vtkDataArray::SafeDownCast(table->GetColumnByName("Armed"));
   vtkDataArray* const residency = vtkDataArray::SafeDownCast(table->GetColumnByName("Residency"));
   int falling = 0;
@@ -115,7 +115,7 @@ TEST_F(Region, FadesOutAndDisarms)
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0) << "the data were there";
   this->Device->FadeOut(); // nothing to fade
   ASSERT_TRUE(this->ArmFully());
-  EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   ASSERT_TRUE(this->Lead(20.0, 20.0, 16.0));
   EXPECT_TRUE(this->WaitForce());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);

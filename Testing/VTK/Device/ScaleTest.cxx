@@ -59,14 +59,14 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     this->Filter->Update();
 
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(middle, middle, middle);
+    this->Device->GetVirtualHand()->SetPosition(middle, middle, middle);
     ASSERT_TRUE(this->Device->Start());
     this->Device->Arm();
     ASSERT_TRUE(this->WaitTicks(20));
     SetConstant(this->Filter->GetProperty()->GetStiffness(), 300.0 + size);
     ASSERT_TRUE(this->Device->Publish());
     const std::string file = this->File("Scale.vtp");
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     ASSERT_TRUE(this->WaitTicks(20));
     EXPECT_LT(this->CountPages(volume), MostPages) << size << "^3";
     EXPECT_LT(this->CountPages(volume), once + 500 + MostKept)
@@ -78,7 +78,7 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         samples->IsOpen = true;
       });
-    ASSERT_TRUE(this->Device->StopRecording());
+    ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     opener.join();
     EXPECT_LT(this->CountPages(volume), once + 1000 + MostKept)
       << "at the end of a recording, " << size;
@@ -133,7 +133,7 @@ TEST_F(Scale, LabelsOfFloatingPointAreCheckedInPlaces)
     this->Filter->SetLabelData(image);
     ASSERT_NO_FATAL_FAILURE(this->Begin());
     ASSERT_TRUE(this->WaitTicks(20));
-    EXPECT_EQ(this->Device->GetLabel(), 0);
+    EXPECT_EQ(this->Device->GetState()->GetLabel(), 0);
     const std::size_t pages = file.Resident() / 4096;
     EXPECT_GE(pages, 512U);
     EXPECT_LT(pages, 2 * 512 + 1000 + MostKept) << size;

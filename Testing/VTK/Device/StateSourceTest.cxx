@@ -72,8 +72,8 @@ TEST_F(StateSource, IsTheStateOfTheDevice)
   ASSERT_TRUE(this->Lead(8.5, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));
   this->Source->Update();
-  const double* const tip = this->Device->GetTipPosition();
-  const double* const proxy = this->Device->GetProxyPosition();
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double* const proxy = this->Device->GetState()->GetProxyPosition();
   const double spring[3] = { proxy[0] - tip[0], proxy[1] - tip[1], proxy[2] - tip[2] };
   // 500 N/m, 0.1 N a millimetre: forces are 5 times as long as the spring.
   const double force[3] = { 5.0 * spring[0], 5.0 * spring[1], 5.0 * spring[2] };
@@ -112,8 +112,8 @@ TEST_F(StateSource, HasTheOrientationOfTheStylus)
   ASSERT_TRUE(orientation());
   ASSERT_EQ(orientation()->GetNumberOfComponents(), 4);
   EXPECT_EQ(orientation()->GetComponent(0, 0), 0.0) << "all 0: the device has none";
-  this->Device->SetVirtualTipOrientation(0.6, 0.0, -0.8, 0.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->HasTipOrientation(); }));
+  this->Device->GetVirtualHand()->SetOrientation(0.6, 0.0, -0.8, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->HasTipOrientation(); }));
   const double wanted[4] = { 0.6, 0.0, -0.8, 0.0 };
   for (int c = 0; c < 4; ++c)
   {
@@ -130,8 +130,8 @@ TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
   hand->SetRadius(0.2);
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01) << "the proxy";
   // A quarter about y takes the handle from z to x.
-  this->Device->SetVirtualTipOrientation(1.0, 0.0, 1.0, 0.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->HasTipOrientation(); }));
+  this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->HasTipOrientation(); }));
   EXPECT_NEAR(hand->GetBounds()[1], 7.0 + 25.0 * 0.2, 0.01) << "25 radii";
   EXPECT_NEAR(hand->GetBounds()[0], 6.8, 0.01) << "the proxy";
   hand->SetStylusLength(3.0);
@@ -163,8 +163,9 @@ TEST_F(StateSource, AToolWithAShapeIsShown)
   EXPECT_NEAR(hand->GetBounds()[3], 8.0, 0.01);
   EXPECT_NEAR(hand->GetBounds()[5], 6.0, 0.01);
   // A quarter about y takes z to x.
-  this->Device->SetVirtualTipOrientation(1.0, 0.0, 1.0, 0.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetToolOrientation()[2] > 0.7; }));
+  this->Device->GetVirtualHand()->SetOrientation(1.0, 0.0, 1.0, 0.0);
+  ASSERT_TRUE(
+    this->Wait([this] { return this->Device->GetState()->GetToolOrientation()[2] > 0.7; }));
   ASSERT_TRUE(this->Wait([&] { return std::abs(hand->GetBounds()[1] - 9.0) < 0.01; }));
   EXPECT_NEAR(hand->GetBounds()[5], 4.5, 0.01);
   hand->SetStylusVisibility(false);
@@ -176,9 +177,9 @@ TEST_F(StateSource, ArrowsAreNoLongerThanTheirMaximum)
   this->Begin();
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(8.0));
-  const double proxy = this->Device->GetProxyPosition()[2];
+  const double proxy = this->Device->GetState()->GetProxyPosition()[2];
   // 500 N/m, 0.1 N a millimetre: the force is 5 times as long as the spring.
-  const double length = 5.0 * (this->Device->GetTipPosition()[2] - proxy);
+  const double length = 5.0 * (this->Device->GetState()->GetTipPosition()[2] - proxy);
   ASSERT_GT(length, 7.0);
   vtkNew<vtkHapticRepresentation> hand;
   hand->SetDevice(this->Device);

@@ -24,7 +24,7 @@ protected:
     for (vtkIdType taken = 0; taken < least;)
     {
       ASSERT_TRUE(this->WaitTicks(3));
-      this->Device->DrainStates(this->Table);
+      this->Device->GetState()->Drain(this->Table);
       for (vtkIdType i = 0; i < this->Table->GetNumberOfRows(); ++i)
       {
         const double tick = this->At("Tick", i);
@@ -47,12 +47,12 @@ protected:
 
 TEST_F(States, ComeOnceAndInOrderAlsoWhileRecording)
 {
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   EXPECT_EQ(this->Table->GetNumberOfRows(), 0) << "nothing runs";
   EXPECT_TRUE(this->Table->GetColumnByName("NormalForce"));
-  this->Device->DrainStates(nullptr);
+  this->Device->GetState()->Drain(nullptr);
   this->Begin();
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   this->Wander(5);
   this->Take(20);
   this->StartRecording();
@@ -63,7 +63,7 @@ TEST_F(States, ComeOnceAndInOrderAlsoWhileRecording)
 
   this->Begin();
   this->Last = -1.0;
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   this->Take(10);
   EXPECT_LT(this->Last, 1e5) << "a new count";
 }
@@ -75,7 +75,7 @@ TEST_F(States, ComeToEveryReader)
   double last = -1.0;
   for (int take = 0; take < 3; ++take)
   {
-    this->Device->DrainStates(others, 1);
+    this->Device->GetState()->Drain(others, 1);
     for (vtkIdType i = 0; i < others->GetNumberOfRows(); ++i, ++last)
     {
       const double tick = others->GetValue(i, 1).ToDouble();
@@ -85,9 +85,9 @@ TEST_F(States, ComeToEveryReader)
     EXPECT_GE(last, this->Last);
     this->Take(10);
   }
-  this->Device->DrainStates(nullptr, 1); // states from now on are not kept for it
+  this->Device->GetState()->Drain(nullptr, 1); // states from now on are not kept for it
   this->Take(10);
-  this->Device->DrainStates(others, 1);
+  this->Device->GetState()->Drain(others, 1);
   const double first = others->GetNumberOfRows() ? others->GetValue(0, 1).ToDouble() : VTK_INT_MAX;
   EXPECT_GT(first, this->Last);
 }
@@ -95,18 +95,18 @@ TEST_F(States, ComeToEveryReader)
 TEST_F(States, GoOnAfterARecording)
 {
   this->Begin();
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   this->Take(5);
   this->StartRecording();
   this->Take(5);
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Take(20);
 }
 
 TEST_F(States, AreWhereTheDeviceWas)
 {
   this->Begin();
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   ASSERT_TRUE(this->WaitTicks(3));
   for (int i = 1; i < 30; ++i)
   {
@@ -116,9 +116,9 @@ TEST_F(States, AreWhereTheDeviceWas)
       this->Device->UpdateState();
     }
   }
-  const double* const tip = this->Device->GetTipPosition();
+  const double* const tip = this->Device->GetState()->GetTipPosition();
   ASSERT_TRUE(this->WaitTicks(3));
-  this->Device->DrainStates(this->Table);
+  this->Device->GetState()->Drain(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
   // The hand rests: its distance from the axis of the turns, if they are not shifted, is a scale.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);

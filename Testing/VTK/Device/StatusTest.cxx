@@ -74,22 +74,22 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   this->Begin();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(50));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
-  EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 5.0, 1e-6);
-  EXPECT_EQ(this->Device->GetContact(), 1);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 5.0, 1e-6);
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 1);
   // Armed inside, the hand feels nothing until it moves: the proxy begins at the tip.
   this->BeginWayHere();
   ASSERT_TRUE(this->ArmFully());
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 8.0, 1e-6);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 8.0, 1e-6);
   ASSERT_TRUE(this->LeadInto(11.0));
-  EXPECT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -1.49; }));
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetState()->GetForce()[2] < -1.49; }));
   this->Device->Disarm();
   ASSERT_TRUE(this->WaitTicks(3));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   this->Device->Stop();
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
 }
 
 TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
@@ -110,7 +110,7 @@ TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
     isSoft = this->Says("feels soft");
   }
   ASSERT_TRUE(isSoft);
-  EXPECT_GT(this->Device->GetForce()[2], -1.4);
+  EXPECT_GT(this->Device->GetState()->GetForce()[2], -1.4);
   ASSERT_TRUE(this->PressAgain());
   EXPECT_FALSE(this->Says("feels soft"));
 }
@@ -120,7 +120,7 @@ TEST_F(DeviceStatus, ArmClearsAFaultAtOnce)
   this->Begin();
   this->Device->Arm();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
-  this->Device->PlaceVirtualTip(500.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->Place(500.0, 7.0, 5.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
   EXPECT_TRUE(this->Device->IsArmOrdered());
   this->Device->Arm();
@@ -134,7 +134,7 @@ TEST_F(DeviceStatus, ArmedBeforeStartIsArmedAfterIt)
   ASSERT_TRUE(this->Device->Open("virtual"));
   this->Device->Arm();
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
   ASSERT_TRUE(this->Device->Start());
   ASSERT_TRUE(this->WaitFullyArmed());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
@@ -162,5 +162,5 @@ TEST_F(DeviceStatus, PublishingWhatCannotBeTouchedKeepsWhatIsTouched)
   this->Device->SetDeviceToWorld(shear);
   EXPECT_FALSE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -1.5, 1e-6);
 }

@@ -55,14 +55,15 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
   for (int i = 0; i < 1000; ++i)
   {
     const double t = 0.05 * i;
-    this->Device->SetVirtualTip(7.0 + 2.0 * std::sin(t), 7.0, 8.0 + 2.5 * std::sin(1.3 * t));
+    this->Device->GetVirtualHand()->SetPosition(
+      7.0 + 2.0 * std::sin(t), 7.0, 8.0 + 2.5 * std::sin(1.3 * t));
     this->Change(i);
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetTick() > last; }));
-    last = this->Device->GetTick();
-    largest = std::max(largest, Length(this->Device->GetForce()));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetState()->GetTick() > last; }));
+    last = this->Device->GetState()->GetTick();
+    largest = std::max(largest, Length(this->Device->GetState()->GetForce()));
   }
   EXPECT_GT(largest, 0.2);
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Stop();
   EXPECT_TRUE(this->Log.Errors.empty());
 

@@ -192,14 +192,14 @@ protected:
     {
       this->Hand.WaitTicks(1);
     }
-    return felt && this->Device->GetContact() != 0 && this->Hand.WaitTicks(1000) &&
+    return felt && this->Device->GetState()->GetContact() != 0 && this->Hand.WaitTicks(1000) &&
       !this->IsAt(vtkHapticDevice::FAULT);
   }
   /** The hand's spring and the skin hold each other, and the program tells the same force. */
   bool IsFelt()
   {
     this->Device->UpdateState();
-    const double force = -this->Device->GetForce()[1];
+    const double force = -this->Device->GetState()->GetForce()[1];
     const double spring = EmulatedHand::Stiffness * (Depth + this->Arm.GetTip());
     return force > 0.1 && std::abs(this->Arm.GetForce() - force) < 0.05 &&
       std::abs(spring - force) < 0.1;
@@ -239,13 +239,13 @@ TYPED_TEST(PhantomArms, PressThePhantomAndLetGoAtAFault)
       felt = this->IsFeltForLong();
     }
   }
-  EXPECT_TRUE(felt) << this->Arm.GetForce() << " N, told " << device->GetForce()[1] << ". "
-                    << device->GetStatusText();
+  EXPECT_TRUE(felt) << this->Arm.GetForce() << " N, told " << device->GetState()->GetForce()[1]
+                    << ". " << device->GetStatusText();
 
   const char* const words = this->Arm.Break();
   EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::FAULT));
   EXPECT_TRUE(this->Hand.Wait([&] { return this->Hand.Says(words); })) << device->GetStatusText();
   EXPECT_TRUE(this->Hand.WaitTicks(100));
-  EXPECT_EQ(Length(device->GetForce()), 0.0);
+  EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
   EXPECT_EQ(device->GetStatus(), vtkHapticDevice::FAULT) << "nothing comes back by itself";
 }

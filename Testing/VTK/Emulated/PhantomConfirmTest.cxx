@@ -106,7 +106,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
-      const double told = -this->Device->GetForce()[1];
+      const double told = -this->Device->GetState()->GetForce()[1];
       return told > 0.1 && std::abs(this->Falcon.GetForce()[2] - 2.0 * told) < 0.05;
     }));
 }

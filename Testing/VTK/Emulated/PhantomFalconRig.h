@@ -62,7 +62,7 @@ protected:
     {
       this->Device->UpdateState();
       const double spring = FalconGrip::HandStiffness * (this->Falcon.GetGrip()[2] - end);
-      const double force = -this->Device->GetForce()[1];
+      const double force = -this->Device->GetState()->GetForce()[1];
       return force > 0.1 && std::abs(force - spring) < 0.05 &&
         std::abs(this->Falcon.GetForce()[2] - force) < 0.05;
     };
@@ -76,21 +76,22 @@ protected:
         this->Hand.WaitTicks(1);
       }
     }
-    EXPECT_TRUE(felt) << this->Falcon.GetForce()[2] << " N, told " << this->Device->GetForce()[1];
+    EXPECT_TRUE(felt) << this->Falcon.GetForce()[2] << " N, told "
+                      << this->Device->GetState()->GetForce()[1];
     EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
-    EXPECT_NE(this->Device->GetContact(), 0);
-    EXPECT_GT(Phantom.DepthOf(this->Device->GetTipPosition()),
-      Phantom.DepthOf(this->Device->GetProxyPosition()));
+    EXPECT_NE(this->Device->GetState()->GetContact(), 0);
+    EXPECT_GT(Phantom.DepthOf(this->Device->GetState()->GetTipPosition()),
+      Phantom.DepthOf(this->Device->GetState()->GetProxyPosition()));
   }
   /** The servo has felt nothing but zero for so many ticks. */
   void ExpectNoForce(vtkIdType ticks)
   {
-    const vtkIdType end = this->Device->GetTick() + ticks;
+    const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     EXPECT_TRUE(this->Hand.Wait(
       [&]
       {
-        EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
-        return this->Device->GetTick() >= end;
+        EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
+        return this->Device->GetState()->GetTick() >= end;
       }));
   }
 

@@ -31,14 +31,14 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   this->Falcon.Break(FalconFault::None);
   ASSERT_NO_FATAL_FAILURE(this->Home());
   EXPECT_EQ(this->Falcon.GetImage(), std::vector<std::uint8_t>(4000, 'F'));
-  const vtkIdType from = this->Device->GetTick();
+  const vtkIdType from = this->Device->GetState()->GetTick();
   for (const double x : { 0.0, 0.01, -0.01, 0.0 })
   {
     ASSERT_NO_FATAL_FAILURE(this->Press(x, x, 0.006));
     EXPECT_TRUE(this->LeadTo(0.5 * x, x, this->HeightOfSkin(0.5 * x, x) - 0.004)) << "sliding back";
     EXPECT_TRUE(this->Hand.WaitTicks(1500));
   }
-  EXPECT_TRUE(this->Hand.Wait([&] { return this->Device->GetTick() >= from + 5000; }));
+  EXPECT_TRUE(this->Hand.Wait([&] { return this->Device->GetState()->GetTick() >= from + 5000; }));
   ASSERT_NO_FATAL_FAILURE(this->Press(0.0, 0.0, 0.006));
 
   this->Usb.Unplug();

@@ -54,7 +54,7 @@ protected:
     const auto isFelt = [&]
     {
       this->Device->UpdateState();
-      const double force = -this->Device->GetForce()[1];
+      const double force = -this->Device->GetState()->GetForce()[1];
       const double shown = -this->Service->GetForce()[1];
       const double spring = EmulatedHand::Stiffness * (Depth - this->Service->GetTip()[1]);
       return force > 0.1 && std::abs(shown - force) < 0.05 && std::abs(spring - force) < 0.1;
@@ -70,8 +70,9 @@ protected:
         this->Hand.WaitTicks(1);
       }
     }
-    EXPECT_TRUE(felt) << this->Service->GetForce()[1] << " N, told " << this->Device->GetForce()[1];
-    EXPECT_NE(this->Device->GetContact(), 0);
+    EXPECT_TRUE(felt) << this->Service->GetForce()[1] << " N, told "
+                      << this->Device->GetState()->GetForce()[1];
+    EXPECT_NE(this->Device->GetState()->GetContact(), 0);
   }
 
   static constexpr double Depth = 0.004; // m
@@ -93,7 +94,7 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
   EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::FAULT));
   EXPECT_TRUE(this->Hand.Says("ended or closed the connection")) << this->Device->GetStatusText();
   EXPECT_TRUE(this->Hand.WaitTicks(5));
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   this->Service.reset();
   this->Service.emplace();
   EXPECT_TRUE(this->Hand.WaitTicks(100));
@@ -102,15 +103,15 @@ TEST_F(PhantomHaply, IsFeltLostAndFeltAgain)
 
   ASSERT_NO_FATAL_FAILURE(this->OpenAndPress());
   const double half = std::sqrt(0.5);
-  ASSERT_TRUE(this->Device->HasTipOrientation());
-  const std::vector<double> start(
-    this->Device->GetTipOrientation(), this->Device->GetTipOrientation() + 4);
+  ASSERT_TRUE(this->Device->GetState()->HasTipOrientation());
+  const std::vector<double> start(this->Device->GetState()->GetTipOrientation(),
+    this->Device->GetState()->GetTipOrientation() + 4);
   this->Service->SetGrip({ half, 0.0, 0.0, half }, false);
   EXPECT_TRUE(this->Hand.Wait(
     [&]
     {
       // A quarter about the vertical, in the world too: the cosine of half of it.
-      const double* const turn = this->Device->GetTipOrientation();
+      const double* const turn = this->Device->GetState()->GetTipOrientation();
       const double same = std::inner_product(start.begin(), start.end(), turn, 0.0);
       return std::abs(std::abs(same) - half) < 1e-6;
     }));

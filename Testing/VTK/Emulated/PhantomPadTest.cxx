@@ -33,16 +33,17 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   device->Arm();
   // Towards the hand, and back into the face.
   pad.Move(ABS_RY, 1.0);
-  EXPECT_TRUE(hand.Wait([&] { return phantom.DepthOf(device->GetTipPosition()) < -20.0; }));
+  EXPECT_TRUE(
+    hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));
   pad.Move(ABS_RY, 0.0);
   EXPECT_TRUE(Eventually(isStill));
   pad.ForgetHistory();
   EXPECT_TRUE(hand.WaitTicks(100));
   EXPECT_TRUE(pad.GetHistory().empty()) << "the air";
   pad.Move(ABS_RY, -1.0);
-  EXPECT_TRUE(hand.Wait([&] { return Length(device->GetForce()) > 1.5; }));
+  EXPECT_TRUE(hand.Wait([&] { return Length(device->GetState()->GetForce()) > 1.5; }));
   EXPECT_TRUE(Eventually([&] { return !isStill(); }));
-  EXPECT_GT(phantom.DepthOf(device->GetTipPosition()), 0.0);
+  EXPECT_GT(phantom.DepthOf(device->GetState()->GetTipPosition()), 0.0);
   pad.Move(ABS_RY, 0.0);
   EXPECT_TRUE(hand.Says("Active: vibration:pad (vibration, not force)."))
     << device->GetStatusText();
@@ -51,12 +52,12 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   EXPECT_EQ(display->GetText().find("Active: vibration:pad (vibration, not force).\n"), 0U)
     << display->GetText();
   EXPECT_TRUE(Eventually(isStill)) << "the tip rests";
-  EXPECT_GT(Length(device->GetForce()), 0.5);
+  EXPECT_GT(Length(device->GetState()->GetForce()), 0.5);
 
   evdev.Unplug();
   EXPECT_TRUE(hand.WaitFor(vtkHapticDevice::FAULT));
   EXPECT_TRUE(hand.WaitTicks(5));
-  EXPECT_EQ(Length(device->GetForce()), 0.0);
+  EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
   EXPECT_TRUE(hand.Says("is gone: unplugged, switched off or out of reach"))
     << device->GetStatusText();
   device->Stop();

@@ -127,8 +127,8 @@ public:
   bool WaitTicks(vtkIdType ticks)
   {
     this->Device->UpdateState();
-    const vtkIdType end = this->Device->GetTick() + ticks;
-    return this->Wait([&] { return this->Device->GetTick() >= end; });
+    const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
+    return this->Wait([&] { return this->Device->GetState()->GetTick() >= end; });
   }
   bool Says(const char* words)
   {

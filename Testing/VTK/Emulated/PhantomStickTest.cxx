@@ -46,7 +46,7 @@ protected:
       [&]
       {
         // Out of the face (-y of the world) is -x of the device; see Phantom::Place.
-        const double* const force = device->GetForce();
+        const double* const force = device->GetState()->GetForce();
         largest[0] = std::max(largest[0], std::abs(force[1]));
         largest[1] = std::max(largest[1], std::abs(force[2]));
         largest[2] = std::max(largest[2], std::abs(force[0]));
@@ -118,16 +118,16 @@ TEST(PhantomStick, IsFelt)
     for (int i = 0; i < 2000 && !felt; ++i)
     {
       hand.WaitTicks(1);
-      const double force = -device->GetForce()[1];
+      const double force = -device->GetState()->GetForce()[1];
       felt = force > 0.1 && std::abs(stick.GetForce()[0] + force) < 0.05;
     }
   }
-  EXPECT_TRUE(felt) << stick.GetForce()[0] << " N, told " << device->GetForce()[1];
+  EXPECT_TRUE(felt) << stick.GetForce()[0] << " N, told " << device->GetState()->GetForce()[1];
   EXPECT_TRUE(hand.WaitTicks(5000));
   hid.Unplug();
   EXPECT_TRUE(hand.WaitFor(vtkHapticDevice::FAULT));
   EXPECT_TRUE(hand.WaitTicks(5));
-  EXPECT_EQ(Length(device->GetForce()), 0.0);
+  EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
 }
 
 TEST(PhantomStick, AWheelWithoutASecondMotorAsksForTheSecondNumber)
@@ -164,16 +164,19 @@ TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
   device->Arm();
   // The device's y is towards the hand: out of the face, and back into it.
   mouse.Push({ 0, 350, 0, 0, 0, 0 });
-  EXPECT_TRUE(hand.Wait([&] { return phantom.DepthOf(device->GetTipPosition()) < -20.0; }));
+  EXPECT_TRUE(
+    hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) < -20.0; }));
   mouse.Push({ 0, -350, 0, 0, 0, 0 });
-  EXPECT_TRUE(hand.Wait([&] { return phantom.DepthOf(device->GetTipPosition()) > 1.0; }));
+  EXPECT_TRUE(
+    hand.Wait([&] { return phantom.DepthOf(device->GetState()->GetTipPosition()) > 1.0; }));
   mouse.Push({ 0, 0, 0, 0, 0, 175 });
-  EXPECT_TRUE(hand.Wait([&] { return device->GetContact() != 0; }))
+  EXPECT_TRUE(hand.Wait([&] { return device->GetState()->GetContact() != 0; }))
     << "the proxy stays at the skin";
-  EXPECT_LT(phantom.DepthOf(device->GetProxyPosition()), phantom.DepthOf(device->GetTipPosition()));
-  EXPECT_EQ(Length(device->GetForce()), 0.0);
+  EXPECT_LT(phantom.DepthOf(device->GetState()->GetProxyPosition()),
+    phantom.DepthOf(device->GetState()->GetTipPosition()));
+  EXPECT_EQ(Length(device->GetState()->GetForce()), 0.0);
   // About its z, which points down: what is up for the hand turns the other way.
-  EXPECT_TRUE(hand.Wait([&] { return device->GetTurnRate()[1] < -0.4; }));
+  EXPECT_TRUE(hand.Wait([&] { return device->GetState()->GetTurnRate()[1] < -0.4; }));
   mouse.Push({});
-  EXPECT_TRUE(hand.Wait([&] { return Length(device->GetTurnRate()) == 0.0; }));
+  EXPECT_TRUE(hand.Wait([&] { return Length(device->GetState()->GetTurnRate()) == 0.0; }));
 }

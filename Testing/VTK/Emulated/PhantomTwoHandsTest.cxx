@@ -37,7 +37,7 @@ protected:
       for (int i = 0; i < 2000 && !felt; ++i)
       {
         this->Other.WaitTicks(1);
-        const double force = -this->Second->GetForce()[1];
+        const double force = -this->Second->GetState()->GetForce()[1];
         felt = force > 0.1 && std::abs(this->Stick.GetForce()[0] + force) < 0.05;
       }
     }
@@ -80,8 +80,8 @@ TEST_F(PhantomTwoHands, FeelTheSameFaceAndLiveTheirOwnLives)
   // Two proxies, a centimetre and a half apart.
   this->Device->UpdateState();
   this->Second->UpdateState();
-  const double* const a = this->Device->GetProxyPosition();
-  const double* const b = this->Second->GetProxyPosition();
+  const double* const a = this->Device->GetState()->GetProxyPosition();
+  const double* const b = this->Second->GetState()->GetProxyPosition();
   EXPECT_GT(std::hypot(a[0] - b[0], a[2] - b[2]), 8.0);
   EXPECT_LT(std::hypot(a[0] - b[0], a[2] - b[2]), 22.0);
 

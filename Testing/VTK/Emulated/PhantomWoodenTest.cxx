@@ -36,7 +36,7 @@ protected:
     const auto isFelt = [&]
     {
       this->Device->UpdateState();
-      const double force = -this->Device->GetForce()[1];
+      const double force = -this->Device->GetState()->GetForce()[1];
       const Triple shown = this->Arm.GetForce();
       const double spring = EmulatedHand::Stiffness * (Depth + this->Arm.GetTip()[0]);
       return force > 0.1 && std::abs(shown[0] - force) < 0.05 && std::abs(spring - force) < 0.1;
@@ -52,7 +52,8 @@ protected:
         this->Hand.WaitTicks(1);
       }
     }
-    EXPECT_TRUE(felt) << this->Arm.GetForce()[0] << " N, told " << this->Device->GetForce()[1];
+    EXPECT_TRUE(felt) << this->Arm.GetForce()[0] << " N, told "
+                      << this->Device->GetState()->GetForce()[1];
   }
 
   static constexpr double Depth = 0.006; // m
@@ -79,7 +80,7 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
     EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::FAULT));
     EXPECT_TRUE(this->Hand.Says("unplugged")) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Hand.WaitTicks(5));
-    EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+    EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
     this->Arm.PowerUp();
     this->Hid.PlugIn();
     EXPECT_TRUE(this->Hand.WaitTicks(100));

@@ -137,7 +137,7 @@ protected:
         [this]
         {
           this->Device->UpdateState();
-          return this->Device->GetTipPosition()[2] == 5.0;
+          return this->Device->GetState()->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
     // A wall that is pressed during the ramp stays soft.

@@ -44,7 +44,7 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   if (child == 0)
   {
     this->Begin();
-    this->Device->StartRecording(file.c_str());
+    this->Device->GetRecorder()->Start(file.c_str());
     this->WanderForTwoGroups(file);
     kill(getpid(), SIGKILL);
   }
@@ -55,13 +55,14 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
 
   // The next recording of that name neither fails nor takes it away.
   this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find(file + ".part.1"), std::string::npos)
     << this->Log.Warnings[0];
-  EXPECT_FALSE(this->Device->RecoverRecording((file + ".part").c_str(), this->In("b.vtp").c_str()));
+  EXPECT_FALSE(
+    this->Device->GetRecorder()->Recover((file + ".part").c_str(), this->In("b.vtp").c_str()));
   this->ExpectError("under way");
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Close();
   // Two groups are 512 lines of 20 us each, which a hand under the shortest attention (0.05 s) may
   // notice.
@@ -70,9 +71,9 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->Device->SetAttentionTime(0.05);
   const std::string copy = this->In("copy.part");
   vtksys::SystemTools::CopyAFile(file + ".part.1", copy);
-  ASSERT_TRUE(this->Device->RecoverRecording(copy.c_str(), this->In("copy.csv").c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Recover(copy.c_str(), this->In("copy.csv").c_str()));
   EXPECT_EQ(begins.Count, 1);
-  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part.1").c_str(), file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Recover((file + ".part.1").c_str(), file.c_str()));
   this->ExpectReplays(file, 512);
 }
 
@@ -83,7 +84,7 @@ TEST_F(RecordingFailure, IsNotThatTheProgramExits)
   if (child == 0)
   {
     this->Begin();
-    this->Device->StartRecording(file.c_str());
+    this->Device->GetRecorder()->Start(file.c_str());
     this->WanderForTwoGroups(file);
     Owner.Device = this->Device;
     std::exit(0);
@@ -100,7 +101,7 @@ TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
   const std::string file = this->In("forked.vtp");
   this->Begin();
   this->Wander(5);
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_TRUE(this->WaitTicks(300));
   const pid_t child = fork();
   if (child == 0)
@@ -110,7 +111,7 @@ TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
     _exit(this->Log.Errors.empty() ? 0 : 1);
   }
   ASSERT_TRUE(this->WaitTicks(300));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   int status = 0;
   const bool ended = Eventually([&] { return waitpid(child, &status, WNOHANG) == child; });
   if (!ended)

@@ -25,7 +25,7 @@ inline std::atomic<int> ForceWhenHandled{ 0 };
 inline void OnSignal(int)
 {
   Watched->UpdateState();
-  ForceWhenHandled += Length(Watched->GetForce()) > 0.0 ? 1 : 0;
+  ForceWhenHandled += Length(Watched->GetState()->GetForce()) > 0.0 ? 1 : 0;
   ++Handled;
 }
 

@@ -58,7 +58,7 @@ protected:
       {
         frame = std::min(frame + 1, 6);
         this->Move({ 7.0, 7.0, 5.0 + 0.5 * frame });
-        return Length(this->Device->GetForce()) > 1.0;
+        return Length(this->Device->GetState()->GetForce()) > 1.0;
       });
   }
   /// Frames of a headset until something holds.
@@ -75,7 +75,7 @@ protected:
   }
   bool IsTipAt(const Point& point)
   {
-    const double* const tip = this->Device->GetTipPosition();
+    const double* const tip = this->Device->GetState()->GetTipPosition();
     return std::abs(tip[0] - point[0]) + std::abs(tip[1] - point[1]) + std::abs(tip[2] - point[2]) <
       1e-9;
   }
@@ -114,7 +114,7 @@ TEST_F(XRController, LeadsTheTipByThePoseOfItsHand)
   expected.SetRotationAngleAndAxis(vtkMath::RadiansFromDegrees(30.0), 0.0, 1.0, 0.0);
   for (int i = 0; i < 4; ++i)
   {
-    EXPECT_NEAR(this->Device->GetTipOrientation()[i], expected[i], 1e-12);
+    EXPECT_NEAR(this->Device->GetState()->GetTipOrientation()[i], expected[i], 1e-12);
   }
   this->Controller->SetHandToLeft();
   this->Controller->SetReach(0.0);
@@ -131,9 +131,9 @@ TEST_F(XRController, ItsTriggerIsTheStylussButton)
   for (const unsigned long event : { vtkCommand::Select3DEvent, vtkCommand::Button3DEvent })
   {
     this->Send(event, { 7.0, 7.0, 5.0 }, vtkEventDataAction::Press);
-    EXPECT_TRUE(this->Frames([&] { return this->Device->GetButtons() == 1; }));
+    EXPECT_TRUE(this->Frames([&] { return this->Device->GetState()->GetButtons() == 1; }));
     this->Send(event, { 7.0, 7.0, 5.0 }, vtkEventDataAction::Release);
-    EXPECT_TRUE(this->Frames([&] { return this->Device->GetButtons() == 0; }));
+    EXPECT_TRUE(this->Frames([&] { return this->Device->GetState()->GetButtons() == 0; }));
   }
 }
 
@@ -154,7 +154,7 @@ TEST_F(XRController, ContactVibratesAndRestIsSilent)
   EXPECT_TRUE(this->Frames([&] { return !this->Interactor->Calls.empty(); }));
   const std::vector<Headset::Call>& calls = this->Interactor->Calls;
   EXPECT_TRUE(this->Frames([&] { return calls.back().Amplitude == 0.0F; })) << "the tip rests";
-  EXPECT_GT(Length(this->Device->GetForce()), 1.0) << "and the force stays";
+  EXPECT_GT(Length(this->Device->GetState()->GetForce()), 1.0) << "and the force stays";
   float largest = 0.0F;
   for (std::size_t i = 0; i < calls.size(); ++i)
   {
@@ -205,10 +205,10 @@ TEST_F(XRController, TellsTheProgramWhatAnInteractorCannotDo)
   this->Controller->AddObserver(vtkCommand::UserEvent, observer);
   ASSERT_TRUE(this->Device->Open("vibration:xr"));
   ASSERT_TRUE(this->Device->Start());
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
   this->Device->Arm();
   EXPECT_TRUE(this->Wait([&] { return IsFullyArmed(this->Device); }));
-  this->Device->SetVirtualTip(7.0, 7.0, 8.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 8.0);
   EXPECT_TRUE(Eventually(
     [&]
     {

@@ -179,7 +179,7 @@ TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
   vtkNew<vtkHapticDevice> device;
   device->SetVolumeHaptics(this->Filter);
   ASSERT_TRUE(device->Open("virtual"));
-  device->SetVirtualTip(8.0, 0.0, -1.0);
+  device->GetVirtualHand()->SetPosition(8.0, 0.0, -1.0);
   ASSERT_TRUE(device->Start());
   const auto await = [&](const std::function<bool()>& isDone)
   {
@@ -191,16 +191,18 @@ TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
     }
     return isDone();
   };
-  ASSERT_TRUE(await([&] { return device->GetTick() > 5 && device->GetResidency() == 1.0; }))
+  ASSERT_TRUE(await(
+    [&] { return device->GetState()->GetTick() > 5 && device->GetState()->GetResidency() == 1.0; }))
     << device->GetStatusText();
-  device->SetVirtualTip(9.4, 0.0, 1.0);
-  EXPECT_TRUE(await([&] { return std::abs(device->GetComputedForce()[0] + 0.7) < 1e-3; }))
-    << device->GetComputedForce()[0];
-  EXPECT_NEAR(device->GetComputedForce()[2], -1.0, 1e-3);
-  EXPECT_NEAR(device->GetModeForce(0)[2], -1.0, 1e-3);
+  device->GetVirtualHand()->SetPosition(9.4, 0.0, 1.0);
+  EXPECT_TRUE(
+    await([&] { return std::abs(device->GetState()->GetComputedForce()[0] + 0.7) < 1e-3; }))
+    << device->GetState()->GetComputedForce()[0];
+  EXPECT_NEAR(device->GetState()->GetComputedForce()[2], -1.0, 1e-3);
+  EXPECT_NEAR(device->GetState()->GetModeForce(0)[2], -1.0, 1e-3);
   // Beyond the data nothing is felt.
-  device->SetVirtualTip(40.0, 0.0, 1.0);
-  EXPECT_TRUE(await([&] { return std::abs(device->GetComputedForce()[0]) < 1e-9; }));
+  device->GetVirtualHand()->SetPosition(40.0, 0.0, 1.0);
+  EXPECT_TRUE(await([&] { return std::abs(device->GetState()->GetComputedForce()[0]) < 1e-9; }));
 }
 
 TEST_F(FilterDataSets, ThatCanNotBeFeltGiveOneErrorWithTheCure)

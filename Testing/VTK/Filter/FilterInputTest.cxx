@@ -106,8 +106,7 @@ TEST_F(FilterInput, InputsAreLeftAlone)
 // gone at once.
 TEST_F(FilterInput, IsBakedOnceForModelsThatComeAndGo)
 {
-  const auto bake = [this]
-  { return VolumeHaptics::HapticBaker(this->Filter).Bake(1000.0, {}, nullptr); };
+  const auto bake = [this] { return this->Filter->GetBaker().Bake(1000.0, {}, nullptr); };
   const auto held = bake();
   ASSERT_TRUE(held);
   EXPECT_EQ(bake()->Baked, held->Baked);

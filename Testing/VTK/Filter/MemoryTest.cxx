@@ -195,11 +195,11 @@ TEST_F(Memory, RunsOutInPublish)
 
   const std::string file = TemporaryPath("memory.vtp");
   IsScarceFrom(1 << 10); // the journal begins with the settings, which take more
-  EXPECT_FALSE(device->StartRecording(file.c_str()));
+  EXPECT_FALSE(device->GetRecorder()->Start(file.c_str()));
   IsPlenty();
   Expect(log, { "not enough memory", "memory.vtp" });
   EXPECT_FALSE(std::filesystem::exists(file + ".part"));
-  EXPECT_TRUE(device->StartRecording(file.c_str()));
-  EXPECT_TRUE(device->StopRecording());
+  EXPECT_TRUE(device->GetRecorder()->Start(file.c_str()));
+  EXPECT_TRUE(device->GetRecorder()->Stop());
   EXPECT_TRUE(log.Errors.empty());
 }

@@ -38,12 +38,12 @@ inline bool FeelAt(
 {
   device->SetVolumeHaptics(filter);
   device->Open("virtual");
-  device->SetVirtualTip(x, y, z);
+  device->GetVirtualHand()->SetPosition(x, y, z);
   if (!device->Start())
   {
     return false;
   }
-  while (device->GetTick() < 20)
+  while (device->GetState()->GetTick() < 20)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     device->UpdateState();

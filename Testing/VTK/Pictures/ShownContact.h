@@ -126,14 +126,15 @@ inline int ShowContact(int argc, char* argv[], const ContactScript& script)
   device->SetVolumeHaptics(filter);
   device->Open(("replay:" + file).c_str());
   device->Start();
-  while (device->GetTick() < ticks)
+  while (device->GetState()->GetTick() < ticks)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     device->UpdateState();
   }
-  if (device->GetContact() != script.Contact)
+  if (device->GetState()->GetContact() != script.Contact)
   {
-    std::cerr << "The contact is " << device->GetContact() << ", not " << script.Contact << ".\n";
+    std::cerr << "The contact is " << device->GetState()->GetContact() << ", not " << script.Contact
+              << ".\n";
     return EXIT_FAILURE;
   }
 

@@ -121,8 +121,8 @@ int TestFollowedModes(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   vtkNew<vtkPolyData> shapes;
-  device->GetFollowed(shapes, 48.0);
-  if (!CheckLines(shapes, device->GetProxyPosition()))
+  device->GetState()->GetFollowed(shapes, 48.0);
+  if (!CheckLines(shapes, device->GetState()->GetProxyPosition()))
   {
     return EXIT_FAILURE;
   }

@@ -129,8 +129,8 @@ int TestFollowedTensor(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   vtkNew<vtkPolyData> shapes;
-  device->GetFollowed(shapes, Reach);
-  if (!CheckShapes(shapes, device->GetProxyPosition()))
+  device->GetState()->GetFollowed(shapes, Reach);
+  if (!CheckShapes(shapes, device->GetState()->GetProxyPosition()))
   {
     return EXIT_FAILURE;
   }

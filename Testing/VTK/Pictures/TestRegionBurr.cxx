@@ -123,7 +123,8 @@ struct BurrScene
       [&]
       {
         this->Time += 0.02;
-        this->Source->Follow(tip, this->Time, this->Touch);
+        this->Touch->ConfigureSource(this->Source);
+        this->Source->Follow(tip, this->Time);
         this->Touch->Update();
         this->Picture->Update();
         const double* const box = this->Picture->GetFineVolume()->GetBounds();

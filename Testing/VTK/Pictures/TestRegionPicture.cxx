@@ -127,7 +127,8 @@ int TestRegionPicture(int, char*[])
     [&]
     {
       time += 0.02;
-      scene.Source->Follow(tip, time, scene.Touch);
+      scene.Touch->ConfigureSource(scene.Source);
+      scene.Source->Follow(tip, time);
       scene.Touch->Update();
       scene.Picture->Update();
       return scene.Picture->IsRefined();

@@ -102,7 +102,8 @@ protected:
   bool Follow(const Point& tip)
   {
     this->Time += 0.01;
-    return this->Source->Follow(tip.data(), this->Time, this->Touch);
+    this->Touch->ConfigureSource(this->Source);
+    return this->Source->Follow(tip.data(), this->Time);
   }
   /// The share that the output tells.
   double GetShare()
@@ -257,7 +258,8 @@ TEST_F(LiveRegions, GoThroughADayInTheirMemory)
     }
     const Point tip = At(index[0], index[1], index[2]);
     this->Time += 0.5;
-    if (this->Source->Follow(tip.data(), this->Time, this->Touch))
+    this->Touch->ConfigureSource(this->Source);
+    if (this->Source->Follow(tip.data(), this->Time))
     {
       ++regions;
       this->Source->Update();

@@ -140,12 +140,12 @@ TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
   EXPECT_TRUE(this->Planner->SetWhole(crop->GetOutput()));
   EXPECT_EQ(this->Planner->GetWholeExtent()[1], 15);
   vtkNew<vtkVolumeHapticsFilter> touch; // 500 N/m and 2 N, a kernel of 2 voxels
-  this->Planner->UseSettingsOf(touch);
+  touch->ConfigurePlanner(this->Planner);
   EXPECT_DOUBLE_EQ(this->Planner->GetSpringLength(), 4.0);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 9.0) << "as far as the walk to the far side goes";
   EXPECT_DOUBLE_EQ(this->Planner->GetBand(), 4.0);
   touch->SetMaterialPlacementToKernel();
-  this->Planner->UseSettingsOf(touch);
+  touch->ConfigurePlanner(this->Planner);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0);
 }
 
@@ -157,13 +157,13 @@ TEST_F(Plan, HasRoomForWallsOfCoarseLabels)
   labels->AllocateScalars(VTK_INT, 1);
   vtkNew<vtkVolumeHapticsFilter> touch;
   touch->SetLabelData(labels);
-  this->Planner->UseSettingsOf(touch);
+  touch->ConfigurePlanner(this->Planner);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 2.0 * 6.0 + 3.0) << "x_s, and three voxels to spare";
   labels->SetSpacing(0.5, 0.5, 0.5);
-  this->Planner->UseSettingsOf(touch);
+  touch->ConfigurePlanner(this->Planner);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 9.0);
   labels->SetSpacing(5.0, 4.0, 6.0);
   touch->SetMethodToForceField();
-  this->Planner->UseSettingsOf(touch);
+  touch->ConfigurePlanner(this->Planner);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0) << "which has no labels";
 }

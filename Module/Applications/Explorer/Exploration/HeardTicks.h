@@ -24,7 +24,7 @@ class HeardTicks
 public:
   explicit HeardTicks(vtkVolumeHapticsFilter* filter);
 
-  /// For the states since the last call: see vtkHapticDevice::DrainStates. The label is the latest
+  /// For the states since the last call: see vtkHapticState::Drain. The label is the latest
   /// state's.
   std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
   /// For a trace of the filter, or a recording.

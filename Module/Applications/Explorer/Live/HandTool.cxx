@@ -134,7 +134,7 @@ void HandTool::Take(vtkHapticTool* tool)
     std::cout << "A " << name << " needs the method proxy, which key m gets to." << std::endl;
     return;
   }
-  if (tool && this->Device->HasFrames())
+  if (tool && this->Device->GetPlayback()->HasFrames())
   {
     std::cout << "A " << name << " is not for a volume that moves." << std::endl;
     return;
@@ -179,7 +179,7 @@ bool HandTool::HasUnwrittenRemoval() const
 void HandTool::WriteTrack()
 {
   vtkNew<vtkPolyData> track;
-  this->Device->GetNeedleTrack(track);
+  this->Device->GetState()->GetNeedleTrack(track);
   if (track->GetNumberOfCells() == 0)
   {
     std::cout << "The needle is not in tissue, and has no track." << std::endl;

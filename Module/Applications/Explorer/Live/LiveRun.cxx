@@ -42,7 +42,7 @@ void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
   {
     const std::chrono::duration<double> time = Clock::now() - start;
     now = std::min(last, static_cast<vtkIdType>(time.count() * rate));
-    device->SetVirtualTip(path->GetPoint(now));
+    device->GetVirtualHand()->SetPosition(path->GetPoint(now));
     device->UpdateState();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -159,13 +159,13 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   device->SetServoRate(exploration.ServoRate);
   // Not armed: arming would begin the touch again in a later tick.
   Demand(device->Start(), "the servo does not start", capture);
-  Demand(device->StartRecording(recorded.c_str()), "the recording does not start", capture);
-  while (device->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
+  Demand(device->GetRecorder()->Start(recorded.c_str()), "the recording does not start", capture);
+  while (device->GetState()->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     device->UpdateState();
   }
-  Demand(device->StopRecording(), "the recording can't be written", capture);
+  Demand(device->GetRecorder()->Stop(), "the recording can't be written", capture);
   device->Stop();
   const Agreement agreement =
     CompareTicks(ReadRecording(recorded, { "Tick", "Tip", "Force" }), exploration.Trace);
@@ -187,14 +187,14 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   Demand(device->Open("virtual"), "the virtual device does not open", capture);
   device->SetVolumeHaptics(filter);
   device->SetServoRate(exploration.ServoRate);
-  device->SetVirtualTip(path->GetPoint(0));
+  device->GetVirtualHand()->SetPosition(path->GetPoint(0));
   Demand(device->Start(), "the servo does not start", capture);
   device->Arm();
-  Demand(device->StartRecording(file.c_str()), "the recording does not start", capture);
+  Demand(device->GetRecorder()->Start(file.c_str()), "the recording does not start", capture);
   FollowPath(device, path, exploration.ServoRate);
   LiveRun run;
   run.Report = TimeKeeping(device);
-  Demand(device->StopRecording(), "the recording can't be written", capture);
+  Demand(device->GetRecorder()->Stop(), "the recording can't be written", capture);
   device->Stop();
 
   run.Trace = ReadRecording(file, { "Force" });

@@ -123,7 +123,7 @@ void TouchReplay::ReadFile(const std::string& file)
     throw InputError("--replay " + file,
       isThere ? "is no recording of a touch" + (error.empty() ? "" : " (" + error + ")")
               : "there is no such file",
-      "name a .vtp that key F10 or vtkHapticDevice::StartRecording() has written");
+      "name a .vtp that key F10 or vtkHapticRecorder::Start() has written");
   }
   this->Begin = times->GetComponent(0, 0);
   this->End = times->GetComponent(times->GetNumberOfTuples() - 1, 0);

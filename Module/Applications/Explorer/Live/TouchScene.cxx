@@ -4,23 +4,28 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/KeptWork.h"
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/LookSwitch.h"
-#include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
 #include "Applications/Explorer/Live/WindowFiles.h"
 #include "Applications/Explorer/Live/WindowRecorder.h"
-#include "Applications/Explorer/Live/WindowSound.h"
 #include "Applications/Explorer/Record/DemoScript.h"
+#include "Applications/Explorer/Sound/SoundOutput.h"
+#include "Applications/Explorer/Sound/SoundStream.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -28,6 +33,129 @@
 #include <memory>
 #include <sstream>
 #include <string>
+
+namespace Explore
+{
+namespace
+{
+/// The key F8 saves the materials of the window as a preset, to a new preset-001.json, which
+/// --preset takes.
+class PresetSaver
+{
+public:
+  PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor);
+
+  /// For vtkInteractorStyleHaptic::SetApplicationKeys.
+  static std::string ListKeys() { return "Preset\nF8\tsave the materials to a file\n"; }
+
+private:
+  void Save();
+
+  TouchScene& Touch;
+  vtkRenderWindowInteractor* const Interactor;
+  KeyBinding Key;
+};
+
+PresetSaver::PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+  : Touch(touch)
+  , Interactor(interactor)
+  , Key(interactor, "F8", [this] { this->Save(); })
+{
+}
+
+void PresetSaver::Save()
+{
+  const std::string file = FindFreeFile("preset", ".json");
+  std::string notice = "Materials saved, for --preset " + file;
+  {
+    const MessageCapture capture;
+    if (!this->Touch.Editor->GetProperty()->WritePreset(file.c_str()))
+    {
+      notice = capture.FirstError();
+    }
+  }
+  this->Touch.Display->SetNotice(notice.c_str());
+  this->Interactor->Render();
+}
+
+/// Plays the sound of touches in a scene, from now until it is deleted; key o turns it off and on.
+/// If the output fails, it says so in one line, and the scene goes on; the key then tries again.
+///
+/// It uses the states that the scene's style reads for the displays (StatesEvent): nothing is added
+/// to the servo's loop.
+class WindowSound
+{
+public:
+  WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor);
+  ~WindowSound();
+  WindowSound(const WindowSound&) = delete;
+  WindowSound& operator=(const WindowSound&) = delete;
+
+  SoundStream& GetStream() { return this->Stream; }
+
+private:
+  void TakeStates();
+  void PressKey();
+
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkInteractorStyleHaptic> Style;
+  HeardTicks Ticks;
+  SoundStream Stream;
+  std::unique_ptr<SoundOutput> Output; // after the stream that it plays
+  bool HasFailed = false;
+  vtkNew<vtkCallbackCommand> StatesObserver;
+  KeyBinding Key;
+};
+
+WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+  : Device(touch.Device)
+  , Style(touch.Style)
+  , Ticks(touch.Device->GetVolumeHaptics())
+  , Stream(SAMPLES_PER_SECOND)
+  , Output(SoundOutput::Open(this->Stream))
+  , Key(interactor, "o", [this] { this->PressKey(); })
+{
+  this->StatesObserver->SetClientData(this);
+  this->StatesObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<WindowSound*>(self)->TakeStates(); });
+  this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, this->StatesObserver);
+}
+
+WindowSound::~WindowSound()
+{
+  this->Style->RemoveObserver(this->StatesObserver);
+}
+
+void WindowSound::TakeStates()
+{
+  for (const SoundTick& tick :
+    this->Ticks.Read(this->Style->GetStates(), this->Device->GetState()->GetLabel()))
+  {
+    this->Stream.Push(tick);
+  }
+  const std::string trouble = this->Output ? this->Output->TakeTrouble() : std::string();
+  if (!trouble.empty())
+  {
+    this->HasFailed = true;
+    this->Stream.SetMuted(true);
+    std::cerr << "--sound: there is no sound (" << trouble
+              << "). Cure: start PulseAudio or PipeWire, then press o in the window." << std::endl;
+  }
+}
+
+void WindowSound::PressKey()
+{
+  if (this->HasFailed)
+  {
+    this->Output.reset();
+    this->Output = SoundOutput::Open(this->Stream);
+    this->HasFailed = false;
+  }
+  this->Stream.SetMuted(!this->Stream.IsMuted());
+  std::cout << (this->Stream.IsMuted() ? "Sound off" : "Sound on") << std::endl;
+}
+} // namespace
+} // namespace Explore
 
 namespace
 {
@@ -174,8 +302,8 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
     frames->Update();
     filter->SetDisplacementArrayName(exploration.Input.Displacements.c_str());
     filter->SetInputConnection(0, frames->GetOutputPort());
-    touch.Device->SetPlaybackToLoop();
-    touch.Device->Play();
+    touch.Device->GetPlayback()->SetModeToLoop();
+    touch.Device->GetPlayback()->Play();
   }
 }
 
@@ -279,4 +407,5 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   }
   return choice;
 }
+
 } // namespace Explore

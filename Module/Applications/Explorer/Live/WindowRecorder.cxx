@@ -190,7 +190,8 @@ void WindowRecorder::BeginOrEndTouch()
   {
     const MessageCapture capture;
     vtkHapticDevice* const device = this->Touch.Device;
-    const bool isDone = begins ? device->StartRecording(file.c_str()) : device->StopRecording();
+    const bool isDone =
+      begins ? device->GetRecorder()->Start(file.c_str()) : device->GetRecorder()->Stop();
     told = isDone ? "" : capture.FirstError();
     this->TouchName = begins && isDone ? file : "";
   }

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Scene/VolumeCut.h"
 
-#include "Applications/Explorer/Scene/PlaneHandles.h"
-
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkBoxRepresentation.h"
 #include "vtkCamera.h"
+#include "vtkCellPicker.h"
 #include "vtkImageData.h"
+#include "vtkImplicitPlaneRepresentation.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
 #include "vtkVolumeMapper.h"
@@ -21,6 +24,68 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace Explore
+{
+/// A plane on which only the handles use the mouse: the ball pushes it along its normal, the arrow
+/// turns it. Elsewhere the mouse belongs to the scene.
+class PlaneHandles : public vtkImplicitPlaneRepresentation
+{
+public:
+  static PlaneHandles* New();
+  vtkTypeMacro(PlaneHandles, vtkImplicitPlaneRepresentation);
+
+  int ComputeInteractionState(int x, int y, int modify = 0) override;
+
+protected:
+  PlaneHandles();
+  ~PlaneHandles() override = default;
+
+private:
+  PlaneHandles(const PlaneHandles&) = delete;
+  void operator=(const PlaneHandles&) = delete;
+};
+
+vtkStandardNewMacro(PlaneHandles);
+
+PlaneHandles::PlaneHandles()
+{
+  constexpr double pixels = 9.0;
+  constexpr double line = 0.85; // the brightness of handles that are not held
+  this->SetPlaceFactor(1.0);
+  this->SetHandleSize(pixels);
+  this->SetDrawPlane(0);
+  this->SetDrawOutline(0);
+  this->SetTubing(0);
+  this->OutlineTranslationOff();
+  this->ScaleEnabledOff();
+  this->SetEdgeColor(line, line, line);
+  this->GetEdgesProperty()->SetLineWidth(1.5f);
+  this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
+  this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
+  this->Picker->DeletePickList(this->CutActor);
+  // The outline, which has no name common to all versions of VTK.
+  vtkPropCollection* const picked = this->Picker->GetPickList();
+  for (int i = picked->GetNumberOfItems(); i-- > 0;)
+  {
+    auto* const actor = vtkActor::SafeDownCast(picked->GetItemAsObject(i));
+    if (actor && actor->GetProperty() == this->GetOutlineProperty())
+    {
+      this->Picker->DeletePickList(actor);
+    }
+  }
+}
+
+int PlaneHandles::ComputeInteractionState(int x, int y, int modify)
+{
+  if (this->Superclass::ComputeInteractionState(x, y, modify) == MovingOrigin)
+  {
+    this->InteractionState = Pushing;
+    this->SetRepresentationState(Pushing);
+  }
+  return this->InteractionState;
+}
+} // namespace Explore
 
 namespace
 {
@@ -315,4 +380,5 @@ void VolumeCut::ApplyBox()
     this->Filter->CroppingOn();
   }
 }
+
 } // namespace Explore

@@ -4,30 +4,88 @@
 
 #include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/GridOutline.h"
 #include "Applications/Explorer/Volume/WholeFile.h"
 #include "VTK/Regions/DataSetParts.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkFeatureEdges.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkOpenFOAMReader.h"
+#include "vtkOutlineSource.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkResampleToImage.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLGenericDataObjectReader.h"
-
-#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
+#include <vtksys/SystemTools.hxx>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> FindEdges(vtkDataSet* part)
+{
+  constexpr double sharp = 30.0; // degrees
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(part);
+  // The faces of a structured grid do not share points.
+  vtkNew<vtkCleanPolyData> join;
+  join->SetInputConnection(surface->GetOutputPort());
+  join->ToleranceIsAbsoluteOn();
+  join->SetAbsoluteTolerance(0.0);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(join->GetOutputPort());
+  edges->SetFeatureAngle(sharp);
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+} // namespace
+
+namespace Explore
+{
+namespace
+{
+/// Lines that show where the cells of a grid are: the sharp edges and the open ends of the surfaces
+/// of its parts or, if there are no such lines, the box around all parts.
+
+vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts)
+{
+  vtkNew<vtkAppendPolyData> all;
+  vtkBoundingBox box;
+  vtkIdType lines = 0;
+  for (vtkDataSet* const part : parts)
+  {
+    const vtkSmartPointer<vtkPolyData> edges = FindEdges(part);
+    lines += edges->GetNumberOfLines();
+    all->AddInputData(edges);
+    box.AddBounds(part->GetBounds());
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  vtkNew<vtkOutlineSource> corners;
+  corners->SetBounds(bounds);
+  vtkAlgorithm* const source = lines > 0 ? static_cast<vtkAlgorithm*>(all) : corners;
+  source->Update();
+  return vtkPolyData::SafeDownCast(source->GetOutputDataObject(0));
+}
+} // namespace
+} // namespace Explore
 
 namespace
 {
@@ -254,4 +312,5 @@ Volume ReadGrid(const std::string& path)
   volume.IsField = true;
   return volume;
 }
+
 } // namespace Explore

@@ -85,7 +85,7 @@ std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHa
   this->Region = *std::exchange(this->Ordered, std::nullopt);
   this->Planner->AddLatency(ServoClock::SecondsSince(this->OrderTime));
   const int component = filter->GetProperty()->GetComponent();
-  const TouchedArray scalars = HapticBaker(filter).GetFilled();
+  const TouchedArray scalars = filter->GetBaker().GetFilled();
   HapticVolume volume;
   std::string error;
   if (!scalars.Array ||
@@ -126,7 +126,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   {
     fromFirst[a] = region[a] - whole[a - a % 2];
   }
-  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetFilled().Array;
+  const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetFilled().Array;
   if (!scalars)
   {
     return; // meshing the whole reports the error
@@ -150,7 +150,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
 std::optional<SurfaceRegion> RegionMesher::Follow(
   vtkVolumeHapticsFilter* filter, const double tip[3])
 {
-  const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
+  const TouchedArray scalars = filter->GetBaker().GetTouched()[0];
   vtkImageData* const image = filter->GetTouchedImage();
   WholeFacts facts;
   std::string error;
@@ -172,7 +172,7 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
   std::optional<SurfaceRegion> made = this->Take(image, filter);
   Extent wanted;
   this->Planner->SetWhole(image);
-  this->Planner->UseSettingsOf(filter);
+  filter->ConfigurePlanner(this->Planner);
   const double atRest[3] = { 0.0, 0.0, 0.0 };
   if (!this->Meshing.IsUnderWay() &&
     this->Planner->Plan(tip, atRest, this->Region.data(), wanted.data()))

@@ -7,7 +7,7 @@
 #ifndef RegionMesher_h
 #define RegionMesher_h
 
-#include "VTK/Baking/SurfaceRegion.h"
+#include "VTK/Baking/HapticSurface.h"
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/TouchedArray.h"
 

@@ -153,7 +153,7 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, const Ba
   const double time = place.Time.value_or(steps.front());
   read.First = isWhole ? 0 : read.Steps.FindNeed(time, place.IsBackward, place.Mode).First;
   read.Frames.resize(isWhole ? count + 1 : 2);
-  const FrameReading reading = HapticBaker(filter).GetReading();
+  const FrameReading reading = filter->GetBaker().GetReading();
   for (std::size_t i = 0; i < read.Frames.size(); ++i)
   {
     const std::size_t step = (read.First + i) % count;
@@ -278,7 +278,7 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
 {
   const std::vector<HapticFrame>& frames = this->Window->Frames;
   vtkImageData* const image = filter->GetTouchedImage();
-  const HapticBaker baker(filter);
+  HapticBaker& baker = filter->GetBaker();
   HapticVolume volume;
   std::string error;
   try

@@ -86,9 +86,8 @@ bool WriteRecording(JournalReader& reader, const std::string& journal, const std
   else
   {
     error += reader.IsAt(journal)
-      ? " What was recorded is kept in " + name +
-        ": write it with vtkHapticDevice::RecoverRecording(\"" + name +
-        "\", FILE) to a file of your choice."
+      ? " What was recorded is kept in " + name + ": write it with vtkHapticRecorder::Recover(\"" +
+        name + "\", FILE) to a file of your choice."
       : " Another program removed or replaced " + name + ", in which it was kept.";
   }
   return error.empty();

@@ -47,7 +47,7 @@ struct StateRow
   bool HasOrientation;
 };
 
-/** A table of states, with the columns that vtkHapticDevice::DrainStates documents. */
+/** A table of states, with the columns that vtkHapticState::Drain documents. */
 class StateTable
 {
 public:

@@ -53,8 +53,7 @@ bool Rename(int descriptor, const std::string& journal, std::string& error, std:
       return false;
     }
     warning = "An earlier recording of that name was not finished. Its ticks are now in " +
-      Printable(free) +
-      ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
+      Printable(free) + ": make a recording of it with vtkHapticRecorder::Recover, or remove it.";
     return true;
   }
   error = TooManyNames;

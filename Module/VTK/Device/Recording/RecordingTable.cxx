@@ -11,7 +11,7 @@
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceRow.h"
-#include "VTK/Trace/TraceTable.h"
+#include "VTK/Trace/TraceWriter.h"
 
 #include "vtk_jsoncpp.h"
 

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The frequency of a volume's values, for the background of an editor.
+ * Counts the values of a volume and finds the labels in it, for an editor.
  *
- * All values of a large volume take seconds to count: a worker counts them in the background, while
- * a count of spread samples is shown.
+ * All values of a large volume take seconds: a worker visits them in the background, while the
+ * result of spread samples is shown.
  */
 #ifndef HapticHistogram_h
 #define HapticHistogram_h
 
-#include "VTK/Scene/Base/ArraySweep.h"
+#include "vtkDataArray.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +22,83 @@ class vtkTable;
 
 namespace VolumeHaptics
 {
+
+/** Called between pieces of some milliseconds with the finished fraction; false ends the work. */
+using SweepProgress = std::function<bool(double)>;
+
+/** Whether all tuples are visited within 25 ms, on a desktop computer of 2023. */
+inline bool IsQuicklySwept(vtkDataArray* array)
+{
+  constexpr vtkIdType most = 1 << 22;
+  return array->GetNumberOfTuples() <= most;
+}
+
+/**
+ * Visits the values of 2048 tuples at most, in 128 pages of memory. In a file that is mapped into
+ * memory, reading the pages takes most of the time, and more so in larger files.
+ */
+template <typename Function>
+void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
+{
+  constexpr vtkIdType pages = 1 << 7;
+  constexpr vtkIdType looksInPage = 1 << 4;
+  constexpr vtkIdType pageSize = 4096; // bytes
+  const vtkIdType all = array->GetNumberOfTuples();
+  if (all <= pages * looksInPage)
+  {
+    for (vtkIdType tuple = 0; tuple < all; ++tuple)
+    {
+      visit(array->GetComponent(tuple, component));
+    }
+    return;
+  }
+  const vtkIdType size =
+    std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
+  const vtkIdType step =
+    std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
+  // Visit one page in each stretch, and in the page one tuple in each part, at positions that move
+  // by the golden section: even steps could fall into the same column of every row.
+  double place = 0.0;
+  const auto next = [&place](double stretch)
+  {
+    constexpr double section = 0.6180339887498949;
+    place += section;
+    place -= std::floor(place);
+    return stretch + place;
+  };
+  for (vtkIdType page = 0; page < pages; ++page)
+  {
+    const double at = next(static_cast<double>(page)) / static_cast<double>(pages);
+    const auto tuple = static_cast<vtkIdType>(at * static_cast<double>(all));
+    const vtkIdType first =
+      std::min(tuple - tuple % (looksInPage * step), all - looksInPage * step);
+    for (vtkIdType look = 0; look < looksInPage; ++look)
+    {
+      const double within = next(static_cast<double>(look)) * static_cast<double>(step);
+      visit(array->GetComponent(first + static_cast<vtkIdType>(within), component));
+    }
+  }
+}
+
+/**
+ * Visits all tuples from the first number up to, but without, the second, in pieces. The reported
+ * fraction begins at `from` and grows by a half. False if the work was ended.
+ */
+template <typename Function>
+bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)
+{
+  constexpr vtkIdType piece = 1 << 20; // tuples: 6 ms
+  const vtkIdType all = array->GetNumberOfTuples();
+  for (vtkIdType begin = 0; begin < all; begin += piece)
+  {
+    if (!progress(from + 0.5 * static_cast<double>(begin) / static_cast<double>(all)))
+    {
+      return false;
+    }
+    visit(begin, std::min(begin + piece, all));
+  }
+  return true;
+}
 
 /** Charts are drawn in single precision: numbers beyond it are not shown. */
 constexpr double FarthestShown = 1e30;
@@ -46,6 +126,16 @@ std::optional<ValueCounts> CountAllValues(
  * largest.
  */
 void FillHistogram(const ValueCounts& counts, vtkTable* table);
+
+/** The labels of some thousand values, spread over the array, in ascending order. */
+std::vector<int> FindSpreadLabels(vtkDataArray* labels);
+
+/**
+ * The labels in an array, in ascending order, without those that no vtkHapticLabelTable can have:
+ * numbers beyond int, or not whole. Empty if the search was ended. Another thread than the array
+ * owner's may call it.
+ */
+std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 
 } // namespace VolumeHaptics
 

@@ -46,7 +46,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 {
   // The device's placement does not matter here, so the filter's own scale is enough.
   std::shared_ptr<const HapticModel> model =
-    HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
+    filter->GetBaker().Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   if (!model)
   {
     return nullptr;
@@ -69,7 +69,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 /** Detects where the nearest sample passes the value of the isosurface. */
 Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
-  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
+  const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetTouched()[0].Array;
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
   return [=, isFirst = true, wasInside = false](const Vector3& tip, Felt&) mutable
@@ -124,7 +124,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
 /** The probe for this filter; null if nothing can be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
-  const char* const awaited = HapticBaker(filter).Prepare();
+  const char* const awaited = filter->GetBaker().Prepare();
   vtkImageData* const image = filter->GetTouchedImage();
   const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
   if (isIsoSurface)

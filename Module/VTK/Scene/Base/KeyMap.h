@@ -7,6 +7,9 @@
 #ifndef KeyMap_h
 #define KeyMap_h
 
+#include "Core/Realtime/ServoClock.h"
+
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,6 +55,64 @@ public:
 private:
   std::map<std::string, std::string> Changed; ///< action -> keys
 };
+
+/**
+ * Distinguishes presses that a window system repeats for a held key from presses of a hand.
+ *
+ * An X server sends the release and the next press of a held key at the same time, and VTK passes
+ * both. No hand presses a key again so soon.
+ */
+class KeyRepeat
+{
+public:
+  void NoteRelease(const std::string& key)
+  {
+    this->Released = key;
+    this->ReleaseTime = ServoClock::Now();
+  }
+  bool IsRepeat(const std::string& key) const
+  {
+    constexpr double soon = 0.015; // s
+    return key == this->Released && ServoClock::SecondsSince(this->ReleaseTime) < soon;
+  }
+  /** Whether an action repeats while its key, by default this one, is held. */
+  static bool MayRepeat(const std::string& key)
+  {
+    for (const char* const step : { "plus", "minus", "comma", "period", "Left", "Right", "k" })
+    {
+      if (key == step)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  std::string Released;
+  std::int64_t ReleaseTime = 0; ///< ServoClock
+};
+
+/** The parts of a scene that have keys of their own. */
+struct KeyedParts
+{
+  bool HasMouse = true;   ///< the mouse leads the tip
+  bool TurnsView = true;  ///< the mouse's right button, in the touch mode
+  bool HasDevice = false; ///< has a real device
+  bool HasTool = false;   ///< has a tool that the mouse can turn
+  bool HasEditor = false;
+  bool HasLabels = false; ///< the editor shows labels
+  bool HasModes = false;
+  bool HasFrames = false;
+  bool HasSlices = false;
+  bool HasMeasurements = false;
+};
+
+/**
+ * The text of vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning.
+ * Leaves out actions without a key.
+ */
+std::string ListKeys(const KeyedParts& parts, const KeyMap& keys);
 
 } // namespace VolumeHaptics
 

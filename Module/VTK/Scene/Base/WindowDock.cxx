@@ -2,10 +2,230 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Base/WindowDock.h"
 
-#include "VTK/Scene/Base/DockLayout.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Largest fraction of the remaining window; the scene stays visible. */
+constexpr double MostOfRest = 0.9;
+
+} // namespace
+
+/** The viewports of a window with docks. */
+class DockLayout
+{
+public:
+  /** The layout of a window, which all of its docks share. */
+  static std::shared_ptr<DockLayout> Of(vtkRenderWindow* window);
+
+  explicit DockLayout(vtkRenderWindow* window)
+    : Window(window)
+  {
+  }
+
+  vtkRenderWindow* GetWindow() const { return this->Window; }
+  /** Docks are told apart by their addresses. */
+  void Place(
+    const WindowDock* dock, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
+  void Remove(const WindowDock* dock);
+
+private:
+  using Viewport = std::array<double, 4>; ///< left, bottom, right, top
+
+  struct Strip
+  {
+    const WindowDock* Dock;
+    DockEdge Edge;
+    double Share;
+    std::vector<vtkWeakPointer<vtkRenderer>> Renderers;
+  };
+  struct Narrowed
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    Viewport Before;
+    Viewport Now;
+  };
+
+  static Viewport ViewportOf(vtkRenderer* renderer);
+  /** Takes a strip away from the remaining part of the window. */
+  static Viewport Take(const Strip& strip, Viewport& left);
+  bool IsInStrip(vtkRenderer* renderer) const;
+  void Arrange();
+  void Narrow(vtkRenderer* renderer, const Viewport& left);
+
+  vtkWeakPointer<vtkRenderWindow> Window;
+  std::vector<Strip> Strips; ///< in order of placement
+  std::vector<Narrowed> Others;
+};
+
+//------------------------------------------------------------------------------
+std::shared_ptr<DockLayout> DockLayout::Of(vtkRenderWindow* window)
+{
+  // Windows belong to one thread.
+  static std::vector<std::weak_ptr<DockLayout>> all;
+  std::shared_ptr<DockLayout> found;
+  for (auto it = all.begin(); it != all.end();)
+  {
+    const std::shared_ptr<DockLayout> layout = it->lock();
+    found = layout && layout->GetWindow() == window ? layout : found;
+    it = layout ? it + 1 : all.erase(it);
+  }
+  if (!found)
+  {
+    found = std::make_shared<DockLayout>(window);
+    all.emplace_back(found);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void DockLayout::Place(
+  const WindowDock* dock, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip)
+{
+  const auto known = std::find_if(this->Strips.begin(), this->Strips.end(),
+    [dock](const Strip& one) { return one.Dock == dock; });
+  Strip& placed = known != this->Strips.end() ? *known : this->Strips.emplace_back();
+  placed = { dock, edge, share, { strip.begin(), strip.end() } };
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void DockLayout::Remove(const WindowDock* dock)
+{
+  this->Strips.erase(std::remove_if(this->Strips.begin(), this->Strips.end(),
+                       [dock](const Strip& one) { return one.Dock == dock; }),
+    this->Strips.end());
+  if (!this->Strips.empty())
+  {
+    this->Arrange();
+    return;
+  }
+  for (Narrowed& one : this->Others)
+  {
+    if (one.Renderer && ViewportOf(one.Renderer) == one.Now)
+    {
+      one.Renderer->SetViewport(one.Before.data());
+    }
+  }
+  this->Others.clear();
+}
+
+//------------------------------------------------------------------------------
+DockLayout::Viewport DockLayout::ViewportOf(vtkRenderer* renderer)
+{
+  Viewport viewport;
+  renderer->GetViewport(viewport.data());
+  return viewport;
+}
+
+//------------------------------------------------------------------------------
+DockLayout::Viewport DockLayout::Take(const Strip& strip, Viewport& left)
+{
+  const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is 2 entries later
+  const int high = low + 2;
+  const double size = std::min(strip.Share, MostOfRest * (left[high] - left[low]));
+  Viewport taken = left;
+  if (IsLow(strip.Edge))
+  {
+    taken[high] = left[low] + size;
+    left[low] = taken[high];
+  }
+  else
+  {
+    taken[low] = left[high] - size;
+    left[high] = taken[low];
+  }
+  return taken;
+}
+
+//------------------------------------------------------------------------------
+bool DockLayout::IsInStrip(vtkRenderer* renderer) const
+{
+  return std::any_of(this->Strips.begin(), this->Strips.end(),
+    [renderer](const Strip& strip)
+    {
+      return std::find(strip.Renderers.begin(), strip.Renderers.end(), renderer) !=
+        strip.Renderers.end();
+    });
+}
+
+//------------------------------------------------------------------------------
+void DockLayout::Arrange()
+{
+  if (!this->Window)
+  {
+    return;
+  }
+  Viewport left{ { 0.0, 0.0, 1.0, 1.0 } };
+  for (const Strip& strip : this->Strips)
+  {
+    const Viewport taken = Take(strip, left);
+    const auto parts = static_cast<double>(strip.Renderers.size());
+    for (std::size_t i = 0; i < strip.Renderers.size(); ++i)
+    {
+      const auto at = static_cast<double>(i);
+      Viewport wanted = taken;
+      if (IsColumn(strip.Edge))
+      {
+        wanted[1] = taken[1] + (parts - 1.0 - at) / parts * (taken[3] - taken[1]);
+        wanted[3] = taken[1] + (parts - at) / parts * (taken[3] - taken[1]);
+      }
+      else
+      {
+        wanted[0] = taken[0] + at / parts * (taken[2] - taken[0]);
+        wanted[2] = taken[0] + (at + 1.0) / parts * (taken[2] - taken[0]);
+      }
+      if (strip.Renderers[i] && ViewportOf(strip.Renderers[i]) != wanted)
+      {
+        strip.Renderers[i]->SetViewport(wanted.data());
+      }
+    }
+  }
+  vtkRendererCollection* const renderers = this->Window->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* const renderer = renderers->GetNextRenderer(at))
+  {
+    if (!this->IsInStrip(renderer))
+    {
+      this->Narrow(renderer, left);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void DockLayout::Narrow(vtkRenderer* renderer, const Viewport& left)
+{
+  const auto known = std::find_if(this->Others.begin(), this->Others.end(),
+    [renderer](const Narrowed& one) { return one.Renderer == renderer; });
+  const bool isKnown = known != this->Others.end();
+  Narrowed& one = isKnown ? *known : this->Others.emplace_back();
+  const Viewport viewport = ViewportOf(renderer);
+  if (!isKnown || viewport != one.Now)
+  {
+    one.Renderer = renderer;
+    one.Before = viewport;
+  }
+  const double width = left[2] - left[0];
+  const double height = left[3] - left[1];
+  one.Now = { left[0] + width * one.Before[0], left[1] + height * one.Before[1],
+    left[0] + width * one.Before[2], left[1] + height * one.Before[3] };
+  if (viewport != one.Now)
+  {
+    renderer->SetViewport(one.Now.data());
+  }
+}
 
 void WindowDock::Place(
   vtkRenderWindow* window, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip)

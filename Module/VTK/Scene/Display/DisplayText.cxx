@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticMeasurements.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -54,7 +56,7 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
 std::string DescribeNeedle(vtkHapticDevice* device)
 {
   vtkNew<vtkPolyData> track;
-  device->GetNeedleTrack(track);
+  device->GetState()->GetNeedleTrack(track);
   const auto number = [&track](const char* name)
   {
     vtkDataArray* const array = track->GetFieldData()->GetArray(name);
@@ -84,7 +86,7 @@ std::string DescribeNeedle(vtkHapticDevice* device)
 std::string DescribeTorque(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
-  const double torque = 1e3 * vtkMath::Norm(device->GetComputedTorque());
+  const double torque = 1e3 * vtkMath::Norm(device->GetState()->GetComputedTorque());
   const ToolKind* const kind = FindToolKind(filter ? filter->GetTool() : nullptr);
   if (!kind || !kind->IsTurnable() || kind->TurnsWithStylus() || !(torque >= 0.05))
   {
@@ -130,17 +132,17 @@ std::string DescribeStatus(vtkHapticDevice* device)
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid)
 {
   static const char* const contacts[] = { "", "Resting on ", "Sliding over ", "Pushed through " };
-  const int now = device->GetContact() & 3;
+  const int now = device->GetState()->GetContact() & 3;
   const int contact = now == 1 && slid ? 2 : now;
-  const double force = vtkMath::Norm(device->GetForce());
+  const double force = vtkMath::Norm(device->GetState()->GetForce());
   if (force < LeastForce && (contact == 0 || device->GetStatus() != vtkHapticDevice::ACTIVE))
   {
     return {};
   }
   std::ostringstream text;
-  const double depth = device->GetNeedleDepth();
+  const double depth = device->GetState()->GetNeedleDepth();
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
-  if (filter && device->IsSpinning())
+  if (filter && device->GetState()->IsSpinning())
   {
     vtkHapticRemoval* const removal = filter->GetRemoval();
     text << "Drills, " << std::fixed << std::setprecision(1) << removal->GetRemovedVolume()
@@ -186,7 +188,7 @@ std::string DescribeCut(vtkHapticDevice* device)
 double FindFeltValue(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
-  const double scalar = device->GetSurfaceValue();
+  const double scalar = device->GetState()->GetSurfaceValue();
   return filter ? filter->GetProperty()->ScalarToValue(scalar) : scalar;
 }
 
@@ -199,6 +201,91 @@ std::string DescribeDetails(vtkHapticDevice* device)
     text << "Value " << FindFeltValue(device) << DescribeShift(device) << ", ";
   }
   text << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
+  return text.str();
+}
+
+vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
+  return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES ? filter : nullptr;
+}
+
+std::vector<std::string> NameModes(vtkHapticDevice* device)
+{
+  std::vector<std::string> names;
+  vtkVolumeHapticsFilter* const filter = FindModes(device);
+  for (int i = 0; filter && i < filter->GetNumberOfModes(); ++i)
+  {
+    names.push_back(std::to_string(i + 1) + " " + filter->GetMode(i)->GetText());
+  }
+  return names;
+}
+
+std::vector<std::string> NameActiveModes(vtkHapticDevice* device)
+{
+  std::vector<std::string> names = NameModes(device);
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const bool isActive = FindModes(device)->GetMode(static_cast<int>(i))->GetActive();
+    names[i] = isActive ? names[i] : std::string();
+  }
+  return names;
+}
+
+std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
+{
+  std::vector<ModeLine> lines;
+  for (const std::string& name : NameModes(device))
+  {
+    const auto mode = static_cast<int>(lines.size());
+    const bool isActive = FindModes(device)->GetMode(mode)->GetActive();
+    std::ostringstream text;
+    text << name << ": " << std::fixed << std::setprecision(2);
+    isActive ? text << vtkMath::Norm(device->GetState()->GetModeForce(mode)) << " N"
+             : text << "off";
+    lines.push_back({ text.str(), isActive });
+  }
+  return lines;
+}
+
+std::string ListMeasurements(vtkHapticMeasurements* measurements)
+{
+  constexpr vtkIdType most = 8;
+  const vtkIdType count = measurements->GetNumberOfMeasurements();
+  const vtkIdType first = std::max<vtkIdType>(count - most, 0);
+  std::string text = first > 0 ? "... " + std::to_string(first) + " more\n" : std::string();
+  for (vtkIdType i = first; i < count; ++i)
+  {
+    text += measurements->GetText(i) + "\n";
+  }
+  text += measurements->GetUnfinishedText();
+  return !text.empty() && text.back() == '\n' ? text.substr(0, text.size() - 1) : text;
+}
+
+std::string DescribeTime(vtkHapticDevice* device)
+{
+  if (!device->GetPlayback()->HasFrames())
+  {
+    return {};
+  }
+  static const char* const ends[] = { "once", "in a loop", "to and fro" };
+  std::ostringstream text;
+  text << "Time " << std::setprecision(4) << device->GetPlayback()->GetDataTime() << ", shown "
+       << device->GetPlayback()->GetFrameTime() << ", ";
+  if (device->GetPlayback()->IsPlaying())
+  {
+    text << "played " << ends[device->GetPlayback()->GetMode()];
+    if (device->GetPlayback()->GetSpeed() != 1.0)
+    {
+      text << ", speed " << device->GetPlayback()->GetSpeed();
+    }
+  }
+  else
+  {
+    text << "held";
+  }
+  // A picture that takes long delays the frames.
+  text << (device->GetPlayback()->IsWaitingForData() ? ", waiting for data" : "");
   return text.str();
 }
 

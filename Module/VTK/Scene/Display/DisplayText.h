@@ -7,9 +7,14 @@
 #ifndef DisplayText_h
 #define DisplayText_h
 
+#include "VTK/Scene/Display/HapticModeList.h"
+
 #include <string>
+#include <vector>
 
 class vtkHapticDevice;
+class vtkHapticMeasurements;
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
@@ -27,7 +32,7 @@ std::string DescribeStatus(vtkHapticDevice* device);
 class LateSlide
 {
 public:
-  /** Records a tick at a time (s) with a contact as in vtkHapticDevice::GetContact(). */
+  /** Records a tick at a time (s) with a contact as in vtkHapticState::GetContact(). */
   void Add(double time, int contact)
   {
     this->Last = time < this->Now ? -1.0e300 : this->Last; // another session
@@ -60,6 +65,19 @@ double FindFeltValue(vtkHapticDevice* device);
 
 /** The value in the surface, if there is one, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
+
+/** The filter whose modes are felt; null for other methods. */
+vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device);
+/** The names of all modes, each one unique. */
+std::vector<std::string> NameModes(vtkHapticDevice* device);
+/** The names of active modes; the names of inactive modes are empty. */
+std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
+/** A line for each mode, with its force. */
+std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);
+/** The names and values of measurements, one a line, and what is being measured. */
+std::string ListMeasurements(vtkHapticMeasurements* measurements);
+/** A line on the time of a moving volume; empty for other volumes. */
+std::string DescribeTime(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics
 

@@ -10,25 +10,135 @@
 #include "vtkBrush.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
+#include "vtkContext2D.h"
 #include "vtkContextActor.h"
+#include "vtkContextItem.h"
 #include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
+#include "vtkStdString.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <tuple>
+#include <vector>
+
+namespace
+{
+/** Lengths relative to the size of letters. */
+constexpr float NameLineHeight = 1.5f;
+constexpr float NameGap = 0.9f;
+constexpr double TitleInk[3] = { 0.90, 0.92, 0.95 };
+} // namespace
+
+/**
+ * Draws a title, and below it the names of curves in their colours.
+ *
+ * Above a small chart, where a legend would cover the curves.
+ */
+class HapticCurveNames : public vtkContextItem
+{
+public:
+  static HapticCurveNames* New();
+  vtkTypeMacro(HapticCurveNames, vtkContextItem);
+
+  struct Name
+  {
+    std::string Text;
+    std::array<unsigned char, 3> Color;
+  };
+  void SetTitle(const std::string& title) { this->Title = title; }
+  void SetNames(const std::vector<Name>& names) { this->Names = names; }
+  /**
+   * The left end of the first letter, and the upper edge (pixels); the size of letters (points).
+   */
+  void Place(float left, float top, int letters, float scale = 1.0f);
+  /** The height of both lines (pixels). */
+  static float GetHeight(int letters);
+
+  bool Paint(vtkContext2D* painter) override;
+
+protected:
+  HapticCurveNames();
+  ~HapticCurveNames() override;
+
+private:
+  HapticCurveNames(const HapticCurveNames&) = delete;
+  void operator=(const HapticCurveNames&) = delete;
+
+  std::string Title;
+  std::vector<Name> Names;
+  float Left = 0.0f;
+  float Top = 0.0f;
+  int Letters = 10;
+  float Scale = 1.0f; ///< pixels for each point
+};
+
+vtkStandardNewMacro(HapticCurveNames);
+
+//------------------------------------------------------------------------------
+HapticCurveNames::HapticCurveNames() = default;
+
+//------------------------------------------------------------------------------
+HapticCurveNames::~HapticCurveNames() = default;
+
+//------------------------------------------------------------------------------
+void HapticCurveNames::Place(float left, float top, int letters, float scale)
+{
+  this->Left = left;
+  this->Top = top;
+  this->Letters = letters;
+  this->Scale = scale;
+}
+
+//------------------------------------------------------------------------------
+float HapticCurveNames::GetHeight(int letters)
+{
+  return 2.0f * NameLineHeight * static_cast<float>(letters);
+}
+
+//------------------------------------------------------------------------------
+bool HapticCurveNames::Paint(vtkContext2D* painter)
+{
+  vtkTextProperty* const look = painter->GetTextProp();
+  look->SetFontSize(this->Letters);
+  look->BoldOff();
+  look->ItalicOff();
+  look->SetOrientation(0.0);
+  look->SetJustificationToLeft();
+  look->SetVerticalJustificationToTop();
+  if (!this->Title.empty())
+  {
+    look->SetColor(TitleInk[0], TitleInk[1], TitleInk[2]);
+    painter->DrawString(this->Left, this->Top, this->Title);
+  }
+  const float size = this->Scale * static_cast<float>(this->Letters);
+  float x = this->Left;
+  for (const Name& name : this->Names)
+  {
+    look->SetColor(name.Color[0] / 255.0, name.Color[1] / 255.0, name.Color[2] / 255.0);
+    painter->DrawString(x, this->Top - NameLineHeight * size, name.Text);
+    float bounds[4]; // lower left corner, width and height
+    painter->ComputeStringBounds(name.Text, bounds);
+    x += bounds[2] + NameGap * size;
+  }
+  return true;
+}
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-constexpr int Margin = 10;        // pixels around a panel
+constexpr int ChartMargin = 10;   // pixels around a panel
 constexpr int PanelOpacity = 150; // of 255
 constexpr int PanelOpacityOnLight = 240;
 constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
@@ -271,8 +381,8 @@ std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double sca
   // Place it beside the middle of the viewport, not over what is there.
   const auto fit = [scale](int pixels, int least, int most)
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
-  return { Margin + std::min(width - 2 * Margin, fit(width * 3 / 10, 210, 330)),
-    Margin + fit(height * 22 / 100, 120, 180) };
+  return { ChartMargin + std::min(width - 2 * ChartMargin, fit(width * 3 / 10, 210, 330)),
+    ChartMargin + fit(height * 22 / 100, 120, 180) };
 }
 
 bool HapticForceChart::SetOnLight(bool isOnLight)
@@ -309,10 +419,10 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
     return true;
   }
   const std::array<int, 2> size = HapticForceChart::PanelSize(width, height, scale);
-  const auto across = static_cast<float>(size[0] - Margin);
-  const auto up = static_cast<float>(size[1] - Margin);
-  const auto left = static_cast<float>(from[0] + Margin);
-  const auto bottom = static_cast<float>(from[1] + Margin);
+  const auto across = static_cast<float>(size[0] - ChartMargin);
+  const auto up = static_cast<float>(size[1] - ChartMargin);
+  const auto left = static_cast<float>(from[0] + ChartMargin);
+  const auto bottom = static_cast<float>(from[1] + ChartMargin);
   constexpr int letters = 10;
   const auto pixels = static_cast<float>(scale);
   const float gap = 6.0f * pixels;

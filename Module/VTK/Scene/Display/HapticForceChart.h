@@ -7,7 +7,6 @@
 #ifndef HapticForceChart_h
 #define HapticForceChart_h
 
-#include "VTK/Scene/Display/HapticCurveNames.h"
 #include "VTK/Scene/Display/HapticForceTable.h"
 
 #include "vtkNew.h"
@@ -17,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class HapticCurveNames;
 class vtkBlockItem;
 class vtkChartXY;
 class vtkContextActor;

@@ -12,6 +12,8 @@
 
 #include "vtkNew.h"
 
+#include <array>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,45 @@ private:
   vtkNew<vtkTable> Table;
   vtkNew<vtkFloatArray> Columns[1 + MostCurves];
   int Count = Curves;
+};
+
+/** The forces of the last seconds, reduced to few points for a plot. */
+class HapticForceHistory
+{
+public:
+  static constexpr int Curves = HapticForceTable::MostCurves;
+  /** Number of intervals in the time span; each gives two points a curve. */
+  static constexpr int Intervals = 240;
+
+  struct State
+  {
+    double Time;                       ///< s
+    std::array<double, Curves> Forces; ///< N; 0 for modes without a name
+  };
+
+  HapticForceHistory();
+  ~HapticForceHistory();
+
+  /**
+   * Adds a state. If it is not later than the last one, the history starts again. Forgets states
+   * that are older than the span (s). The time has to be finite. Forces that are not finite count
+   * as 0; finite forces are limited to the largest one that a chart can show.
+   */
+  void Add(const State& state, double span);
+  void Clear();
+  /** See HapticForceTable. */
+  void SetModes(const std::vector<std::string>& names);
+  std::size_t GetSize() const { return this->States.size(); }
+
+  /** Updates the table: time relative to the last state, then the curves. */
+  vtkTable* Plot(double span);
+  /** The upper end of an axis for all forces in the span (N). */
+  double GetRange() const;
+
+private:
+  std::deque<State> States;
+  HapticForceTable Table;
+  bool IsPlotted = false;
 };
 
 } // namespace VolumeHaptics

@@ -21,7 +21,7 @@ constexpr int SmallestLetters = 6;
 constexpr double TextColour[3] = { 0.90, 0.92, 0.95 };
 constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;
-constexpr float Margin = 10.0f; // pixels, around the panel
+constexpr float KeySheetMargin = 10.0f; // pixels, around the panel
 
 /** Lengths relative to the size of letters. */
 constexpr float LineHeight = 1.55f;
@@ -151,7 +151,7 @@ bool HapticKeySheet::Fit(vtkContext2D* painter)
         width += column.Width + ColumnGap * size;
         height = std::max(height, column.Height);
       }
-      const float around = 2.0f * (Margin + Padding * size);
+      const float around = 2.0f * (KeySheetMargin + Padding * size);
       if (width + around <= static_cast<float>(this->Viewport[0]) &&
         height + around <= static_cast<float>(this->Viewport[1]))
       {

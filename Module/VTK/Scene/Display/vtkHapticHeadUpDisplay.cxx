@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHeadUpDisplay.h"
 
+#include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Scene/Base/HapticDrawing.h"
 #include "VTK/Scene/Base/HapticOverlays.h"
 #include "VTK/Scene/Base/HapticPixels.h"
 #include "VTK/Scene/Base/HapticTextLook.h"
 #include "VTK/Scene/Base/TouchedLabel.h"
 #include "VTK/Scene/Display/DisplayText.h"
-#include "VTK/Scene/Display/HapticDisplayLines.h"
 #include "VTK/Scene/Display/HapticDisplaySettings.h"
 #include "VTK/Scene/Display/HapticForceChart.h"
-#include "VTK/Scene/Display/HapticForceHistory.h"
+#include "VTK/Scene/Display/HapticForceTable.h"
 #include "VTK/Scene/Display/HapticKeySheet.h"
 #include "VTK/Scene/Display/HapticModeList.h"
-#include "VTK/Scene/Display/HapticOverlayPicture.h"
-#include "VTK/Scene/Display/HapticTextPace.h"
 #include "VTK/Scene/Display/HapticWrappedText.h"
 
 #include "vtkContextActor.h"
@@ -25,19 +23,151 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticMeasurements.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextureObject.h"
 #include "vtkViewport.h"
 #include "vtkVolumeHapticsFilter.h"
+
+#include VOLUME_HAPTICS_OPENGL_HEADER
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <vector>
+
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/**
+ * Draws a prop of the overlay into a texture, and shows the texture in every frame. A chart has
+ * dozens of small pieces; its picture is one.
+ */
+class HapticOverlayPicture
+{
+public:
+  HapticOverlayPicture();
+  ~HapticOverlayPicture();
+
+  /**
+   * Shows the prop. Redraws its picture if it is stale, if the viewport has changed, or if there is
+   * none yet. Shows the lower left corner of the picture, up to an extent (pixels). If the window
+   * does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result of
+   * vtkProp::RenderOverlay.
+   */
+  int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkNew<vtkOpenGLFramebufferObject> Target;
+  vtkNew<vtkTextureObject> Picture;
+  vtkWindow* Window = nullptr; ///< the owner of the resources
+  int Size[2] = { 0, 0 };      ///< pixels
+  int Origin[2] = { 0, 0 };    ///< origin of the viewport, pixels
+};
+
+HapticOverlayPicture::HapticOverlayPicture() = default;
+HapticOverlayPicture::~HapticOverlayPicture() = default;
+
+int HapticOverlayPicture::Render(
+  vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(viewport->GetVTKWindow());
+  if (!window || window->GetTileScale()[0] > 1 || window->GetTileScale()[1] > 1)
+  {
+    return prop->RenderOverlay(viewport);
+  }
+  vtkOpenGLState* const state = window->GetState();
+  int origin[2] = { 0, 0 };
+  int size[2] = { 0, 0 };
+  viewport->GetTiledSizeAndOrigin(size, size + 1, origin, origin + 1);
+  if (size[0] < 1 || size[1] < 1)
+  {
+    return 0;
+  }
+  // Place the viewport in the picture as in the window: charts clip their curves by its place
+  // there.
+  const int width = origin[0] + size[0];
+  const int height = origin[1] + size[1];
+  if (this->Window && this->Window != window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+  }
+  if (width != this->Size[0] || height != this->Size[1])
+  {
+    this->ReleaseGraphicsResources(window);
+    this->Picture->SetContext(window);
+    this->Picture->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR);
+    this->Target->SetContext(window);
+    this->Window = window;
+    this->Size[0] = width;
+    this->Size[1] = height;
+    isStale = true;
+  }
+  if (origin[0] != this->Origin[0] || origin[1] != this->Origin[1])
+  {
+    std::copy(origin, origin + 2, this->Origin);
+    isStale = true;
+  }
+  int drawn = 1;
+  vtkOpenGLState::ScopedglViewport keepViewport(state);
+  vtkOpenGLState::ScopedglScissor keepScissor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate keepBlending(state);
+  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GL_BLEND);
+  if (isStale)
+  {
+    vtkOpenGLState::ScopedglClearColor keepColor(state);
+    vtkOpenGLState::ScopedglColorMask keepMask(state);
+    state->PushFramebufferBindings();
+    this->Target->Bind();
+    this->Target->AddColorAttachment(0, this->Picture);
+    this->Target->ActivateDrawBuffer(0);
+    state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
+    state->vtkglScissor(0, 0, width, height);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    drawn = prop->RenderOverlay(viewport);
+    state->PopFramebufferBindings();
+  }
+  // Drawing over an empty background has already multiplied the colours by their opacity.
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const int end[2] = { origin[0] + std::min(extent[0], size[0]) - 1,
+    origin[1] + std::min(extent[1], size[1]) - 1 };
+  this->Picture->Activate();
+  this->Picture->CopyToFrameBuffer(origin[0], origin[1], end[0], end[1], origin[0], origin[1],
+    end[0], end[1], window->GetSize()[0], window->GetSize()[1], nullptr, nullptr);
+  this->Picture->Deactivate();
+  return drawn;
+}
+
+void HapticOverlayPicture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Target->ReleaseGraphicsResources(window);
+  this->Picture->ReleaseGraphicsResources(window);
+  this->Window = nullptr;
+  this->Size[0] = 0;
+  this->Size[1] = 0;
+}
+
+} // namespace
+} // namespace VolumeHaptics
 
 vtkStandardNewMacro(vtkHapticHeadUpDisplay);
 
@@ -47,10 +177,10 @@ namespace
 {
 constexpr double TextTop = 0.975; ///< top of the text, as a fraction of the viewport
 constexpr double TextLeft = 0.02;
-constexpr int Gap = 8;         ///< pixels below the text
+constexpr int TextGap = 8;     ///< pixels below the text
 constexpr int ChartPause = 25; ///< pause between the chart's pictures, in times of one picture
 
-struct Tissue
+struct TissueRange
 {
   std::string Name;
   double From;
@@ -72,7 +202,7 @@ std::array<int, 2> FindPlotCorner(
     case vtkHapticHeadUpDisplay::LOWER_LEFT_CORNER:
       return { 0, 0 };
     case vtkHapticHeadUpDisplay::LOWER_RIGHT_CORNER:
-      return { viewport->GetSize()[0] - panel[0] - Gap,
+      return { viewport->GetSize()[0] - panel[0] - TextGap,
         ScalePixels(PixelsPerPoint(viewport), scaleHeight) };
     default:
       return FindFreeCorner(viewport, panel[0], panel[1]);
@@ -84,7 +214,7 @@ std::array<int, 2> FindPlotCorner(
 struct vtkHapticHeadUpDisplay::vtkInternals
 {
   vtkSmartPointer<vtkHapticDevice> Device;
-  std::vector<Tissue> Tissues;
+  std::vector<TissueRange> Tissues;
   HapticForceHistory History;
   LateSlide Slide;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
@@ -192,7 +322,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     if (!columns[c] || columns[c]->GetNumberOfComponents() != (c == 4 ? 3 : 1))
     {
       vtkErrorMacro("The states have no column \"" << names[c]
-                                                   << "\" as vtkHapticDevice::DrainStates gives "
+                                                   << "\" as vtkHapticState::Drain gives "
                                                       "it. Pass its table as it is.");
       return;
     }
@@ -208,7 +338,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
       std::any_of(columns, columns + 5, isShort))
     {
       vtkErrorMacro(<< "The table of states lacks a column or a finite Time in row " << i
-                    << ". Pass the table of vtkHapticDevice::DrainStates as it is.");
+                    << ". Pass the table of vtkHapticState::Drain as it is.");
       return;
     }
     double command[3];
@@ -259,7 +389,7 @@ std::string vtkHapticHeadUpDisplay::GetTissueName(double value)
 {
   const auto& all = this->Internals->Tissues;
   const auto found = std::find_if(
-    all.begin(), all.end(), [&](const Tissue& t) { return value >= t.From && value < t.To; });
+    all.begin(), all.end(), [&](const TissueRange& t) { return value >= t.From && value < t.To; });
   return found == all.end() ? std::string() : found->Name;
 }
 
@@ -322,7 +452,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   {
     return device->GetStatusText();
   }
-  const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
+  const std::string label =
+    NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
   // Modes have no surface with a value.
   const bool isByValue = label.empty() && !FindModes(device);
   const std::string tissue = isByValue ? self.GetTissueName(FindFeltValue(device)) : label;
@@ -385,7 +516,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
       HapticForceChart::PanelSize(view[0], view[1], PixelsPerPoint(viewport));
     const int plot =
       self.PlotVisibility ? FindPlotCorner(self.PlotCorner, viewport, panel)[1] + panel[1] : 0;
-    this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
+    this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + TextGap));
     this->Text->GetSize(viewport, size);
     const double left = TextLeft * view[0];
     const double top = TextTop * view[1];
@@ -393,13 +524,14 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     this->Text->GetPositionCoordinate()->SetValue(at[0] / view[0], at[3] / view[1]);
     this->Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
     drawn += this->Text->RenderOverlay(viewport);
-    this->Covered.push_back({ at[0] - left, at[1] + Gap, at[2] - Gap, at[3] + view[1] - top });
+    this->Covered.push_back(
+      { at[0] - left, at[1] + TextGap, at[2] - TextGap, at[3] + view[1] - top });
     size[1] = top - at[2];
   }
   this->TextHeight = size[1];
   return drawn +
     this->Modes.Render(
-      DescribeModeForces(this->Device), this->FindTextEnd(self, viewport) - Gap, viewport);
+      DescribeModeForces(this->Device), this->FindTextEnd(self, viewport) - TextGap, viewport);
 }
 
 //------------------------------------------------------------------------------
@@ -426,18 +558,18 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   {
     this->Hint->GetTextProperty()->SetFontSize(letters);
     this->Hint->GetSize(viewport, size);
-    if (size[0] + 2 * Gap <= room)
+    if (size[0] + 2 * TextGap <= room)
     {
       break;
     }
   }
-  const double end = this->FindTextEnd(self, viewport) - Gap;
+  const double end = this->FindTextEnd(self, viewport) - TextGap;
   const ViewportBox at = MoveOff(viewport,
-    { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, end - size[1] - Gap,
-      end + Gap },
+    { 0.5 * (view[0] - size[0]) - TextGap, 0.5 * (view[0] + size[0]) + TextGap,
+      end - size[1] - TextGap, end + TextGap },
     0, -1);
   // Relative to the viewport, like all boxes here.
-  this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - Gap));
+  this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - TextGap));
   this->Covered.push_back(at);
   this->Hint->RenderOpaqueGeometry(viewport);
   return this->Hint->RenderOverlay(viewport);
@@ -509,7 +641,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
 {
   // Place it below the text, unless less than half of the height is left there.
   const int* const size = viewport->GetSize();
-  const int below = this->FindTextEnd(self, viewport) - Gap;
+  const int below = this->FindTextEnd(self, viewport) - TextGap;
   this->Keys->Show(
     self.HelpText, size[0], 2 * below > size[1] ? below : size[1], PixelsPerPoint(viewport));
   return this->Help->RenderOverlay(viewport);

@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Append states, as vtkHapticDevice::DrainStates gives them, and forget all of them. An error
+   * Append states, as vtkHapticState::Drain gives them, and forget all of them. An error
    * names a column that is missing. If time runs backwards, the plot starts again.
    */
   void AddStates(vtkTable* states);

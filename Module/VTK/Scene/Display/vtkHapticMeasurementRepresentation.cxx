@@ -2,29 +2,424 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticMeasurementRepresentation.h"
 
+#include "Core/Math/Vector3.h"
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Scene/Base/HapticDrawing.h"
 #include "VTK/Scene/Display/HapticMeasurementViewSettings.h"
-#include "VTK/Scene/Display/MeasuredLabels.h"
-#include "VTK/Scene/Display/MeasuredShapes.h"
+#include "VTK/Scene/Hand/SceneMarker.h"
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkGlyph3D.h"
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkHapticMeasurements.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTubeFilter.h"
 
 #include VOLUME_HAPTICS_OPENGL_HEADER
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
+
+class vtkViewport;
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Texts beside points of the scene that cover neither each other nor the head-up display. */
+class MeasuredLabels
+{
+public:
+  /** Pixels of the viewport: left, right, bottom, top. */
+  struct Box
+  {
+    double Left;
+    double Right;
+    double Bottom;
+    double Top;
+  };
+
+  struct Label
+  {
+    std::string Text;
+    Vector3 Place; ///< world
+  };
+
+  /**
+   * Draws labels in the overlay pass. Earlier labels get their preferred places; a label without
+   * room is left out. Returns the number of labels drawn.
+   */
+  int Render(vtkRenderer* renderer, const std::vector<Label>& labels,
+    const std::function<bool(const Box&)>& isTaken);
+  void Release(vtkWindow* window);
+
+private:
+  std::vector<std::unique_ptr<vtkNew<vtkTextActor>>> Actors;
+};
+
+using Box = MeasuredLabels::Box;
+
+constexpr int FontSize = 13;  // points
+constexpr double Near = 12.0; ///< pixels from the point to the text
+constexpr double Step = 18.0; ///< pixels to the next try
+constexpr int LabelRounds = 4;
+constexpr double LabelMargin = 3.0;
+
+bool Overlap(const Box& a, const Box& b)
+{
+  return a.Left < b.Right && b.Left < a.Right && a.Bottom < b.Top && b.Bottom < a.Top;
+}
+
+/** A box of a size at one of eight sides of a point. */
+Box PutBeside(const double at[2], const double size[2], int side, double distance)
+{
+  // The right side is best to read; then the left, above and below.
+  static const double sides[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 0.7, 0.7 },
+    { 0.7, -0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 } };
+  const double* const to = sides[side];
+  const auto share = [](double way) { return way > 0.0 ? 0.0 : (way < 0.0 ? -1.0 : -0.5); };
+  const double left = at[0] + distance * to[0] + share(to[0]) * size[0];
+  const double bottom = at[1] + distance * to[1] + share(to[1]) * size[1];
+  return { left, left + size[0], bottom, bottom + size[1] };
+}
+
+int MeasuredLabels::Render(vtkRenderer* renderer, const std::vector<Label>& labels,
+  const std::function<bool(const Box&)>& isTaken)
+{
+  while (this->Actors.size() < labels.size())
+  {
+    this->Actors.push_back(std::make_unique<vtkNew<vtkTextActor>>());
+    vtkTextProperty* const text = (*this->Actors.back())->GetTextProperty();
+    text->SetFontSize(FontSize);
+    text->SetColor(0.93, 0.97, 0.98);
+    text->SetBackgroundColor(0.05, 0.09, 0.11);
+    text->SetBackgroundOpacity(0.7);
+  }
+  const int* const view = renderer->GetSize();
+  const int* const origin = renderer->GetOrigin();
+  std::vector<Box> taken;
+  int drawn = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    const Vector3& place = labels[i].Place;
+    double shown[3];
+    renderer->SetWorldPoint(place.X, place.Y, place.Z, 1.0);
+    renderer->WorldToDisplay();
+    renderer->GetDisplayPoint(shown);
+    const double at[2] = { shown[0] - origin[0], shown[1] - origin[1] };
+    if (!(shown[2] > 0.0 && shown[2] < 1.0) || at[0] < 0.0 || at[0] > view[0] || at[1] < 0.0 ||
+      at[1] > view[1])
+    {
+      continue;
+    }
+    vtkTextActor* const actor = *this->Actors[i];
+    actor->SetInput(labels[i].Text.c_str());
+    double size[2];
+    actor->GetSize(renderer, size);
+    bool isPlaced = false;
+    for (int round = 0; round < LabelRounds * 8 && !isPlaced; ++round)
+    {
+      const Box box = PutBeside(at, size, round % 8, Near + Step * (round / 8));
+      const Box wide{ box.Left - LabelMargin, box.Right + LabelMargin, box.Bottom - LabelMargin,
+        box.Top + LabelMargin };
+      isPlaced = wide.Left >= 0.0 && wide.Right <= view[0] && wide.Bottom >= 0.0 &&
+        wide.Top <= view[1] && !isTaken(wide) &&
+        std::none_of(
+          taken.begin(), taken.end(), [&wide](const Box& other) { return Overlap(wide, other); });
+      if (isPlaced)
+      {
+        taken.push_back(wide);
+        actor->SetPosition(box.Left, box.Bottom);
+      }
+    }
+    if (isPlaced)
+    {
+      actor->RenderOpaqueGeometry(renderer); // draws the letters into the texture shown next
+      actor->RenderOverlay(renderer);
+      ++drawn;
+    }
+  }
+  return drawn;
+}
+
+void MeasuredLabels::Release(vtkWindow* window)
+{
+  for (auto& actor : this->Actors)
+  {
+    (*actor)->ReleaseGraphicsResources(window);
+  }
+}
+
+/**
+ * Measurements in the scene: points as spheres, lines as tubes, areas as patches. They shine
+ * faintly through objects in front of them.
+ */
+class MeasuredShapes
+{
+public:
+  MeasuredShapes(double red, double green, double blue);
+  ~MeasuredShapes();
+
+  /** Clears the shapes, and sets the radius of spheres (world units). */
+  void Clear(double radius);
+  /** Adds a shape of one of vtkHapticMeasurements' kinds. */
+  void Add(int kind, vtkPolyData* shape);
+
+  void RenderOpaque(vtkViewport* viewport);
+  /** Draws the faint copy. */
+  void RenderHidden(vtkViewport* viewport);
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box);
+
+private:
+  /** The line without points that are too close to be told apart. */
+  void AddLine(vtkPolyData* shape);
+  void AddArc(vtkPolyData* angle);
+  void AddPatch(vtkPolyData* shape);
+
+  struct Part
+  {
+    vtkNew<vtkPolyData> Data;
+    vtkNew<vtkPolyDataMapper> Mapper;
+    vtkNew<vtkActor> Solid;
+    vtkNew<vtkActor> Ghost;
+  };
+  std::array<Part, 3> Parts;
+  Part& Spheres = Parts[0];
+  Part& Tubes = Parts[1];
+  Part& Patches = Parts[2];
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkGlyph3D> Glyphs;
+  vtkNew<vtkTubeFilter> Tube;
+  double Radius = 1.0;
+};
+
+/** Radius of lines, relative to the radius of spheres. */
+constexpr double LineRadius = 0.3;
+/** Radius of an angle's arc, relative to its shorter leg. */
+constexpr double ArcRadius = 0.3;
+constexpr int ArcSteps = 32;
+
+void Begin(vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  data->Initialize();
+  data->SetPoints(points);
+  data->SetVerts(vtkNew<vtkCellArray>());
+  data->SetLines(vtkNew<vtkCellArray>());
+  data->SetPolys(vtkNew<vtkCellArray>());
+}
+
+vtkIdType AddPoint(vtkPolyData* data, const Vector3& p)
+{
+  return data->GetPoints()->InsertNextPoint(p.X, p.Y, p.Z);
+}
+
+MeasuredShapes::MeasuredShapes(double red, double green, double blue)
+{
+  this->Sphere->SetThetaResolution(20);
+  this->Sphere->SetPhiResolution(14);
+  this->Glyphs->SetInputData(this->Spheres.Data);
+  this->Glyphs->SetSourceConnection(this->Sphere->GetOutputPort());
+  this->Glyphs->ScalingOff();
+  this->Glyphs->OrientOff();
+  this->Tube->SetInputData(this->Tubes.Data);
+  this->Tube->SetNumberOfSides(8);
+  this->Tube->CappingOn();
+  this->Spheres.Mapper->SetInputConnection(this->Glyphs->GetOutputPort());
+  this->Tubes.Mapper->SetInputConnection(this->Tube->GetOutputPort());
+  this->Patches.Mapper->SetInputData(this->Patches.Data);
+  for (Part& part : this->Parts)
+  {
+    part.Mapper->ScalarVisibilityOff();
+    part.Solid->SetMapper(part.Mapper);
+    part.Solid->GetProperty()->SetColor(red, green, blue);
+    part.Solid->GetProperty()->SetAmbient(0.35);
+    part.Solid->GetProperty()->SetDiffuse(0.65);
+    part.Ghost->SetMapper(part.Mapper);
+    part.Ghost->GetProperty()->SetColor(red, green, blue);
+    part.Ghost->GetProperty()->LightingOff();
+    part.Ghost->GetProperty()->SetOpacity(HiddenOpacity);
+    part.Ghost->ForceOpaqueOn(); // the overlay pass does not sort
+    Begin(part.Data);
+  }
+}
+
+MeasuredShapes::~MeasuredShapes() = default;
+
+void MeasuredShapes::Clear(double radius)
+{
+  this->Radius = radius;
+  this->Sphere->SetRadius(radius);
+  this->Tube->SetRadius(LineRadius * radius);
+  for (Part& part : this->Parts)
+  {
+    Begin(part.Data);
+  }
+}
+
+void MeasuredShapes::Add(int kind, vtkPolyData* shape)
+{
+  const vtkIdType count = shape->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return;
+  }
+  if (kind == vtkHapticMeasurements::AREA)
+  {
+    this->AddPatch(shape);
+    return;
+  }
+  const bool isPath = kind == vtkHapticMeasurements::PATH;
+  for (vtkIdType i = 0; i < count; i += isPath ? std::max<vtkIdType>(count - 1, 1) : 1)
+  {
+    AddPoint(this->Spheres.Data, FromArray(shape->GetPoint(i)));
+  }
+  if (count > 1)
+  {
+    this->AddLine(shape);
+  }
+  if (kind == vtkHapticMeasurements::ANGLE && count == 3)
+  {
+    this->AddArc(shape);
+  }
+}
+
+void MeasuredShapes::AddLine(vtkPolyData* shape)
+{
+  const vtkIdType last = shape->GetNumberOfPoints() - 1;
+  vtkNew<vtkIdList> line;
+  Vector3 before;
+  for (vtkIdType i = 0; i <= last; ++i)
+  {
+    const Vector3 point = FromArray(shape->GetPoint(i));
+    // A tube can't continue from a point to itself.
+    const double least = i == last ? 0.0 : 0.5 * this->Radius;
+    if (i == 0 || Norm(point - before) > least)
+    {
+      line->InsertNextId(AddPoint(this->Tubes.Data, point));
+      before = point;
+    }
+  }
+  if (line->GetNumberOfIds() > 1)
+  {
+    this->Tubes.Data->GetLines()->InsertNextCell(line);
+  }
+}
+
+void MeasuredShapes::AddArc(vtkPolyData* angle)
+{
+  const Vector3 corner = FromArray(angle->GetPoint(1));
+  const Vector3 legs[2] = { FromArray(angle->GetPoint(0)) - corner,
+    FromArray(angle->GetPoint(2)) - corner };
+  const double lengths[2] = { Norm(legs[0]), Norm(legs[1]) };
+  const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]); // towards the second leg
+  if (!(Norm(across) > 0.0))
+  {
+    return; // flat, or without legs
+  }
+  const Vector3 x = (1.0 / lengths[0]) * legs[0];
+  const Vector3 y = (1.0 / Norm(across)) * across;
+  const double whole = std::atan2(Dot(legs[1], y), Dot(legs[1], x));
+  const double radius = ArcRadius * std::min(lengths[0], lengths[1]);
+  this->Tubes.Data->GetLines()->InsertNextCell(ArcSteps + 1);
+  for (int i = 0; i <= ArcSteps; ++i)
+  {
+    const double turn = whole * i / ArcSteps;
+    this->Tubes.Data->GetLines()->InsertCellPoint(AddPoint(
+      this->Tubes.Data, corner + radius * std::cos(turn) * x + radius * std::sin(turn) * y));
+  }
+}
+
+void MeasuredShapes::AddPatch(vtkPolyData* shape)
+{
+  const vtkIdType first = this->Patches.Data->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i)
+  {
+    AddPoint(this->Patches.Data, FromArray(shape->GetPoint(i)));
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < shape->GetNumberOfPolys(); ++i)
+  {
+    shape->GetPolys()->GetCellAtId(i, corners);
+    for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+    {
+      corners->SetId(c, first + corners->GetId(c));
+    }
+    this->Patches.Data->GetPolys()->InsertNextCell(corners);
+  }
+}
+
+void MeasuredShapes::RenderOpaque(vtkViewport* viewport)
+{
+  for (Part& part : this->Parts)
+  {
+    if (part.Data->GetNumberOfPoints() > 0)
+    {
+      part.Solid->RenderOpaqueGeometry(viewport);
+    }
+  }
+}
+
+void MeasuredShapes::RenderHidden(vtkViewport* viewport)
+{
+  for (Part& part : this->Parts)
+  {
+    if (part.Data->GetNumberOfPoints() > 0)
+    {
+      part.Ghost->RenderOpaqueGeometry(viewport);
+    }
+  }
+}
+
+void MeasuredShapes::Release(vtkWindow* window)
+{
+  for (Part& part : this->Parts)
+  {
+    part.Solid->ReleaseGraphicsResources(window);
+    part.Ghost->ReleaseGraphicsResources(window);
+  }
+}
+
+void MeasuredShapes::AddTo(vtkBoundingBox& box)
+{
+  for (Part& part : this->Parts)
+  {
+    if (part.Data->GetNumberOfPoints() > 0)
+    {
+      box.AddBounds(part.Data->GetBounds());
+    }
+  }
+}
+
+} // namespace
+} // namespace VolumeHaptics
 
 vtkStandardNewMacro(vtkHapticMeasurementRepresentation);
 

@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr std::size_t MostSteps = 100;
+constexpr std::size_t MostEdits = 100;
 /**
  * Limits the labels in all steps' tables, so that a large segmentation does not fill the memory.
  */
@@ -87,7 +87,7 @@ void EditHistory::Keep(std::deque<Step>& steps, Step step)
   {
     labels += one.Labels ? one.Labels->GetNumberOfLabels() : 0;
   }
-  while (steps.size() > 1 && (steps.size() > MostSteps || labels > MostLabels))
+  while (steps.size() > 1 && (steps.size() > MostEdits || labels > MostLabels))
   {
     const Step& oldest = steps.front();
     labels -= oldest.Labels ? oldest.Labels->GetNumberOfLabels() : 0;

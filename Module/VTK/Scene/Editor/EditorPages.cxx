@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Editor/EditorPages.h"
 
+#include "VTK/Material/HapticProposal.h"
+#include "VTK/Scene/Base/HapticChartText.h"
+#include "VTK/Scene/Base/HapticHistogram.h"
 #include "VTK/Scene/Base/HapticPixels.h"
+#include "VTK/Scene/Editor/HapticFunctionChart.h"
 
 #include "vtkCommand.h"
 #include "vtkHapticFunctionEditor.h"
@@ -10,14 +14,29 @@
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+struct LabelAccess
+{
+  void (vtkHapticLabelTable::*Set)(int, double);
+  double (vtkHapticLabelTable::*Get)(int); ///< -1: the functions decide
+};
+
+constexpr LabelAccess LabelQuantities[HapticMaterialList::Quantities] = {
+  { &vtkHapticLabelTable::SetStiffness, &vtkHapticLabelTable::GetStiffness },
+  { &vtkHapticLabelTable::SetFriction, &vtkHapticLabelTable::GetFriction },
+  { &vtkHapticLabelTable::SetViscosity, &vtkHapticLabelTable::GetViscosity },
+  { &vtkHapticLabelTable::SetSurfaceStrength, &vtkHapticLabelTable::GetSurfaceStrength },
+};
 
 using Editor = vtkHapticFunctionEditor;
 
@@ -69,6 +88,289 @@ constexpr int LeastChartWidth = 330; // pixels: the least width of the chart bes
 constexpr int LeastSheetHeight = 150;
 
 } // namespace
+
+//------------------------------------------------------------------------------
+bool HapticLabelList::IsCounted() const
+{
+  return this->Image == this->CountedImage &&
+    (!this->Image || this->Image->GetMTime() < this->CountTime);
+}
+
+void HapticLabelList::Count()
+{
+  this->CountedImage = this->Image;
+  this->CountTime.Modified();
+  this->Counting.Forget();
+  this->Present.clear();
+  this->Counted = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
+  if (this->Counted && IsQuicklySwept(this->Counted))
+  {
+    this->Present = FindPresentLabels(this->Counted, [](double) { return true; });
+    this->Counted = nullptr;
+  }
+  else if (this->Counted)
+  {
+    this->Present = FindSpreadLabels(this->Counted);
+    this->FollowCount();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelList::FollowCount()
+{
+  if (!this->Counted)
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkDataArray> labels = this->Counted;
+  const std::vector<int>* const present = this->Counting.Follow(this->CountTime.GetMTime(),
+    [labels](WorkMonitor& monitor) -> std::optional<std::vector<int>>
+    {
+      std::vector<int> found =
+        FindPresentLabels(labels, [&monitor](double share) { return monitor.GoesOn(share); });
+      return monitor.IsCancelled() ? std::nullopt : std::optional(std::move(found));
+    });
+  if (present)
+  {
+    this->Present = *present;
+    this->ScrollTo(this->GetFirstRow());
+  }
+  if (!this->Counting.IsUnderWay())
+  {
+    this->Counted = nullptr;
+    this->Counting.Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelList::EndOtherCount()
+{
+  if (this->Image != this->CountedImage)
+  {
+    this->Counting.Forget();
+    this->Counted = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+double HapticLabelList::GetCountedShare() const
+{
+  return this->Counted ? this->Counting.GetProgress() : 1.0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType HapticLabelList::GetNumberOfRows() const
+{
+  return !this->Table ? 0
+    : this->Image     ? static_cast<vtkIdType>(this->Present.size())
+                      : this->Table->GetNumberOfLabels();
+}
+
+int HapticLabelList::GetKey(vtkIdType row) const
+{
+  return this->Image ? this->Present[static_cast<std::size_t>(row)] : this->Table->GetLabel(row);
+}
+
+vtkObject* HapticLabelList::GetEdited() const
+{
+  return this->Table;
+}
+
+//------------------------------------------------------------------------------
+std::string HapticLabelList::GetTitle() const
+{
+  const vtkIdType labels = this->GetNumberOfRows();
+  return labels > 0
+    ? "Labels (" + std::to_string(labels) + ")" + DescribeShare(this->GetCountedShare(), "counted")
+    : this->Table ? "There are no labels to edit"
+                  : "There is no label table to edit";
+}
+
+std::array<double, 3> HapticLabelList::GetColor(int label) const
+{
+  const double* const color = this->Table->GetColor(label);
+  return { color[0], color[1], color[2] };
+}
+
+//------------------------------------------------------------------------------
+bool HapticLabelList::IsFelt(int label) const
+{
+  return this->Table->GetFelt(label);
+}
+
+bool HapticLabelList::IsForbidden(int label) const
+{
+  return this->Table->GetForbidden(label);
+}
+
+void HapticLabelList::ToggleFelt(int label)
+{
+  this->Table->SetFelt(label, !this->Table->GetFelt(label));
+}
+
+void HapticLabelList::ToggleForbidden(int label)
+{
+  this->Table->SetForbidden(label, !this->Table->GetForbidden(label));
+}
+
+//------------------------------------------------------------------------------
+bool HapticLabelList::HasMaterial(int label) const
+{
+  return this->Table->HasMaterial(label);
+}
+
+void HapticLabelList::RemoveMaterial(int label)
+{
+  this->Table->RemoveMaterial(label);
+}
+
+//------------------------------------------------------------------------------
+double HapticLabelList::ReadValue(int label, int quantity) const
+{
+  return (this->Table->*LabelQuantities[quantity].Get)(label);
+}
+
+void HapticLabelList::WriteValue(int label, int quantity, double value)
+{
+  (this->Table->*LabelQuantities[quantity].Set)(label, value);
+}
+
+//------------------------------------------------------------------------------
+std::string HapticLabelList::Describe(int label) const
+{
+  const std::string name = this->Table->GetLabelName(label);
+  return std::to_string(label) + (name.empty() ? "" : " ") + name;
+}
+
+/** The property whose edges are shown: the proposal, or a property with an earlier proposal. */
+vtkHapticProperty* HapticProposalView::GetProposed() const
+{
+  vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
+  return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
+}
+
+/** The data to search for edges; shows their histogram first. */
+SearchedData HapticProposalView::GetSearched()
+{
+  this->Chart.ShowData(this->Image, this->GetComponent());
+  SearchedData data;
+  data.Image = this->Image;
+  data.Component = this->GetComponent();
+  std::copy_n(this->Chart.GetDataRange(), 2, data.Values);
+  vtkHapticProperty* const proposed = this->GetProposed();
+  data.SlopeScale = proposed ? proposed->GetScalarScale() : 1.0;
+  return data;
+}
+
+void HapticProposalView::Show(const FoundFunctions& found)
+{
+  if (found.Proposal)
+  {
+    this->Proposal = vtkSmartPointer<vtkHapticProperty>::New();
+    if (this->Property)
+    {
+      this->Proposal->SetScalarShift(this->Property->GetScalarShift());
+      this->Proposal->SetScalarScale(this->Property->GetScalarScale());
+      this->Proposal->NoteShift(this->Property->GetFoundShift());
+    }
+    FillFromProposal(*found.Proposal, this->Proposal);
+    this->Show(found.Edges);
+  }
+}
+
+void HapticProposalView::Show(const EdgeHistogram& edges)
+{
+  this->Boundaries = this->GetProposed()->GetProposedBoundaries();
+  this->EdgeTime.Modified();
+  this->Chart.ShowEdges(edges, this->GetProposed());
+}
+
+FoundFunctions HapticProposalView::FindNow()
+{
+  this->Search.Drop();
+  FoundFunctions found = FunctionSearch::FindNow(this->GetSearched());
+  this->Show(found);
+  return found;
+}
+
+bool HapticProposalView::Begin(std::string& error)
+{
+  return this->IsUnderWay() || this->Search.Begin(this->GetSearched(), error);
+}
+
+std::optional<FoundFunctions> HapticProposalView::Follow()
+{
+  if (!this->IsUnderWay())
+  {
+    return std::nullopt;
+  }
+  std::optional<FoundFunctions> found = this->Search.Follow(this->GetSearched());
+  if (found)
+  {
+    this->Show(*found);
+  }
+  return found;
+}
+
+bool HapticProposalView::Take()
+{
+  const auto proposal = std::exchange(this->Proposal, nullptr);
+  const bool isTaken = proposal && this->Property;
+  if (isTaken)
+  {
+    CopyProposal(proposal, this->Property);
+  }
+  return isTaken;
+}
+
+bool HapticProposalView::Drop()
+{
+  const bool wasThere = std::exchange(this->Proposal, nullptr) != nullptr || this->IsUnderWay();
+  if (wasThere)
+  {
+    this->Search.Drop();
+  }
+  return wasThere;
+}
+
+bool HapticProposalView::ShowsEdges() const
+{
+  vtkHapticProperty* const proposed = this->GetProposed();
+  return proposed ? this->Boundaries == proposed->GetProposedBoundaries() &&
+      this->EdgeTime > this->Image->GetMTime()
+                  : !this->Chart.ShowsEdges();
+}
+
+void HapticProposalView::FollowEdges()
+{
+  if (this->ShowsEdges())
+  {
+    return;
+  }
+  vtkHapticProperty* const proposed = this->GetProposed();
+  if (!proposed)
+  {
+    this->Boundaries = nullptr;
+    this->Chart.HideEdges();
+  }
+  else if (const EdgeHistogram* const edges = this->Search.FollowEdges(this->GetSearched(),
+             proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius()))
+  {
+    this->Show(*edges);
+  }
+}
+
+void HapticProposalView::ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
+{
+  this->Chart.NoteSearch(this->GetProgress());
+  this->Chart.ShowProposed(this->Proposal && get ? (this->Proposal.Get()->*get)() : nullptr);
+  if (vtkHapticProperty* const felt = this->GetProposed())
+  {
+    const double* const range = felt->GetDistinctness()->GetRange();
+    const double scale = felt->GetScalarScale();
+    this->Chart.ShowDistinctness(range[0] / scale, range[1] / scale);
+  }
+}
 
 //------------------------------------------------------------------------------
 bool EditorPages::IsSheetPage() const

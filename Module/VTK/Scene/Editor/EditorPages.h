@@ -7,21 +7,145 @@
 #ifndef EditorPages_h
 #define EditorPages_h
 
+#include "VTK/Base/BackgroundWork.h"
+#include "VTK/Material/FunctionSearch.h"
 #include "VTK/Scene/Editor/EditHistory.h"
 #include "VTK/Scene/Editor/HapticFunctionChart.h"
-#include "VTK/Scene/Editor/HapticLabelList.h"
+#include "VTK/Scene/Editor/HapticMaterialList.h"
 #include "VTK/Scene/Editor/HapticMaterialSheet.h"
-#include "VTK/Scene/Editor/HapticProposalView.h"
-#include "VTK/Scene/Editor/HapticTissueList.h"
 
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
 #include "vtkVolumeProperty.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
+class vtkHapticLabelTable;
+class vtkPiecewiseFunction;
+
 namespace VolumeHaptics
 {
+
+class HapticFunctionChart;
+
+/**
+ * The labels of a label image or, without an image, of the table; and the material of the selected
+ * one.
+ */
+class HapticLabelList : public HapticMaterialList
+{
+public:
+  vtkSmartPointer<vtkHapticLabelTable> Table;
+  vtkSmartPointer<vtkImageData> Image;
+
+  ///@{
+  /**
+   * Searches the image for labels, and reports whether the list is up to date. A large image gives
+   * the labels of spread samples at first, until FollowCount() finds that all voxels were searched
+   * in the background.
+   */
+  void Count();
+  bool IsCounted() const override;
+  void FollowCount();
+  /** Ends the search in an image that is no longer shown; the program may delete it. */
+  void EndOtherCount();
+  /** The fraction of the image that was searched, 0 to 1. */
+  double GetCountedShare() const;
+  ///@}
+
+  vtkIdType GetNumberOfRows() const override;
+  int GetKey(vtkIdType row) const override;
+  vtkObject* GetEdited() const override;
+  std::string GetTitle() const override;
+  const char* GetHint() const override { return "Click on a label to edit its material"; }
+  /** A text such as "5 liver". */
+  std::string Describe(int label) const override;
+  std::array<double, 3> GetColor(int label) const override;
+  bool HasBoxes() const override { return true; }
+  bool IsFelt(int label) const override;
+  bool IsForbidden(int label) const override;
+  void ToggleFelt(int label) override;
+  void ToggleForbidden(int label) override;
+  bool HasMaterial(int label) const override;
+  void RemoveMaterial(int label) override;
+
+protected:
+  double ReadValue(int label, int quantity) const override;
+  void WriteValue(int label, int quantity, double value) override;
+
+private:
+  std::vector<int> Present;
+  const vtkImageData* CountedImage = nullptr; ///< never dereferenced, only compared
+  vtkTimeStamp CountTime;
+  vtkSmartPointer<vtkDataArray> Counted; // during the search
+  KeyedWork<vtkMTimeType, std::vector<int>> Counting;
+};
+
+/**
+ * Shows the functions that are proposed for an image, and the edges that they come from, on the
+ * chart of vtkHapticFunctionEditor.
+ */
+class HapticProposalView
+{
+public:
+  explicit HapticProposalView(HapticFunctionChart& chart)
+    : Chart(chart)
+  {
+  }
+
+  vtkSmartPointer<vtkHapticProperty> Property; ///< takes a proposal; may be null
+  vtkSmartPointer<vtkImageData> Image;         ///< may be null
+  int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
+
+  ///@{
+  /**
+   * FindNow() waits for the end of the search. Begin() searches in the background; false, with the
+   * reason and the cure in `error`, if the image can't be looked at. Follow() returns the result
+   * once. Both show a proposal that was found.
+   */
+  FoundFunctions FindNow();
+  bool Begin(std::string& error);
+  std::optional<FoundFunctions> Follow();
+  bool IsUnderWay() const { return this->Search.IsUnderWay(); }
+  double GetProgress() const { return this->Search.GetProgress(); }
+  ///@}
+
+  /** Waits until no search uses an image that was removed. */
+  void EndOtherSearch() { this->Search.EndUnless(this->Image); }
+
+  ///@{
+  /** A proposal that is neither accepted nor dropped. Drop() also ends the search. */
+  bool IsThere() const { return this->Proposal != nullptr; }
+  bool Take();
+  bool Drop();
+  ///@}
+
+  /** Shows the edges of the proposal, or of one accepted before, once they are counted. */
+  void FollowEdges();
+
+  /** Draws the proposed function beside the edited one, and the limits of distinctness. */
+  void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
+
+private:
+  vtkHapticProperty* GetProposed() const;
+  bool ShowsEdges() const;
+  SearchedData GetSearched();
+  void Show(const FoundFunctions& found);
+  void Show(const EdgeHistogram& edges);
+
+  HapticFunctionChart& Chart;
+  FunctionSearch Search;
+  vtkSmartPointer<vtkHapticProperty> Proposal;
+  vtkSmartPointer<vtkTable> Boundaries; // shown by the chart
+  vtkTimeStamp EdgeTime;
+};
 
 /**
  * The edited objects, and the charts and lists that show them: one page at a time, and in a wide

@@ -9,9 +9,7 @@
 
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Scene/Base/HapticHistogram.h"
-#include "VTK/Scene/Editor/HapticControlPointsItem.h"
-#include "VTK/Scene/Editor/HapticEdgePlot.h"
-#include "VTK/Scene/Editor/HapticTissueBands.h"
+#include "VTK/Scene/Editor/HapticChartBackground.h"
 #include "VTK/Scene/Editor/HapticValueScale.h"
 
 #include "vtkBlockItem.h"
@@ -30,8 +28,10 @@
 #include <map>
 #include <string>
 
+class HapticControlPointsItem;
 class vtkHapticProperty;
 class vtkImageData;
+class vtkPiecewiseFunction;
 class vtkTable;
 
 namespace VolumeHaptics
@@ -62,6 +62,7 @@ class HapticFunctionChart
 {
 public:
   HapticFunctionChart();
+  ~HapticFunctionChart();
 
   vtkContextActor* GetActor() { return this->Actor; }
 

@@ -34,9 +34,9 @@ constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far b
 constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame and for a whole one
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
-constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
-constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
-constexpr double LongestTry = 1.0;   // s, until a frame at rest is given up
+constexpr double LongestStillFrame = 0.1; // s, for a frame at rest that can't be interrupted
+constexpr double LongestRest = 0.5;       // s, for any one, because a device without news lets go
+constexpr double LongestTry = 1.0;        // s, until a frame at rest is given up
 constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
 constexpr int MostSlowFrames = 3;    // in a row; a busy processor may delay one or two
 
@@ -211,8 +211,9 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   else
   {
     const double rate = std::max(AimedRate, this->Window->GetDesiredUpdateRate());
-    const double distance = moves ? this->InMotion.Next(DrawingShare / rate)
-                                  : this->AtRest.Next(isInterruptible ? LongestRest : LongestWait);
+    const double distance = moves
+      ? this->InMotion.Next(DrawingShare / rate)
+      : this->AtRest.Next(isInterruptible ? LongestRest : LongestStillFrame);
     next.ImageDistance = std::max(own.ImageDistance, distance);
   }
   const KeptRays* const rays = caster->Rays.get();
@@ -326,7 +327,7 @@ void FrameQuality::Begin()
   }
   const Touch touch = this->AskTouch();
   const int* const size = this->Window->GetSize();
-  const bool isQuick = this->AtRest.IsKnown && this->AtRest.Time <= LongestWait;
+  const bool isQuick = this->AtRest.IsKnown && this->AtRest.Time <= LongestStillFrame;
   this->IsResized = std::exchange(this->IsExposed, false) && !isQuick && this->DrawnSize[0] > 0 &&
     !std::equal(size, size + 2, this->DrawnSize.begin());
   this->Moves = this->IsResized || this->Window->GetDesiredUpdateRate() > SlowestMotion;

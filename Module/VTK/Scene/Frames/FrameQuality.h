@@ -8,14 +8,13 @@
 #ifndef FrameQuality_h
 #define FrameQuality_h
 
-#include "VTK/Scene/Frames/RayPace.h"
-#include "VTK/Scene/Frames/RayProgress.h"
-
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,6 +34,74 @@ namespace VolumeHaptics
 {
 
 class KeptRays;
+
+/**
+ * Estimates the time of a whole frame while a mapper casts its rays row by row. Work before the
+ * rays, such as the gradients of a new volume, counts as measured. After a tenth of the rows, the
+ * other rows are assumed to be alike.
+ */
+class RayProgress
+{
+public:
+  static constexpr double LeastShare = 0.1;
+
+  /** The rays begin. `time`: since the beginning of the frame, s. */
+  void Begin(double time)
+  {
+    this->Before = time;
+    this->Whole.reset();
+  }
+  /** Records the finished fraction of the rows. `time`: as above. */
+  void Note(double time, double share)
+  {
+    if (share >= LeastShare)
+    {
+      this->Whole = this->Before + (time - this->Before) / share;
+    }
+  }
+  /** Forgets the frame. */
+  void Clear() { this->Whole.reset(); }
+  /** The time of the frame with all its rays, s; empty while too few are cast. */
+  const std::optional<double>& GetWhole() const { return this->Whole; }
+
+private:
+  double Before = 0.0;
+  std::optional<double> Whole;
+};
+
+/**
+ * The distance between rays that keeps frames of one kind within a time. It changes in steps,
+ * because a mapper whose distance changes makes new buffers.
+ */
+struct RayPace
+{
+  static constexpr double MostSteps = 6.0; ///< 8 pixels; a step multiplies the distance by sqrt(2)
+
+  /** The distance for the next frame, pixels. `longest`: the most time for that frame, s. */
+  double Next(double longest)
+  {
+    if (this->Time > longest || this->Time < 0.6 * longest)
+    {
+      // Assume that rays take all of the time: their number falls with the square of their
+      // distance. Other drawing takes time, too; the next frames correct this.
+      const double steps = std::log2(this->Time / longest);
+      this->Steps = std::clamp(
+        this->Steps + (steps > 0.0 ? std::ceil(steps) : std::trunc(steps)), 0.0, MostSteps);
+      this->Time = longest; // assumed until the next frame's time is known
+    }
+    return std::exp2(0.5 * this->Steps);
+  }
+  /** Records the time of a frame with all its rays, s. */
+  void Note(double time)
+  {
+    this->Time = time;
+    this->IsKnown = true;
+  }
+
+  double Time = 0.05; ///< s, time of the last frame
+  double Steps = 2.0;
+  bool IsKnown = false; ///< whether the time was measured
+};
 
 /**
  * Adjusts the frames of one window:

@@ -3,7 +3,6 @@
 #include "VTK/Scene/Frames/HapticWindowWatch.h"
 
 #include "Core/Realtime/ServoClock.h"
-#include "VTK/Scene/Frames/HapticKeptDisplay.h"
 #include "VTK/Scene/Frames/PendingInput.h"
 
 #include "vtkCommand.h"

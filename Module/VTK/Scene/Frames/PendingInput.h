@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the window system knows about a window: whether input waits for the end of a frame, and
- * whether the window can be seen.
+ * What the window system knows about a window, whether input waits for the end of a frame and
+ * whether the window can be seen; and how long a window's connection to the X server stays open.
  */
 #ifndef PendingInput_h
 #define PendingInput_h
@@ -36,6 +36,14 @@ void WakeEventLoop(vtkRenderWindow* window);
  * for other windows, about which nothing is known.
  */
 bool MayBeSeen(vtkRenderWindow* window);
+
+/**
+ * Makes a window leave its connection to the X server open when it closes. Until VTK 9.2,
+ * TerminateApp() closes the window in the middle of the interactor's loop, and the loop goes on
+ * using the connection. A window that was rendered before it had an interactor owns the connection
+ * and has already closed it: a crash. Here the connection is closed when the window is deleted.
+ */
+void KeepDisplay(vtkRenderWindow* window);
 
 } // namespace VolumeHaptics
 

@@ -51,7 +51,7 @@ DrawnNeedle::DrawnNeedle()
 
 void DrawnNeedle::Update(vtkHapticDevice* device, double radius, double length)
 {
-  const double time = device ? device->GetTime() : -1.0;
+  const double time = device ? device->GetState()->GetTime() : -1.0;
   if (time != this->Time || length != this->Length)
   {
     this->Time = time;
@@ -59,7 +59,7 @@ void DrawnNeedle::Update(vtkHapticDevice* device, double radius, double length)
     this->Track->Initialize();
     if (device)
     {
-      device->GetNeedleTrack(this->Track);
+      device->GetState()->GetNeedleTrack(this->Track);
     }
     this->Draw(device, length);
   }

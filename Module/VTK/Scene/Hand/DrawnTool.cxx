@@ -29,17 +29,19 @@ constexpr double SeenTurns = 1.7;
 Quaternion FindTurn(
   vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)
 {
-  const double* const wxyz = device->GetToolOrientation();
+  const double* const wxyz = device->GetState()->GetToolOrientation();
   const Quaternion felt{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] };
   if (!kind.TurnsWithStylus() || (hasShape && IsIdentical(felt, NoOrientation)))
   {
     return felt;
   }
-  const double* const wanted = device->GetTipOrientation();
-  const bool isLeaning = !device->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
+  const double* const wanted = device->GetState()->GetTipOrientation();
+  const bool isLeaning =
+    !device->GetState()->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
   const Quaternion held =
     isLeaning ? leaning : Quaternion{ wanted[0], wanted[1], wanted[2], wanted[3] };
-  const double half = device->IsSpinning() ? Pi * SeenTurns * device->GetTime() : 0.0;
+  const double half =
+    device->GetState()->IsSpinning() ? Pi * SeenTurns * device->GetState()->GetTime() : 0.0;
   return held * Quaternion{ std::cos(half), 0.0, 0.0, std::sin(half) };
 }
 
@@ -84,7 +86,7 @@ void DrawnTool::Update(vtkHapticDevice* device, const Quaternion& leaning)
     this->Normals->SetInputData(kind->MakeShape(tool));
   }
   const Matrix3 rotation = ToMatrix(q);
-  const double* const at = device->GetProxyPosition();
+  const double* const at = device->GetState()->GetProxyPosition();
   for (int row = 0; row < 3; ++row)
   {
     const Vector3& r = rotation.Row[row];

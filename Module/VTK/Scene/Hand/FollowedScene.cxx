@@ -66,8 +66,8 @@ FollowedScene::~FollowedScene() = default;
 
 void FollowedScene::Update(vtkHapticDevice* device, double reach, double radius)
 {
-  const double* const proxy = device ? device->GetProxyPosition() : this->Proxy;
-  const double time = device ? device->GetTime() : -1.0;
+  const double* const proxy = device ? device->GetState()->GetProxyPosition() : this->Proxy;
+  const double time = device ? device->GetState()->GetTime() : -1.0;
   if (time != this->Time || reach != this->Reach || !std::equal(proxy, proxy + 3, this->Proxy))
   {
     this->Time = time;
@@ -76,7 +76,7 @@ void FollowedScene::Update(vtkHapticDevice* device, double reach, double radius)
     this->Shapes->Initialize();
     if (device)
     {
-      device->GetFollowed(this->Shapes, reach);
+      device->GetState()->GetFollowed(this->Shapes, reach);
     }
     this->Draw();
   }

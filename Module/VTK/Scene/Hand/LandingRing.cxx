@@ -53,13 +53,13 @@ void LandingRing::Update(
   {
     return;
   }
-  if (device->GetContact() != 0)
+  if (device->GetState()->GetContact() != 0)
   {
-    const Vector3 normal = FromArray(device->GetNormal());
+    const Vector3 normal = FromArray(device->GetState()->GetNormal());
     if (Norm(normal) > 0.0)
     {
-      const Vector3 proxy = FromArray(device->GetProxyPosition());
-      const double depth = Dot(FromArray(device->GetTipPosition()) - proxy, normal);
+      const Vector3 proxy = FromArray(device->GetState()->GetProxyPosition());
+      const double depth = Dot(FromArray(device->GetState()->GetTipPosition()) - proxy, normal);
       const double patch = FindPatchRadius(depth, radius);
       this->Ring.Show(true);
       this->Ring.PlaceRing(proxy, normal, patch);
@@ -68,7 +68,7 @@ void LandingRing::Update(
     }
     return;
   }
-  const Vector3 tip = FromArray(device->GetTipPosition());
+  const Vector3 tip = FromArray(device->GetState()->GetTipPosition());
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   Vector3 contact;
   Vector3 normal;

@@ -164,8 +164,9 @@ const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, {
 /** Whether the proxy is on the viewer's side of the touched surface. */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
-  const Vector3 sight = LineOfSight(renderer, FromArray(device->GetProxyPosition()));
-  return device->GetContact() == 0 || Dot(FromArray(device->GetNormal()), sight) > 0.0;
+  const Vector3 sight = LineOfSight(renderer, FromArray(device->GetState()->GetProxyPosition()));
+  return device->GetState()->GetContact() == 0 ||
+    Dot(FromArray(device->GetState()->GetNormal()), sight) > 0.0;
 }
 /** Whether forces are shown: always, except for a virtual device that is not armed. */
 bool IsFelt(vtkHapticDevice* device)
@@ -286,8 +287,8 @@ void vtkHapticRepresentation::UpdateMarkers()
     if (isFelt && this->SpringVisibility)
     {
       d.Spring.Show(true);
-      d.Spring.Place(
-        at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetSlack(), this->Radius);
+      d.Spring.Place(at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetState()->GetSlack(),
+        this->Radius);
     }
     const bool shown[3] = { isFelt && this->ForceVisibility, isFelt && this->NormalForceVisibility,
       isFelt && this->FrictionForceVisibility };
@@ -355,7 +356,7 @@ void vtkHapticRepresentation::Lean(vtkViewport* viewport)
   {
     return;
   }
-  const Vector3 proxy = FromArray(this->GetDevice()->GetProxyPosition());
+  const Vector3 proxy = FromArray(this->GetDevice()->GetState()->GetProxyPosition());
   vtkCamera* const camera = renderer->GetActiveCamera();
   const Vector3 back = -1.0 * LineOfSight(renderer, proxy);
   const Vector3 across = Cross(FromArray(camera->GetViewUp()), back);

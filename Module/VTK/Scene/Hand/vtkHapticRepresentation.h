@@ -13,9 +13,9 @@
  *
  * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
  * while it is pushed through a surface. The spring is a coil, which opens as it is stretched, and a
- * straight wire where it is slack (vtkHapticDevice::GetSlack). In contact, a patch around the proxy
+ * straight wire where it is slack (vtkHapticState::GetSlack). In contact, a patch around the proxy
  * has the contact's colour; it grows as that of a soft fingertip does. A stylus has its point in
- * the proxy, with the orientation that the device measures (vtkHapticDevice::GetTipOrientation); if
+ * the proxy, with the orientation that the device measures (vtkHapticState::GetTipOrientation); if
  * it measures none, the stylus leans towards the viewer, as a pen in the right hand. A text in the
  * lower right corner shows the length of a newton. While a virtual device is not armed, spring,
  * arrows and a leaning stylus are hidden. After it was disarmed, nothing is shown until its tip
@@ -160,7 +160,7 @@ public:
    * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
    * line of a flow through the proxy, a core line, fibre, vessel or guide, fronts as discs, and a
    * tensor as an ellipsoid, drawn longer than the proxy so that its axes can be seen. Default on.
-   * See vtkHapticDevice::GetFollowed.
+   * See vtkHapticState::GetFollowed.
    */
   vtkSetMacro(FollowedVisibility, bool);
   vtkGetMacro(FollowedVisibility, bool);

@@ -6,11 +6,13 @@
 #include "VTK/Scene/Base/HapticViewRay.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <chrono>
@@ -30,6 +32,33 @@ constexpr double WorkspaceStep = 1.25;
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
 
 } // namespace
+
+std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
+{
+  std::vector<unsigned long> events;
+  auto* const contact = vtkDataArray::SafeDownCast(states->GetColumnByName("Contact"));
+  auto* const armed = vtkDataArray::SafeDownCast(states->GetColumnByName("Armed"));
+  auto* const fault = vtkDataArray::SafeDownCast(states->GetColumnByName("Fault"));
+  const auto note = [&](bool& was, bool is, unsigned long begins, unsigned long ends)
+  {
+    if (is != was && (is || ends != 0))
+    {
+      events.push_back(is ? begins : ends);
+    }
+    was = is;
+  };
+  for (vtkIdType i = 0; contact && armed && fault && i < states->GetNumberOfRows(); ++i)
+  {
+    const bool hasFault = fault->GetComponent(i, 0) != 0.0;
+    note(this->HasFault, hasFault, vtkInteractorStyleHaptic::FaultEvent, 0);
+    // After a fault, DisarmedEvent would add nothing.
+    note(this->IsArmed, armed->GetComponent(i, 0) != 0.0, vtkInteractorStyleHaptic::ArmedEvent,
+      hasFault ? 0 : vtkInteractorStyleHaptic::DisarmedEvent);
+    note(this->IsTouching, contact->GetComponent(i, 0) != 0.0,
+      vtkInteractorStyleHaptic::ContactBeginEvent, vtkInteractorStyleHaptic::ContactEndEvent);
+  }
+  return events;
+}
 
 //------------------------------------------------------------------------------
 HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls calls)
@@ -76,7 +105,7 @@ void HapticInteraction::LeaveDevice()
   {
     device->RemoveObserver(this->DisarmObserver);
     device->RemoveObserver(this->WorkObserver);
-    device->RemoveReader(this->Reader);
+    device->GetState()->RemoveReader(this->Reader);
     this->Workspace.LeaveDevice();
     this->ShownFrames.Restore();
     this->Carved.Clear();
@@ -95,8 +124,8 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   this->Scene.Device = device;
   if (device)
   {
-    this->Reader = device->AddReader();
-    this->Updated = device->GetTime();
+    this->Reader = device->GetState()->AddReader();
+    this->Updated = device->GetState()->GetTime();
     device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver);
     device->AddObserver(vtkCommand::StartEvent, this->WorkObserver);
     device->AddObserver(vtkCommand::EndEvent, this->WorkObserver);
@@ -529,10 +558,10 @@ bool HapticInteraction::UpdateHaptics()
     this->Frames.NoteEvent();
   }
   // Another style with this device may already have fetched the state.
-  const double before = std::exchange(this->Updated, device->GetTime());
+  const double before = std::exchange(this->Updated, device->GetState()->GetTime());
   if (this->Updated > before && renderer)
   {
-    const double* const rate = device->GetTurnRate();
+    const double* const rate = device->GetState()->GetTurnRate();
     if (TurnView(renderer, { rate[0], rate[1], rate[2] }, this->Updated - before,
           style->GetAutoAdjustCameraClippingRange() != 0))
     {
@@ -548,7 +577,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  device->DrainStates(this->States, this->Reader);
+  device->GetState()->Drain(this->States, this->Reader);
   isNew = isNew || this->States->GetNumberOfRows() > 0;
   if (scene.Display)
   {

@@ -8,24 +8,17 @@
 #define HapticInteraction_h
 
 #include "VTK/Scene/Base/KeyMap.h"
-#include "VTK/Scene/Base/KeyRepeat.h"
 #include "VTK/Scene/Frames/HapticWindowWatch.h"
-#include "VTK/Scene/Interaction/ComparedSettings.h"
-#include "VTK/Scene/Interaction/DisplayKeys.h"
-#include "VTK/Scene/Interaction/EditorKeys.h"
 #include "VTK/Scene/Interaction/FilterPublisher.h"
-#include "VTK/Scene/Interaction/HapticStateWatch.h"
 #include "VTK/Scene/Interaction/MeasureKeys.h"
-#include "VTK/Scene/Interaction/ModeKeys.h"
-#include "VTK/Scene/Interaction/PlaybackKeys.h"
 #include "VTK/Scene/Interaction/SceneFrames.h"
-#include "VTK/Scene/Interaction/SliceMouse.h"
-#include "VTK/Scene/Interaction/ToolTurn.h"
+#include "VTK/Scene/Interaction/SceneKeys.h"
+#include "VTK/Scene/Interaction/SceneMouse.h"
 #include "VTK/Scene/Interaction/TouchMode.h"
 #include "VTK/Scene/Interaction/TouchedScene.h"
 #include "VTK/Scene/Interaction/TouchedVolumes.h"
 #include "VTK/Scene/Interaction/WorkspaceControl.h"
-#include "VTK/Scene/Volumes/CarvedPictures.h"
+#include "VTK/Scene/Volumes/CarvedPicture.h"
 #include "VTK/Scene/Volumes/HapticShownFrames.h"
 #include "VTK/Scene/Volumes/HapticShownVolumes.h"
 
@@ -35,12 +28,27 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkCallbackCommand;
 class vtkObject;
 
 namespace VolumeHaptics
 {
+
+/** Detects events in a table of states, in their order. Stores the last state between tables. */
+class HapticStateWatch
+{
+public:
+  /** The events (vtkInteractorStyleHaptic::HapticEvents) of the table's rows, oldest first. */
+  std::vector<unsigned long> Watch(vtkTable* states);
+  void Reset() { *this = HapticStateWatch(); }
+
+private:
+  bool IsTouching = false;
+  bool IsArmed = false;
+  bool HasFault = false;
+};
 
 /**
  * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It

@@ -28,15 +28,15 @@ namespace
 constexpr double LeastMeasuredForce = 0.005;
 /** Voxels: the brush, and its least step between two positions. */
 constexpr double BrushVoxels = 4.0;
-constexpr double StepVoxels = 0.25;
+constexpr double BrushStepVoxels = 0.25;
 /** Drawing a growing area may take this fraction of the time. */
 constexpr double CutShare = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
 {
   return device && device->IsRunning() &&
-    (device->GetContact() != 0 ||
-      Norm(FromArray(device->GetComputedForce())) >= LeastMeasuredForce);
+    (device->GetState()->GetContact() != 0 ||
+      Norm(FromArray(device->GetState()->GetComputedForce())) >= LeastMeasuredForce);
 }
 
 /** Interpolates between the eight samples around a position. */
@@ -148,9 +148,9 @@ void MeasureKeys::SetPoint(MeasuredKind kind)
     this->Begun.Kind = kind;
   }
   MeasuredSample sample;
-  sample.Time = device->GetTime();
-  sample.Force = FromArray(device->GetComputedForce());
-  sample.SurfaceValue = device->GetSurfaceValue();
+  sample.Time = device->GetState()->GetTime();
+  sample.Force = FromArray(device->GetState()->GetComputedForce());
+  sample.SurfaceValue = device->GetState()->GetSurfaceValue();
   this->Begun.Points.push_back(this->Scene.GetProxy());
   this->Begun.Samples.push_back(sample);
   if (static_cast<int>(this->Begun.Points.size()) == CountPoints(kind))
@@ -234,7 +234,7 @@ std::unique_ptr<PaintedPatch> MeasureKeys::MakeBrush(const Vector3& proxy, doubl
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   vtkImageData* const image = this->Scene.FindImage();
-  vtkDataArray* const array = image ? HapticBaker(filter).GetReading().GetArray(image) : nullptr;
+  vtkDataArray* const array = image ? filter->GetBaker().GetReading().GetArray(image) : nullptr;
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     image->GetDataDimension() != 3)
   {
@@ -247,7 +247,7 @@ std::unique_ptr<PaintedPatch> MeasureKeys::MakeBrush(const Vector3& proxy, doubl
     isIso ? filter->GetIsoValue() : 0.5 * (ValueAt(image, array, component, proxy) + surfaceValue);
   const double voxel = SmallestSpacing(image);
   const double wanted = this->Scene.Measurements->GetBrushRadius();
-  this->BrushStep = StepVoxels * voxel;
+  this->BrushStep = BrushStepVoxels * voxel;
   return std::make_unique<PaintedPatch>(
     image, array, component, value, wanted > 0.0 ? wanted : BrushVoxels * voxel);
 }

@@ -22,7 +22,7 @@ namespace VolumeHaptics
 
 namespace
 {
-constexpr double LongestDelay = 0.8; // s, delay of timers; from 1 s on, VTK 9.1 adds a second
+constexpr double LongestTimerDelay = 0.8; // s, delay of timers; from 1 s on, VTK 9.1 adds a second
 } // namespace
 
 SceneFrames::SceneFrames(
@@ -38,7 +38,7 @@ SceneFrames::SceneFrames(
         const bool isArmed = device && this->Scene.IsArmed();
         // A playing volume is drawn again and again.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
-          (device && device->HasFrames() && device->IsPlaying());
+          (device && device->GetPlayback()->HasFrames() && device->GetPlayback()->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
       })
 {
@@ -64,7 +64,7 @@ void SceneFrames::Draw(bool quickly)
   this->Pace.Drawn(quickly, end, end - start);
   this->HasHappened = false;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  if (end - start > LongestDelay && interactor && !this->Window.IsClosed() &&
+  if (end - start > LongestTimerDelay && interactor && !this->Window.IsClosed() &&
     interactor->IsA("vtkXRenderWindowInteractor"))
   {
     WakeEventLoop(interactor->GetRenderWindow());

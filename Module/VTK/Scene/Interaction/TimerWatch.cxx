@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestWait = 1.0; // s
+constexpr double LongestTimerless = 1.0; // s
 /// The longest counted time between two events (s): the loop stands still while a slow frame is
 /// drawn.
 constexpr double LongestGap = 0.1;
@@ -101,7 +101,7 @@ void TimerWatch::OnInput()
   this->Waited += std::min(gap, LongestGap);
   vtkRenderWindow* const window = this->Interactor->GetRenderWindow();
   vtkHapticDevice* const device = this->Style->GetDevice();
-  if (this->Waited < LongestWait || !window || !device || !device->IsRunning())
+  if (this->Waited < LongestTimerless || !window || !device || !device->IsRunning())
   {
     return;
   }

@@ -4,7 +4,6 @@
 
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Device/HapticLongWork.h"
-#include "VTK/Device/VirtualTip.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/Base/HapticViewRay.h"
 #include "VTK/Scene/Frames/HapticWindowWatch.h"
@@ -104,7 +103,7 @@ void TouchMode::Begin(const Vector3* at)
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
       // Do not wait for a mesh that is made in the background.
-      const HapticBaker baker(filter);
+      HapticBaker& baker = filter->GetBaker();
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
       {
@@ -120,7 +119,7 @@ void TouchMode::Begin(const Vector3* at)
   if (leadsTip)
   {
     this->Lead = start;
-    device->PlaceVirtualTip(start.X, start.Y, start.Z);
+    device->GetVirtualHand()->Place(start.X, start.Y, start.Z);
   }
   this->IsTouching = true;
   if (!this->Workspace.IsClutched())
@@ -139,7 +138,7 @@ bool TouchMode::LeadsTip() const
 void TouchMode::PressButton()
 {
   this->IsPressed = true;
-  this->Scene.Device->SetVirtualButtons(1);
+  this->Scene.Device->GetVirtualHand()->SetButtons(1);
 }
 
 bool TouchMode::ReleaseButton()
@@ -150,7 +149,7 @@ bool TouchMode::ReleaseButton()
   }
   if (this->Scene.Device && this->Scene.IsVirtual())
   {
-    this->Scene.Device->SetVirtualButtons(0);
+    this->Scene.Device->GetVirtualHand()->SetButtons(0);
   }
   return true;
 }
@@ -175,7 +174,7 @@ double TouchMode::GetFineness() const
 void TouchMode::LeadTo(const Vector3& world)
 {
   this->Lead = world;
-  this->Scene.Device->SetVirtualTip(world.X, world.Y, world.Z);
+  this->Scene.Device->GetVirtualHand()->SetPosition(world.X, world.Y, world.Z);
 }
 
 void TouchMode::MoveInDepth(double steps)
@@ -198,7 +197,7 @@ double TouchMode::GetTravelTime() const
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // metres per world unit
-  return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualTip::GetSpeed();
+  return meters * Norm(this->Lead - this->Scene.GetTip()) / vtkHapticVirtualHand::GetSpeed();
 }
 
 bool TouchMode::HasSurfaces() const
@@ -225,7 +224,7 @@ Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) c
   const double depth = Dot(this->Lead - before, LineOfSight(renderer, this->Lead));
   const Vector3 sight = LineOfSight(renderer, target);
   const double voxel = SmallestSpacing(filter->GetTouchedImage());
-  if (this->Scene.Device->GetContact() == 0)
+  if (this->Scene.Device->GetState()->GetContact() == 0)
   {
     const double reach = FindToolReach(filter->GetTool());
     const bool isNear = isOver && depth > -highest * voxel - reach;

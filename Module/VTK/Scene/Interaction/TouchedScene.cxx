@@ -39,13 +39,13 @@ bool TouchedScene::IsArmed() const
 
 Vector3 TouchedScene::GetTip() const
 {
-  const double* const tip = this->Device->GetTipPosition();
+  const double* const tip = this->Device->GetState()->GetTipPosition();
   return { tip[0], tip[1], tip[2] };
 }
 
 Vector3 TouchedScene::GetProxy() const
 {
-  const double* const proxy = this->Device->GetProxyPosition();
+  const double* const proxy = this->Device->GetState()->GetProxyPosition();
   return { proxy[0], proxy[1], proxy[2] };
 }
 

@@ -6,7 +6,7 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Scene/Base/KeptSettings.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
-#include "VTK/Scene/Volumes/FilterCarving.h"
+#include "VTK/Scene/Volumes/CarvedImage.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -390,8 +390,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
 {
   const double now = vtkTimerLog::GetUniversalTime();
   // FORCE_FIELD has no contact, only a force.
-  if (this->All.size() < 2 || !renderer || this->Scene.Device->GetContact() != 0 ||
-    Norm(FromArray(this->Scene.Device->GetComputedForce())) > SmallForce ||
+  if (this->All.size() < 2 || !renderer || this->Scene.Device->GetState()->GetContact() != 0 ||
+    Norm(FromArray(this->Scene.Device->GetState()->GetComputedForce())) > SmallForce ||
     now - this->ChosenTime < Pause)
   {
     return;

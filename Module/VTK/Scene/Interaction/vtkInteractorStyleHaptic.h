@@ -84,7 +84,7 @@
  * A real device stays where the hand is; then, and without a device, only the slices go there,
  * until the tip moves.
  *
- * Keys of a volume that moves (vtkHapticDevice::Play), where there is one:
+ * Keys of a volume that moves (vtkHapticPlayback::Play), where there is one:
  *
  *   space       play, and hold
  *   Left, Right hold, and go to the frame before and after
@@ -342,7 +342,7 @@ public:
 
   /**
    * Feel the same position with the next method of the device's filter, in the order of
-   * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
+   * vtkVolumeHapticsFilter::GetMethodNames. The servo runs on; a force that grows does so at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
    * method, and then the surface around the tip (vtkHapticDevice::Publish); the head-up display
    * announces that. If the method can't be felt, for example because IsoValue does not
@@ -453,7 +453,7 @@ public:
   void CheckShownVolumes();
 
   /**
-   * The states that the last update took from the device: see vtkHapticDevice::DrainStates. Each
+   * The states that the last update took from the device: see vtkHapticState::Drain. Each
    * style gets all of them, even if several styles use one device.
    */
   vtkTable* GetStates();

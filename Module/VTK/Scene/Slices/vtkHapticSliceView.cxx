@@ -6,7 +6,6 @@
 #include "VTK/Scene/Base/TouchedLabel.h"
 #include "VTK/Scene/Base/WindowDock.h"
 #include "VTK/Scene/Slices/HapticSliceViewSettings.h"
-#include "VTK/Scene/Slices/SliceImage.h"
 #include "VTK/Scene/Slices/SlicePanel.h"
 
 #include "vtkCallbackCommand.h"
@@ -351,7 +350,7 @@ bool vtkHapticSliceView::vtkInternals::FollowTip()
     this->HasTip = false;
     return false;
   }
-  const SliceIndex tip = this->Shown.FindIndex(device->GetTipPosition());
+  const SliceIndex tip = this->Shown.FindIndex(device->GetState()->GetTipPosition());
   double motion = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {

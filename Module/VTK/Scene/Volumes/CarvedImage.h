@@ -9,7 +9,7 @@
 #ifndef CarvedImage_h
 #define CarvedImage_h
 
-#include "VTK/Scene/Volumes/FilterCarving.h"
+#include "VTK/Scene/Volumes/CarvedArray.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -17,9 +17,39 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <memory>
+
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
+
+/** The tissue removed from a volume at one time, and its place. */
+struct RemovedTissue
+{
+  std::shared_ptr<TissueRemoval> Removal; ///< null: nothing
+  vtkSmartPointer<vtkImageData> Volume;   ///< place and extent of the volume, without samples
+  vtkMTimeType VolumeTime = 0;            ///< time of Volume
+  int Component = 0;                      ///< the component that has lost tissue
+  double Air = 0.0;                       ///< value of a sample without tissue
+  std::uint64_t Changes = 0;              ///< number of the bricks' changes
+
+  bool IsSame(const RemovedTissue& other) const
+  {
+    return this->Removal == other.Removal && this->Volume == other.Volume &&
+      this->VolumeTime == other.VolumeTime && this->Component == other.Component &&
+      this->Air == other.Air && this->Changes == other.Changes;
+  }
+};
+
+/**
+ * The removed tissue of the whole volume; the samples in memory may be a region of it, or none.
+ * Empty while all tissue remains, and for a new volume without a model.
+ */
+RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter);
+
+/** Whether tissue was removed from the filter's present volume. Updates nothing. */
+bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
 /** The tissue of the volume that a sample of an image stands for. */
 enum class CarvedCover : std::uint8_t

@@ -2,14 +2,131 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Volumes/CarvedPicture.h"
 
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Scene/Base/SmartMapperParts.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHapticRemoval.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkVolume.h"
+#include "vtkVolumeInputHelper.h"
+#include "vtkVolumeTexture.h"
+
+#include VOLUME_HAPTICS_OPENGL_HEADER
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
+{
+  return mapper->GetNumberOfInputConnections(port) > 0
+    ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(port, 0))
+    : nullptr;
+}
+
+/** What a mapper shows of the image on a port. */
+vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
+{
+  vtkImageData* const image = FindImage(mapper, port);
+  int isCells = 0;
+  return image
+    ? vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), isCells)
+    : nullptr;
+}
+
+bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
+{
+  return shown->HasInformation() &&
+    shown->GetInformation()->Get(vtkHapticRemoval::TOUCHED_ARRAY()) == touched &&
+    shown->GetNumberOfTuples() == touched->GetNumberOfTuples() &&
+    shown->GetNumberOfComponents() == touched->GetNumberOfComponents();
+}
+
+/**
+ * The most renderings in a row that may show all tissue; beyond, VTK uploads the array in each of
+ * them.
+ */
+constexpr int MostMissed = 3;
+
+/** Types whose textures VTK fills from the array itself, or from floats made of it. */
+bool HasTextureType(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_CHAR:
+    case VTK_BIT:
+    case VTK_ID_TYPE:
+      return false;
+    default:
+      return array->GetNumberOfComponents() <= 4;
+  }
+}
+
+/** Sets how OpenGL reads the samples of a brick from memory, until the scope ends. */
+class PackedSamples
+{
+public:
+  explicit PackedSamples(vtkOpenGLState* state)
+    : State(state)
+    , Unit(state)
+  {
+    for (std::size_t i = 0; i < std::size(Names); ++i)
+    {
+      state->vtkglGetIntegerv(Names[i], &this->Before[i]);
+      // VTK caches these, and may not have noticed what others have set.
+      state->vtkglPixelStorei(Names[i], this->Before[i]);
+      state->vtkglPixelStorei(Names[i], Names[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
+    }
+    state->vtkglGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->Buffer);
+    if (this->Buffer != 0)
+    {
+      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    }
+  }
+  ~PackedSamples()
+  {
+    for (std::size_t i = 0; i < std::size(Names); ++i)
+    {
+      this->State->vtkglPixelStorei(Names[i], this->Before[i]);
+    }
+    if (this->Buffer != 0)
+    {
+      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(this->Buffer));
+    }
+  }
+  PackedSamples(const PackedSamples&) = delete;
+  PackedSamples& operator=(const PackedSamples&) = delete;
+
+private:
+  static constexpr unsigned int Names[] = { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_IMAGES };
+
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglActiveTexture Unit;
+  int Before[std::size(Names)] = {};
+  int Buffer = 0;
+};
 
 /** Whether a mapper now draws in a way that uses no texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)
@@ -40,6 +157,322 @@ vtkOpenGLGPUVolumeRayCastMapper* FindTextureMapper(vtkVolumeMapper* mapper)
 }
 
 } // namespace
+
+int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array)
+{
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    if (GetShown(mapper, port) == array)
+    {
+      return port;
+    }
+  }
+  return -1;
+}
+
+vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched)
+{
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataArray* const shown = GetShown(mapper, port);
+    if (shown && (shown == touched || IsShownInstead(shown, touched)))
+    {
+      return shown;
+    }
+  }
+  return nullptr;
+}
+
+bool CarvedCopy::Replace()
+{
+  vtkVolumeMapper* const mapper = this->Mapper;
+  const int port = FindShownPort(mapper, this->Carved.Array);
+  if (port < 0)
+  {
+    return false;
+  }
+  this->Image = FindImage(mapper, port);
+  this->Copy.TakeReference(this->Image->NewInstance());
+  this->CopyImage();
+  this->Input.Put(mapper, port, this->Copy);
+  return true;
+}
+
+void CarvedCopy::CopyImage()
+{
+  this->ImageTime = this->Image->GetMTime();
+  this->Left = CopyArray(this->Carved.Array);
+  if (this->Left->HasInformation())
+  {
+    // The copy belongs to this picture.
+    this->Left->GetInformation()->Remove(vtkHapticRemoval::TOUCHED_ARRAY());
+  }
+  this->Copy->ShallowCopy(this->Image);
+  // Arrays keep their indices, because a mapper may select an array by index.
+  vtkPointData* const from = this->Image->GetPointData();
+  vtkPointData* const to = this->Copy->GetPointData();
+  to->Initialize();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = from->GetAbstractArray(i);
+    to->AddArray(array == this->Carved.Array ? this->Left.Get() : array);
+  }
+  int attributes[vtkDataSetAttributes::NUM_ATTRIBUTES];
+  from->GetAttributeIndices(attributes);
+  for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind)
+  {
+    if (attributes[kind] >= 0)
+    {
+      to->SetActiveAttribute(attributes[kind], kind);
+    }
+  }
+  this->Bricks.TakeAll([this](std::uint32_t brick) { this->WriteBrick(brick); });
+}
+
+bool CarvedCopy::Update()
+{
+  if (!this->Input.IsShown())
+  {
+    return this->Replace();
+  }
+  if (this->Input.UpdateReplaced() != this->Image)
+  {
+    this->Input.GiveBack();
+    return this->Replace();
+  }
+  if (this->Image->GetMTime() != this->ImageTime)
+  {
+    this->CopyImage();
+    return true;
+  }
+  bool isNew = false;
+  this->Bricks.Take(
+    [this, &isNew](std::uint32_t brick)
+    {
+      this->WriteBrick(brick);
+      isNew = true;
+    });
+  if (isNew)
+  {
+    this->Left->Modified();
+    this->Copy->Modified();
+  }
+  return isNew;
+}
+
+void CarvedCopy::WriteBrick(std::uint32_t brick)
+{
+  ArrayBox box;
+  if (!FindBrickBox(this->Carved, brick, box))
+  {
+    return;
+  }
+  CopyBrick(this->Carved, brick, BrickContent::Left, box, this->Buffer);
+  const auto tuple = static_cast<std::int64_t>(
+    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes
+  auto* const values = static_cast<unsigned char*>(this->Left->GetVoidPointer(0));
+  const unsigned char* from = this->Buffer.data();
+  for (std::int64_t k = box.Low[2]; k < box.Low[2] + box.Size[2]; ++k)
+  {
+    for (std::int64_t j = box.Low[1]; j < box.Low[1] + box.Size[1]; ++j)
+    {
+      const std::int64_t at =
+        box.Low[0] + this->Carved.Dimensions[0] * (j + this->Carved.Dimensions[1] * k);
+      const std::int64_t row = tuple * box.Size[0];
+      std::memcpy(values + tuple * at, from, static_cast<std::size_t>(row));
+      from += row;
+    }
+  }
+}
+
+CarvedTexture::CarvedTexture(
+  vtkOpenGLGPUVolumeRayCastMapper* mapper, const CarvedArray& carved, FollowedBricks& bricks)
+  : Mapper(mapper)
+  , Carved(carved)
+  , Bricks(bricks)
+{
+  this->Forget();
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
+    { static_cast<CarvedTexture*>(self)->FollowRendering(event); });
+  for (const unsigned long event : { vtkCommand::VolumeMapperRenderStartEvent,
+         vtkCommand::UpdateShaderEvent, vtkCommand::VolumeMapperRenderEndEvent })
+  {
+    mapper->AddObserver(event, this->Observer);
+  }
+}
+
+CarvedTexture::~CarvedTexture()
+{
+  if (vtkOpenGLGPUVolumeRayCastMapper* const mapper = this->Mapper)
+  {
+    mapper->RemoveObserver(this->Observer);
+  }
+}
+
+void CarvedTexture::Forget()
+{
+  this->Texture = nullptr;
+  this->Missed = 0;
+  this->IsFrameDue = false;
+  this->HasFailed = !HasTextureType(this->Carved.Array);
+}
+
+vtkVolumeTexture* CarvedTexture::FindVolume() const
+{
+  if (vtkOpenGLGPUVolumeRayCastMapper* const mapper = this->Mapper)
+  {
+    for (auto& input : mapper->AssembledInputs)
+    {
+      vtkVolumeTexture* const volume = input.second.Texture;
+      if (volume && volume->GetLoadedScalars() == this->Carved.Array)
+      {
+        return volume;
+      }
+    }
+  }
+  return nullptr;
+}
+
+bool CarvedTexture::FindUpload()
+{
+  vtkVolumeTexture* const volume = this->FindVolume();
+  if (!volume)
+  {
+    this->HasFailed = true;
+    return false;
+  }
+  const auto& partitions = volume->GetPartitions();
+  const float* const range = volume->ScalarRange[this->Carved.Component];
+  const auto air = static_cast<float>(this->Carved.Air);
+  if (partitions[0] * partitions[1] * partitions[2] > 1 || !(air >= range[0] && air <= range[1]))
+  {
+    this->HasFailed = true;
+    return false;
+  }
+  // The block's pointer is valid only after an upload: VTK does not reset it when it releases the
+  // texture.
+  if (this->Texture && this->UploadTime == volume->UploadTime.GetMTime())
+  {
+    return false;
+  }
+  this->Texture = volume->GetCurrentBlock()->TextureObject;
+  this->UploadTime = volume->UploadTime.GetMTime();
+  return true;
+}
+
+bool CarvedTexture::IsAtHand() const
+{
+  vtkTextureObject* const texture = this->Texture;
+  vtkOpenGLRenderWindow* const window = texture ? texture->GetContext() : nullptr;
+  return window && texture->GetHandle() != 0 && window->IsCurrent();
+}
+
+void CarvedTexture::FollowRendering(unsigned long event)
+{
+  if (this->HasFailed)
+  {
+    return;
+  }
+  if (event == vtkCommand::VolumeMapperRenderStartEvent)
+  {
+    this->Begin.Modified();
+    if (this->IsAtHand())
+    {
+      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.Take(f); });
+    }
+  }
+  else if (event == vtkCommand::UpdateShaderEvent)
+  {
+    if (this->FindUpload())
+    {
+      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
+    }
+  }
+  else
+  {
+    this->EndRendering();
+  }
+}
+
+void CarvedTexture::EndRendering()
+{
+  vtkOpenGLGPUVolumeRayCastMapper* const mapper = this->Mapper;
+  if (!mapper || mapper->AssembledInputs.empty())
+  {
+    return; // nothing was drawn
+  }
+  vtkVolumeTexture* const volume = this->FindVolume();
+  bool isLate = false;
+  if (!volume || volume->UploadTime > this->Begin)
+  {
+    isLate = this->FindUpload();
+  }
+  if (isLate)
+  {
+    this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
+  }
+  // Without a texture, this rendering built the shader, and the next rendering will send the event.
+  const bool wasMissed = isLate || !this->Texture;
+  this->Missed = wasMissed ? this->Missed + 1 : 0;
+  this->HasFailed = this->HasFailed || this->Missed > MostMissed;
+  this->IsFrameDue = this->IsFrameDue || wasMissed || this->HasFailed;
+}
+
+template <typename Take>
+void CarvedTexture::Send(BrickContent content, Take&& take)
+{
+  vtkVolumeTexture* const volume = this->FindVolume();
+  if (!volume)
+  {
+    return;
+  }
+  const PackedSamples samples(this->Texture->GetContext()->GetState());
+  this->Texture->Activate();
+  take([&](std::uint32_t brick) { this->SendBrick(volume, content, brick); });
+  this->Texture->Deactivate();
+}
+
+void CarvedTexture::SendBrick(vtkVolumeTexture* volume, BrickContent content, std::uint32_t brick)
+{
+  ArrayBox box;
+  if (!FindBrickBox(this->Carved, brick, box))
+  {
+    return;
+  }
+  int type = this->Carved.Array->GetDataType();
+  if (volume->HandleLargeDataTypes)
+  {
+    type = VTK_FLOAT;
+    CopyBrickAsFloat(this->Carved, brick, content, box, volume->Scale, volume->Bias, this->Buffer);
+  }
+  else
+  {
+    CopyBrick(this->Carved, brick, content, box, this->Buffer);
+  }
+  const int components = this->Carved.Array->GetNumberOfComponents();
+  glTexSubImage3D(GL_TEXTURE_3D, 0, static_cast<GLint>(box.Low[0]), static_cast<GLint>(box.Low[1]),
+    static_cast<GLint>(box.Low[2]), static_cast<GLsizei>(box.Size[0]),
+    static_cast<GLsizei>(box.Size[1]), static_cast<GLsizei>(box.Size[2]),
+    this->Texture->GetFormat(type, components, false),
+    static_cast<GLenum>(this->Texture->GetDataType(type)), this->Buffer.data());
+}
+
+void CarvedTexture::Restore()
+{
+  vtkTextureObject* const texture = this->Texture;
+  vtkOpenGLRenderWindow* const window = texture ? texture->GetContext() : nullptr;
+  if (!window || texture->GetHandle() == 0)
+  {
+    return; // VTK uploads the array before drawing it again
+  }
+  window->PushContext();
+  if (this->IsAtHand())
+  {
+    this->Send(BrickContent::Whole, [this](auto&& f) { this->Bricks.TakeAll(f); });
+  }
+  window->PopContext();
+}
 
 CarvedPicture::CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDataArray* shown)
   : Mapper(mapper)
@@ -93,6 +526,90 @@ bool CarvedPicture::Update()
   }
   this->Copy = std::make_unique<CarvedCopy>(mapper, this->Carved, this->Bricks);
   return this->Copy->Update();
+}
+
+void CarvedPictures::Find(
+  vtkRenderer* renderer, const CarvedArray& array, std::vector<std::unique_ptr<CarvedPicture>>& now)
+{
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    auto* const volume = vtkVolume::SafeDownCast(prop);
+    auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
+    // Null if the mapper has a picture's copy, or shows something else.
+    vtkDataArray* const shown = FindShownArray(mapper, array.Array);
+    const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
+    {
+      return one && one->GetMapper() == mapper && one->GetArray().IsSame(array) &&
+        (!shown || shown == one->GetShown());
+    };
+    if (!mapper || std::any_of(now.begin(), now.end(), isKnown))
+    {
+      continue;
+    }
+    const auto known = std::find_if(this->All.begin(), this->All.end(), isKnown);
+    if (known != this->All.end())
+    {
+      now.push_back(std::move(*known));
+    }
+    else if (shown)
+    {
+      now.push_back(std::make_unique<CarvedPicture>(mapper, array, shown));
+    }
+  }
+}
+
+bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray>& arrays)
+{
+  std::vector<std::unique_ptr<CarvedPicture>> now;
+  vtkRenderWindow* const window = renderer->GetRenderWindow();
+  vtkRendererCollection* const renderers = window ? window->GetRenderers() : nullptr;
+  for (const CarvedArray& array : arrays)
+  {
+    if (!renderers)
+    {
+      this->Find(renderer, array, now);
+      continue;
+    }
+    vtkCollectionSimpleIterator it;
+    renderers->InitTraversal(it);
+    while (vtkRenderer* one = renderers->GetNextRenderer(it))
+    {
+      this->Find(one, array, now);
+    }
+  }
+  // The end of a picture changes the shown tissue, too.
+  bool isNew = std::any_of(this->All.begin(), this->All.end(),
+    [](const std::unique_ptr<CarvedPicture>& one) { return one != nullptr; });
+  this->All = std::move(now);
+  for (const std::unique_ptr<CarvedPicture>& one : this->All)
+  {
+    isNew = one->Update() || isNew;
+  }
+  return isNew;
+}
+
+vtkAlgorithmOutput* CarvedPictures::FindInput(vtkVolumeMapper* mapper) const
+{
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  vtkDataObject* const shown = mapper->GetInputDataObject(0, 0);
+  const auto picture = std::find_if(this->All.begin(), this->All.end(),
+    [mapper, shown](const std::unique_ptr<CarvedPicture>& one)
+    { return one->GetMapper() == mapper && one->IsCopy(shown); });
+  return picture == this->All.end() ? mapper->GetInputConnection(0, 0) : (*picture)->GetReplaced();
+}
+
+vtkImageData* CarvedPictures::FindImage(vtkVolumeMapper* mapper) const
+{
+  vtkAlgorithmOutput* const input = this->FindInput(mapper);
+  return input
+    ? vtkImageData::SafeDownCast(input->GetProducer()->GetOutputDataObject(input->GetIndex()))
+    : nullptr;
 }
 
 } // namespace VolumeHaptics

@@ -87,7 +87,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
   auto* const felt =
     filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
   vtkDataArray* const frames = felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
-    ? HapticBaker(filter).GetTouched()[0].Array
+    ? filter->GetBaker().GetTouched()[0].Array
     : nullptr;
   std::vector<Shown> now;
   vtkPropCollection* const props = renderer->GetViewProps();
@@ -127,7 +127,7 @@ bool HapticShownFrames::Show(vtkHapticDevice* device)
   {
     return false;
   }
-  vtkImageData* const frame = device->GetFrameImage();
+  vtkImageData* const frame = device->GetPlayback()->GetFrameImage();
   if (!frame)
   {
     this->Restore();

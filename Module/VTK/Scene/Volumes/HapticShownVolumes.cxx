@@ -4,7 +4,7 @@
 
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
-#include "VTK/Scene/Volumes/CarvedPictures.h"
+#include "VTK/Scene/Volumes/CarvedPicture.h"
 #include "VTK/Scene/Volumes/HapticShownFrames.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
@@ -365,7 +365,7 @@ unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkIm
 
 bool HapticShownVolumes::IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
-  vtkDataArray* const array = HapticBaker(filter).GetTouched()[0].Array;
+  vtkDataArray* const array = filter->GetBaker().GetTouched()[0].Array;
   vtkVolumeProperty* const seen = filter->GetProperty()->GetVisibilityFrom();
   const int component = filter->GetProperty()->GetComponent();
   if (!array || !seen || component >= array->GetNumberOfComponents() ||

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionPicture.h"
 
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/HapticVolume.h"
+#include "VTK/Scene/Volumes/CarvedArray.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
-#include "VTK/Scene/Volumes/FineBox.h"
-#include "VTK/Scene/Volumes/FollowedBricks.h"
 #include "VTK/Scene/Volumes/HapticPictureSettings.h"
-#include "VTK/Scene/Volumes/RegionParts.h"
 #include "VTK/Scene/Volumes/ReplacedInput.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkHapticRegionSource.h"
@@ -22,8 +23,10 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 #include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeMapper.h"
@@ -31,9 +34,194 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Flags of vtkVolumeMapper::SetCroppingRegionFlags; none includes the box itself. */
+struct RegionParts
+{
+  int Behind = 0;
+  int Before = 0;
+};
+
+/**
+ * Computes the flags for a box (lower and upper bounds along x, y and z) and an eye; or the
+ * direction to the eye, if it is infinitely far away.
+ */
+RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDirection)
+{
+  RegionParts parts;
+  for (int part = 0; part < 27; ++part)
+  {
+    const int side[3] = { part % 3 - 1, part / 3 % 3 - 1, part / 9 - 1 };
+    bool isBehind = false;
+    bool isBox = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      // The plane between part and box has the eye on the box's side.
+      const double above = side[a] > 0 ? (isDirection ? eye[a] : eye[a] - box[2 * a + 1])
+                                       : (isDirection ? -eye[a] : box[2 * a] - eye[a]);
+      isBehind = isBehind || (side[a] != 0 && above <= 0.0);
+      isBox = isBox && side[a] == 0;
+    }
+    if (!isBox)
+    {
+      (isBehind ? parts.Behind : parts.Before) |= 1 << part;
+    }
+  }
+  return parts;
+}
+
+/**
+ * Copies the samples of a region for display, on a thread of its own. All functions are for the
+ * owner.
+ */
+class FineBox
+{
+public:
+  /**
+   * Follows an image; null for none. Of a large image, copies every n-th sample along each axis, up
+   * to the wanted number.
+   */
+  void Follow(vtkImageData* image, vtkIdType mostVoxels);
+  /** The last finished copy, in the image's place; null if there is none. */
+  vtkImageData* GetCopy() const { return this->Copy; }
+
+private:
+  struct Key
+  {
+    const void* Samples = nullptr;
+    vtkIdType MostVoxels = 0;
+    bool operator==(const Key& other) const
+    {
+      return this->Samples == other.Samples && this->MostVoxels == other.MostVoxels;
+    }
+  };
+  using Bytes = std::shared_ptr<std::vector<char>>;
+
+  void TakeCopy(const std::vector<char>& bytes);
+
+  vtkSmartPointer<vtkDataArray> Source; ///< source of the copy in work, or of the last one
+  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in work
+  vtkSmartPointer<vtkImageData> Copy;
+  Key Of;    ///< key of the copy in work, or of the last copy
+  Key Shown; ///< key of Copy
+  KeyedWork<Key, Bytes> Work;
+};
+
+/** Every n-th sample of an extent along each axis. */
+struct SparseBox
+{
+  SparseBox(const int extent[6], vtkIdType mostVoxels)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Size[a] = extent[2 * a + 1] - extent[2 * a] + 1;
+    }
+    while (this->Count() > mostVoxels)
+    {
+      ++this->Step;
+    }
+  }
+  vtkIdType CountAlong(int axis) const { return (this->Size[axis] - 1) / this->Step + 1; }
+  vtkIdType Count() const
+  {
+    return this->CountAlong(0) * this->CountAlong(1) * this->CountAlong(2);
+  }
+
+  std::array<vtkIdType, 3> Size{};
+  vtkIdType Step = 1;
+};
+
+std::shared_ptr<std::vector<char>> CopySparsely(
+  const char* samples, std::size_t sampleSize, const SparseBox& box, WorkMonitor& monitor)
+{
+  auto bytes =
+    std::make_shared<std::vector<char>>(static_cast<std::size_t>(box.Count()) * sampleSize);
+  char* to = bytes->data();
+  for (vtkIdType k = 0; k < box.Size[2]; k += box.Step)
+  {
+    if (monitor.IsCancelled())
+    {
+      return nullptr;
+    }
+    for (vtkIdType j = 0; j < box.Size[1]; j += box.Step)
+    {
+      const char* const row =
+        samples + sampleSize * static_cast<std::size_t>(box.Size[0] * (j + box.Size[1] * k));
+      for (vtkIdType i = 0; i < box.Size[0]; i += box.Step, to += sampleSize)
+      {
+        std::memcpy(to, row + sampleSize * static_cast<std::size_t>(i), sampleSize);
+      }
+    }
+  }
+  return bytes;
+}
+
+void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
+{
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars || scalars->GetNumberOfComponents() != 1)
+  {
+    this->Work.Forget();
+    this->Copy = nullptr;
+    this->Source = nullptr;
+    this->Of = this->Shown = {};
+    return;
+  }
+  const Key key{ scalars, mostVoxels };
+  if (!(key == this->Of))
+  {
+    this->Work.Forget();
+    this->Of = key;
+    this->Source = scalars;
+    const SparseBox box(image->GetExtent(), mostVoxels);
+    this->Next = vtkSmartPointer<vtkImageData>::New();
+    this->Next->SetDimensions(static_cast<int>(box.CountAlong(0)),
+      static_cast<int>(box.CountAlong(1)), static_cast<int>(box.CountAlong(2)));
+    const double* const spacing = image->GetSpacing();
+    const auto step = static_cast<double>(box.Step);
+    this->Next->SetSpacing(step * spacing[0], step * spacing[1], step * spacing[2]);
+    double origin[3];
+    image->TransformIndexToPhysicalPoint(
+      image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], origin);
+    this->Next->SetOrigin(origin);
+    this->Next->SetDirectionMatrix(image->GetDirectionMatrix());
+    // A region never changes. Keep it until the next one is there, so that no other has its
+    // address.
+    const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
+    const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
+    this->Work.Follow(key,
+      [samples, size, box](WorkMonitor& monitor) -> std::optional<Bytes>
+      { return CopySparsely(samples, size, box, monitor); });
+  }
+  const Bytes* const made = this->Work.Find(key);
+  if (made && *made && !(this->Shown == key))
+  {
+    this->TakeCopy(**made);
+    this->Shown = key;
+    this->Work.Forget(); // releases its memory
+  }
+}
+
+void FineBox::TakeCopy(const std::vector<char>& bytes)
+{
+  this->Copy = this->Next;
+  AllocateScalars(this->Copy, this->Source->GetDataType(), 1);
+  std::copy(bytes.begin(), bytes.end(), static_cast<char*>(this->Copy->GetScalarPointer()));
+}
+
+} // namespace
+} // namespace VolumeHaptics
 
 using namespace VolumeHaptics;
 

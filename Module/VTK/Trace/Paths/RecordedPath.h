@@ -10,8 +10,15 @@
 #include "Core/Servo/ServoTick.h"
 #include "Core/Tools/PointShell/ShellContacts.h"
 
+#include "vtkType.h"
+
 #include <limits>
+#include <string>
 #include <vector>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkPolyData;
 
 namespace VolumeHaptics
 {
@@ -42,6 +49,44 @@ struct RecordedPath
   ///@}
   double TickPeriod = 0.0;     ///< period of the recorded servo (s)
   std::vector<ForceCaps> Caps; ///< caps of the recorded device, per placement
+};
+
+/**
+ * Reads the tip path of a recording, which may have been changed since it was written: checks every
+ * number, so that the servo's tick gets only numbers that it could have computed itself.
+ */
+class RecordedPathReader
+{
+public:
+  RecordedPathReader(vtkPolyData* path, RecordedPath& result);
+
+  /**
+   * Reads the recording. Returns the first fault, as the end of a sentence; empty if there is none.
+   */
+  std::string Read();
+
+private:
+  /**
+   * Returns an array of this shape. If it is missing or has another shape, stores a fault and
+   * returns null.
+   */
+  vtkDataArray* Find(
+    vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);
+  vtkDataArray* FindOfTicks(const char* name, int components);
+  vtkDataArray* FindField(const char* name, int components, vtkIdType tuples);
+  void Require(bool holds, const char* array, vtkIdType tuple, const char* wanted);
+  void ReadPlacements();
+  void ReadCaps();
+  void ReadBegin();
+  void ReadTicks();
+  void ReadOrientations();
+  void ReadContacts();
+  void ReadRemoval();
+
+  vtkPolyData* const Path;
+  RecordedPath& Result;
+  const vtkIdType Ticks;
+  std::string Flaw;
 };
 
 } // namespace VolumeHaptics

@@ -9,7 +9,6 @@
 
 #include "Core/Math/Quaternion.h"
 #include "VTK/Trace/Paths/RecordedPath.h"
-#include "VTK/Trace/Paths/TipPathLines.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -17,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkPoints;
@@ -26,7 +26,64 @@ namespace VolumeHaptics
 {
 
 /**
- * TipPathLines.h says which lines are paths. Without a point array `Time` every point is a tick.
+ * Finds the paths that the line cells of a polydata form.
+ *
+ * The points of several paths, one path after another.
+ */
+struct DividedPoints
+{
+  std::vector<vtkIdType> Points; ///< empty if they are 0, 1, 2 ...
+  std::vector<vtkIdType> Begins; ///< begin of each path in Points; then the end of the last path
+  vtkIdType Count = 0;           ///< number of all points
+
+  void Append(const vtkIdType* ids, vtkIdType count);
+  /** Returns the point that was appended last. */
+  vtkIdType GetLast() const { return this->Points.empty() ? this->Count - 1 : this->Points.back(); }
+};
+
+/**
+ * Divides a polydata into paths. A polydata with at most one line cell is one path, through all its
+ * points in the order in which they are stored. Segments (cells of two points) that one stroke of a
+ * pen draws are also one path. Otherwise each line cell is a path through its own points; segments
+ * that continue one another form one path. The points have to be finite.
+ */
+class TipPathLines
+{
+public:
+  explicit TipPathLines(vtkPolyData* path)
+    : Path(path)
+  {
+  }
+
+  /** Whether the polydata is one path; also true without points. */
+  bool IsOne() const;
+
+  /**
+   * Finds the first leap: consecutive points of the line cells, in the order in which they are
+   * stored, that no cell joins. Returns the points before and after the leap; -1, -1 if there is
+   * none. Points at one position need no cell.
+   */
+  std::pair<long long, long long> FindLeap() const;
+
+  /**
+   * Returns several paths in the order of the cells. An empty cell is a path without points. False,
+   * with an error, if a cell has a point that does not exist.
+   */
+  bool Divide(DividedPoints& divided, std::string& error) const;
+
+private:
+  bool IsOfSegments() const;
+  /**
+   * Counts the strokes of a pen that draw the line cells: 1 for segments that continue one another,
+   * in any order and direction; 0 without line cells.
+   */
+  std::size_t CountStrokes() const;
+
+  vtkPolyData* const Path;
+};
+
+/**
+ * TipPathLines says which lines are paths. Without a point array `Time` every point is a tick.
  * With it, a path is resampled linearly to one tick every `period` seconds, starting at its first
  * time. If points have the same time, the last one counts; a point at the time of a tick is used
  * unchanged, to the bit. A recording of vtkHapticDevice is one path, used tick by tick, in device

@@ -3,8 +3,10 @@
 #include "VTK/Trace/Paths/TipPathsWalk.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Core/Servo/ServoTick.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Trace/TracePart.h"
+#include "VTK/Trace/HapticTrace.h"
 
 #include "vtkSMPTools.h"
 
@@ -18,12 +20,25 @@ namespace VolumeHaptics
 namespace
 {
 
+/**
+ * Computes the data time: the first step's at the hand's time 0, and never before the first step's
+ * or after the last step's.
+ */
+double FindDataTime(const HapticModel& model, double time)
+{
+  const std::vector<FieldFrame>& frames = model.Baked->Frames;
+  return frames.empty()
+    ? 0.0
+    : std::clamp(frames.front().Time + model.Baked->Settings.TimeUnitsPerSecond * time,
+        frames.front().Time, frames.back().Time);
+}
+
 /** Long enough that handing a stretch to a thread costs nothing beside it. */
 constexpr vtkIdType LongestStretch = 1000;
 /** Towards the end of a round, stretches are shorter: all threads wait for the last one. */
 constexpr vtkIdType ShortestStretch = 64;
 /** So many rounds at most, if one path is long. */
-constexpr vtkIdType Rounds = 100;
+constexpr vtkIdType WalkRounds = 100;
 /** The least number of rounds of several paths. */
 constexpr vtkIdType LeastRounds = 8;
 /** So many paths for each thread are on their way at a time. */
@@ -81,6 +96,229 @@ bool IsFiniteRecord(const TickRecord& record)
 
 } // namespace
 
+TipReader::TipReader(const TipPaths& paths, std::size_t path)
+  : Paths(paths)
+  , Members(paths, path)
+{
+  if (paths.HaveTimes() && this->Members.GetSize() > 0)
+  {
+    this->Start = this->TimeAt(0);
+  }
+}
+
+Vector3 TipReader::FindPoint()
+{
+  const vtkIdType last = this->Members.GetSize() - 1;
+  const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
+  const double time = this->GetTime();
+  while (this->Before < last && this->TimeAt(this->Before + 1) <= time + snap)
+  {
+    ++this->Before;
+  }
+  const Vector3 a = this->PointAt(this->Before);
+  const double share = this->FindShare();
+  return share == 0.0 ? a : a + share * (this->PointAt(this->Before + 1) - a);
+}
+
+double TipReader::FindShare() const
+{
+  const vtkIdType before = this->Before;
+  const double since = this->GetTime() - this->TimeAt(before);
+  const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
+  return before == this->Members.GetSize() - 1 || std::abs(since) <= snap
+    ? 0.0
+    : since / (this->TimeAt(before + 1) - this->TimeAt(before));
+}
+
+Quaternion TipReader::FindOrientation() const
+{
+  const auto at = [this](vtkIdType i) -> const Quaternion&
+  { return this->Paths.GetOrientation(this->Members.At(i)); };
+  if (!this->Paths.HaveTimes())
+  {
+    return at(this->Tick);
+  }
+  const Quaternion& a = at(this->Before);
+  const double share = this->FindShare();
+  if (share == 0.0)
+  {
+    return a;
+  }
+  const Quaternion& b = at(this->Before + 1);
+  if (IsIdentical(a, NoOrientation) || IsIdentical(b, NoOrientation))
+  {
+    return NoOrientation;
+  }
+  // Interpolates the shorter way round: q and -q are the same orientation.
+  const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -share : share;
+  const double rest = 1.0 - share;
+  const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,
+    rest * a.Z + side * b.Z };
+  return (1.0 / std::sqrt(SquaredNorm(mixed))) * mixed;
+}
+
+TipPathWalk::TipPathWalk(const TipReader& tips, const ModelFinder* finder)
+  : Tips(tips)
+  , Finder(finder)
+{
+}
+
+TipPathWalk::TipPathWalk(const RecordedPath& recording)
+  : Recording(&recording)
+  , State(recording.InitialState)
+{
+}
+
+void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
+{
+  // Computes what ResidentServo does where all samples are there.
+  const Vector3 tip = model.WorldToDevice(this->Tips->Next());
+  this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
+  this->TakeHand(model);
+  this->ProvideTool(model);
+  TickAndServe(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
+    this->Tool.get());
+}
+
+void TipPathWalk::ProvideTool(const HapticModel& model)
+{
+  if (this->ToolOf != model.Baked.get())
+  {
+    this->ToolOf = model.Baked.get();
+    this->Tool = ToolMemory::Provide(*model.Baked, this->Tool);
+  }
+}
+
+std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const HapticModel> model)
+{
+  if (this->Tips)
+  {
+    const Vector3 tip = model->WorldToDevice(this->Tips->Next());
+    this->State.DataTime = FindDataTime(*model, this->Tips->GetTime());
+    this->TakeHand(*model);
+    if (this->Finder)
+    {
+      model = (*this->Finder)(std::move(model), this->State, tip);
+    }
+    this->Step(*model, tip, LocalSurfaceResult::Simulated());
+    return model;
+  }
+  const RecordedPath& recording = *this->Recording;
+  const std::size_t i = this->Next++;
+  // Keeps the order of the servo: the model, then enabling, then the tick.
+  const int placement = recording.PlacementOf[i];
+  if (i == 0 || placement != recording.PlacementOf[i - 1])
+  {
+    auto moved = std::make_shared<const HapticModel>(
+      *model, recording.Placements[placement], recording.Caps[placement]);
+    this->ProvideTool(*moved);
+    if (i > 0)
+    {
+      CarryState(*model, *moved, this->State, this->Tool.get());
+    }
+    else if (this->Tool &&
+      !RestoreContacts(
+        *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactShare))
+    {
+      // The state belongs to another tool; the new tool begins in the hand.
+      this->State.Shell = ShellState{};
+    }
+    model = std::move(moved);
+  }
+  if (recording.Enabled[i])
+  {
+    this->State.Enabled = false;
+  }
+  if (!recording.DataTimes.empty())
+  {
+    this->State.DataTime = recording.DataTimes[i];
+  }
+  if (!recording.Orientations.empty())
+  {
+    this->SetOrientation(recording.Orientations[i]);
+  }
+  this->TakeRemoval(*model, i);
+  // A surface counts from the tick in which the result of the slow loop arrived.
+  LocalSurface surface;
+  LocalSurfaceResult result;
+  if (recording.Renewed[i])
+  {
+    surface = FitLocalSurface(*model, this->State.Local.Request);
+    result.Surface = &surface;
+  }
+  this->Step(*model, recording.Tips[i], result);
+  return model;
+}
+
+void TipPathWalk::TakeRemoval(const HapticModel& model, std::size_t i)
+{
+  const RecordedPath& recording = *this->Recording;
+  this->State.IsSpinning = !recording.Spinning.empty() && recording.Spinning[i];
+  const RemovalRequest request =
+    recording.Requests.empty() ? RemovalRequest::None : recording.Requests[i];
+  if (request != RemovalRequest::None && model.Baked->Removal)
+  {
+    model.Baked->Removal->Request(request);
+  }
+}
+
+void TipPathWalk::TakeHand(const HapticModel& model)
+{
+  if (model.Baked->Tool)
+  {
+    this->State.IsSpinning = this->Tips->IsSpinning();
+    const Quaternion world = this->Tips->GetOrientation();
+    this->SetOrientation(IsIdentical(world, NoOrientation)
+        ? world
+        : Conjugate(ToQuaternion(model.DeviceToWorldRotation)) * world);
+  }
+}
+
+void TipPathWalk::SetOrientation(const Quaternion& orientation)
+{
+  this->State.HasOrientation = !IsIdentical(orientation, NoOrientation);
+  this->State.Orientation = this->State.HasOrientation ? orientation : Quaternion{};
+}
+
+Quaternion TipPathWalk::GetOrientation(const HapticModel& model) const
+{
+  return TurnedBy(model.DeviceToWorldRotation, this->State.Orientation, this->State.HasOrientation);
+}
+
+void TipPathWalk::Step(
+  const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result)
+{
+  this->ProvideTool(model);
+  this->Servo.Tick(model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result,
+    this->Gate, this->Tool.get());
+  if (this->Gate.GetOpening() < 1.0)
+  {
+    this->Scaled = this->Whole;
+    this->Scaled.Force = this->Gate.GetOpening() * this->Whole.Force;
+    this->Scaled.Torque = this->Gate.GetOpening() * this->Whole.Torque;
+  }
+}
+
+const TickRecord& TipPathWalk::GetRecord() const
+{
+  return this->Gate.GetOpening() < 1.0 ? this->Scaled : this->Whole;
+}
+
+ModeForces TipPathWalk::FindModeForces(const HapticModel& model) const
+{
+  ModeForces forces = VolumeHaptics::FindModeForces(model, this->State);
+  for (Vector3& force : forces)
+  {
+    force = this->Gate.GetOpening() * force;
+  }
+  return forces;
+}
+
+double TipPathWalk::GetTime() const
+{
+  return this->Tips ? this->Tips->GetTime() : this->Recording->Times[this->Next - 1];
+}
+
 /** A path on its way. */
 struct TipPathsWalk::Runner
 {
@@ -125,7 +363,7 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
   this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
   this->RoundTicks = this->Threads == 1
-    ? std::max(running * LongestStretch, ticks / Rounds)
+    ? std::max(running * LongestStretch, ticks / WalkRounds)
     : std::clamp(ticks / LeastRounds, running * LongestStretch,
         std::max(running * LongestStretch, this->Threads * TicksOfAThread));
   this->Rows.reserve(count);

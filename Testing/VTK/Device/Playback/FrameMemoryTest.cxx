@@ -89,22 +89,23 @@ protected:
   void Begin()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(12.0, 11.5, 11.5);
-    this->Device->Play();
+    this->Device->GetVirtualHand()->SetPosition(12.0, 11.5, 11.5);
+    this->Device->GetPlayback()->Play();
     ASSERT_TRUE(this->Device->Start());
-    ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 0.5; }));
+    ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 0.5; }));
   }
 
   bool GoTo(double time)
   {
-    this->Device->SetDataTime(time);
-    return this->WaitTicks(2) && this->Wait([this] { return !this->Device->IsWaitingForData(); });
+    this->Device->GetPlayback()->SetDataTime(time);
+    return this->WaitTicks(2) &&
+      this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); });
   }
 
   /// The value of the frame that is shown at (12, 12, 12); -1 without a frame.
   double GetFelt() const
   {
-    vtkImageData* const image = this->Device->GetFrameImage();
+    vtkImageData* const image = this->Device->GetPlayback()->GetFrameImage();
     return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
   }
   /// The value there with the wall at an x.
@@ -119,20 +120,25 @@ protected:
 
 TEST_F(FrameMemory, HasThreeStepsAtMostWhileTimeRuns)
 {
-  this->Device->SetPlaybackToLoop();
+  this->Device->GetPlayback()->SetModeToLoop();
   this->Begin();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > Steps - 1.5; }));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() < 2.0; })) << "it goes on";
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 4.0; }));
+  ASSERT_TRUE(
+    this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > Steps - 1.5; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 2.0; }))
+    << "it goes on";
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 4.0; }));
   EXPECT_EQ(TakeMost(), 3) << "in a loop";
-  this->Device->SetPlaybackToPingPong();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > Steps - 1.5; }));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() < 2.0; })) << "it turns";
+  this->Device->GetPlayback()->SetModeToPingPong();
+  ASSERT_TRUE(
+    this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > Steps - 1.5; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 2.0; }))
+    << "it turns";
   EXPECT_EQ(TakeMost(), 3) << "to and fro";
-  this->Device->SetPlaybackToLoop();
-  this->Device->SetPlaybackSpeed(-1.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > Steps - 1.5; }));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() < 4.0; }));
+  this->Device->GetPlayback()->SetModeToLoop();
+  this->Device->GetPlayback()->SetSpeed(-1.0);
+  ASSERT_TRUE(
+    this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > Steps - 1.5; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 4.0; }));
   EXPECT_EQ(TakeMost(), 3) << "backward";
   this->Device->Stop();
   EXPECT_LE(CountedArray::Live, 3);
@@ -146,13 +152,13 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
   for (const bool plays : { false, true })
   {
     for (const auto mode :
-      { vtkHapticDevice::ONCE, vtkHapticDevice::LOOP, vtkHapticDevice::PING_PONG })
+      { vtkHapticPlayback::ONCE, vtkHapticPlayback::LOOP, vtkHapticPlayback::PING_PONG })
     {
       for (const double speed : { 0.01, -0.01 })
       {
-        this->Device->SetPlayback(mode);
-        this->Device->SetPlaybackSpeed(speed);
-        plays ? this->Device->Play() : this->Device->Hold();
+        this->Device->GetPlayback()->SetMode(mode);
+        this->Device->GetPlayback()->SetSpeed(speed);
+        plays ? this->Device->GetPlayback()->Play() : this->Device->GetPlayback()->Hold();
         for (int i = 1; i < Steps; ++i)
         {
           // Far from the last one, between steps and on them.
@@ -160,7 +166,7 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
           ASSERT_TRUE(this->GoTo(time)) << time;
           if (!plays)
           {
-            EXPECT_EQ(this->Device->GetDataTime(), time);
+            EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
           }
           EXPECT_LE(TakeMost(), 3) << time;
         }
@@ -174,16 +180,17 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 TEST_F(FrameMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
 {
   this->Begin();
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(-1.0, Steps);
   for (int i = 0; i < 200; ++i)
   {
-    this->Device->SetDataTime(i % 2 ? anywhere(random) : std::round(anywhere(random)));
+    this->Device->GetPlayback()->SetDataTime(
+      i % 2 ? anywhere(random) : std::round(anywhere(random)));
     ASSERT_TRUE(this->WaitTicks(i % 4));
   }
   ASSERT_TRUE(this->GoTo(3.4));
-  EXPECT_EQ(this->Device->GetDataTime(), 3.4);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 3.4);
   EXPECT_EQ(TakeMost(), 3);
 }
 
@@ -194,11 +201,11 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
   for (const double time : { 7.3, 2.0, 5.5 })
   {
     this->Device->Stop();
-    this->Device->SetDataTime(time);
+    this->Device->GetPlayback()->SetDataTime(time);
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
-    ASSERT_TRUE(this->Wait([this] { return !this->Device->IsWaitingForData(); }));
-    EXPECT_GE(this->Device->GetDataTime(), time);
+    ASSERT_TRUE(this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); }));
+    EXPECT_GE(this->Device->GetPlayback()->GetDataTime(), time);
   }
   EXPECT_EQ(TakeMost(), 3);
 }
@@ -207,10 +214,10 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
 TEST_F(FrameMemory, HasThreeStepsAtMostWhereOneWasShown)
 {
   this->Begin();
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   for (int i = 1; i < 10; ++i)
   {
-    ASSERT_NE(this->Device->GetFrameImage(), nullptr);
+    ASSERT_NE(this->Device->GetPlayback()->GetFrameImage(), nullptr);
     ASSERT_TRUE(this->GoTo(static_cast<double>(i * 5 % (Steps - 1))));
     EXPECT_LE(TakeMost(), 3);
   }
@@ -222,13 +229,13 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(500.0);
   this->Begin();
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   for (int i = 1; i < 20; ++i)
   {
     const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
     ASSERT_TRUE(this->GoTo(time)) << time;
     // A sphere before the wall, which is met at the tip: it has no way into the wall.
-    EXPECT_EQ(this->Device->GetDataTime(), time);
+    EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
     EXPECT_LE(TakeMost(), 3) << time;
   }
   EXPECT_TRUE(this->FilterLog.Errors.empty());
@@ -238,7 +245,7 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
 TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 {
   this->Filter->SetIsoValue(500.0);
-  this->Device->SetPlaybackToLoop();
+  this->Device->GetPlayback()->SetModeToLoop();
   this->Begin();
   vtkHapticProperty* const property = this->Filter->GetProperty();
   for (int i = 0; i < 60; ++i)
@@ -257,14 +264,14 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
           i % 8 == 2 ? vtkVolumeHapticsFilter::SURFACE_PROXY : vtkVolumeHapticsFilter::PROXY);
         break;
       default:
-        this->Device->SetPlaybackSpeed(i % 8 == 3 ? 1.0 : -1.0);
+        this->Device->GetPlayback()->SetSpeed(i % 8 == 3 ? 1.0 : -1.0);
         break;
     }
-    const double before = this->Device->GetDataTime();
+    const double before = this->Device->GetPlayback()->GetDataTime();
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
     ASSERT_TRUE(this->WaitTicks(7 * (i % 5)));
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() != before; }));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() != before; }));
     EXPECT_LE(TakeMost(), 3) << i;
   }
   EXPECT_LE(CountedArray::Live, 3);
@@ -274,7 +281,7 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
 {
   this->Begin();
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->GoTo(2.0));
   EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(10.0));
   this->Source->Make = [](double time) { return MakeCounted(time + 1.0); };
@@ -309,7 +316,7 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnEarlierStage)
   stage->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(stage->GetOutputPort());
   this->Begin();
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->GoTo(2.0));
   EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(10.0));
   this->Source->Make = [](double time) { return MakeCounted(time + 1.0); };
@@ -335,21 +342,22 @@ TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
     stream->AddFrame(image, next);
     stream->Update();
     last = image;
-    this->Device->SetPlaybackSpeed(next < time ? -1.0 : 1.0);
+    this->Device->GetPlayback()->SetSpeed(next < time ? -1.0 : 1.0);
     time = next;
   };
   give(0.0);
   this->Filter->SetInputConnection(stream->GetOutputPort());
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(12.0, 11.5, 11.5);
-  this->Device->Play();
+  this->Device->GetVirtualHand()->SetPosition(12.0, 11.5, 11.5);
+  this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->Device->Start());
   TakeMost();
   for (const double next : { 1.0, 2.0, 3.0, 7.0, 8.0, 0.0, 8.0, 7.0, 6.0, 2.0, 1.0, 0.0 })
   {
     give(next);
     ASSERT_TRUE(this->Device->Publish());
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() == next; })) << next;
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() == next; }))
+      << next;
     EXPECT_LE(TakeMost(), 3) << next;
   }
 }

@@ -81,9 +81,9 @@ protected:
   void BeginToPlay()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(60.3, 60.2, MeshedTip);
-    this->Device->SetPlaybackSpeed(4.0);
-    this->Device->Play();
+    this->Device->GetVirtualHand()->SetPosition(60.3, 60.2, MeshedTip);
+    this->Device->GetPlayback()->SetSpeed(4.0);
+    this->Device->GetPlayback()->Play();
     ASSERT_TRUE(this->Device->Start());
   }
   bool Says(const char* words)
@@ -92,12 +92,14 @@ protected:
   }
   bool WaitTime(double time)
   {
-    return this->Wait([&] { return this->Device->GetDataTime() == time; });
+    return this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() == time; });
   }
   void ExpectForce()
   {
-    const double deep = std::max(0.0, MeshedTip + MeshedRadius - 7.5 + this->Device->GetDataTime());
-    EXPECT_NEAR(Length(this->Device->GetComputedForce()), 0.001 * MeshedStiffness * deep, 2e-3);
+    const double deep =
+      std::max(0.0, MeshedTip + MeshedRadius - 7.5 + this->Device->GetPlayback()->GetDataTime());
+    EXPECT_NEAR(
+      Length(this->Device->GetState()->GetComputedForce()), 0.001 * MeshedStiffness * deep, 2e-3);
   }
 
   vtkSmartPointer<GatedArray> Frames[3];
@@ -112,28 +114,28 @@ TEST_F(MeshedFrames, AreNotWaitedFor)
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_TRUE(this->Says("Meanwhile the surfaces of the frames are meshed."))
     << this->Device->GetStatusText();
-  EXPECT_FALSE(this->Device->HasFrames());
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
-  EXPECT_EQ(this->Device->GetDataTime(), 0.0);
+  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 0.0);
   // A change of mind does not wait either.
   this->Filter->SetIsoValue(700.0);
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->SetIsoValue(750.0);
   ASSERT_TRUE(this->Device->Publish());
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   this->LetTheWorkerGoOn();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->HasFrames(); }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->HasFrames(); }));
   EXPECT_FALSE(this->Says("meshed"));
   ASSERT_TRUE(this->WaitTicks(5));
   this->ExpectForce();
 
   // A filter along a path meshes where it is asked to, and has the same force to the bit.
   const std::string file = this->File("MeshedFrames.vtp");
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  this->Device->Play();
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
+  this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->WaitTime(1.0));
   this->ExpectForce();
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Close();
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
@@ -168,14 +170,16 @@ TEST_F(MeshedFrames, OfAStreamAreFeltBeforeTheNextOnes)
   ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
   this->Give(1);
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_FALSE(this->Device->HasFrames());
+  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
   this->LetTheWorkerGoOn();
   double least = 2.0;
   ASSERT_TRUE(this->Wait(
     [&]
     {
-      least = this->Device->HasFrames() ? std::min(least, this->Device->GetDataTime()) : least;
-      return this->Device->GetDataTime() == 2.0;
+      least = this->Device->GetPlayback()->HasFrames()
+        ? std::min(least, this->Device->GetPlayback()->GetDataTime())
+        : least;
+      return this->Device->GetPlayback()->GetDataTime() == 2.0;
     }));
   EXPECT_LT(least, 1.0);
   this->ExpectForce();
@@ -193,12 +197,12 @@ TEST_F(MeshedFrames, GoOnWhileOthersAreMade)
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetTimeUnitsPerSecond(1.0);
   ASSERT_TRUE(this->Lead(60.3, 60.2, MeshedTip + 1.0));
-  const double before = Length(this->Device->GetComputedForce());
+  const double before = Length(this->Device->GetState()->GetComputedForce());
   EXPECT_GT(before, 0.2);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
   ASSERT_TRUE(this->WaitTicks(20));
-  EXPECT_NEAR(Length(this->Device->GetComputedForce()), before, 1e-3);
+  EXPECT_NEAR(Length(this->Device->GetState()->GetComputedForce()), before, 1e-3);
   this->Device->Stop();
   EXPECT_FALSE(this->Says("meshed"));
   EXPECT_TRUE(this->IsWorkerHeldUp()) << "nothing waited for the worker";

@@ -60,7 +60,7 @@ protected:
   void Rest()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(TipRests, 11.5, 11.5);
+    this->Device->GetVirtualHand()->SetPosition(TipRests, 11.5, 11.5);
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
@@ -68,7 +68,7 @@ protected:
   /// While states come, for some time (s) of the servo.
   void Watch(double seconds, const std::function<void()>& look)
   {
-    const double end = this->Device->GetTime() + seconds;
+    const double end = this->Device->GetState()->GetTime() + seconds;
     ASSERT_TRUE(Eventually(
       [&]
       {
@@ -76,7 +76,7 @@ protected:
         {
           look();
         }
-        return this->Device->GetTime() >= end;
+        return this->Device->GetState()->GetTime() >= end;
       }));
   }
 
@@ -90,9 +90,9 @@ protected:
 
   void ExpectForceOfTheWall()
   {
-    const double time = this->Device->GetDataTime();
+    const double time = this->Device->GetPlayback()->GetDataTime();
     // A blend of two edges that are a voxel apart is off by 0.02 of their width at most.
-    EXPECT_NEAR(this->Device->GetComputedForce()[0],
+    EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
       0.001 * WallStiffness * std::max(0.0, FindWall(time) - TipRests), 0.02)
       << "at " << time;
   }
@@ -101,30 +101,31 @@ protected:
   void ExpectThatARecordingReplaysToTheBit(double first)
   {
     this->Filter->SetTimeUnitsPerSecond(9.0);
-    this->Device->SetPlaybackToLoop();
+    this->Device->GetPlayback()->SetModeToLoop();
     this->Rest();
-    this->Device->Play();
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > first + 0.5; }));
+    this->Device->GetPlayback()->Play();
+    ASSERT_TRUE(
+      this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() > first + 0.5; }));
     const std::string file = this->File("Playback.vtp");
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     double time = first;
     int loops = 0;
     bool isBack = false;
     this->Watch(1.5,
       [&]
       {
-        const double now = this->Device->GetDataTime();
+        const double now = this->Device->GetPlayback()->GetDataTime();
         loops += now < time ? 1 : 0;
         time = now;
         if (loops > 0 && !isBack)
         {
-          this->Device->SetVirtualTip(TipRests - 1.0, 11.0, 12.0);
-          this->Device->SetDataTime(first + 3.2);
+          this->Device->GetVirtualHand()->SetPosition(TipRests - 1.0, 11.0, 12.0);
+          this->Device->GetPlayback()->SetDataTime(first + 3.2);
           isBack = true;
         }
       });
     EXPECT_GT(loops, 1);
-    ASSERT_TRUE(this->Device->StopRecording());
+    ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     this->Device->Close();
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file.c_str());
@@ -187,7 +188,7 @@ TEST_F(PlaybackOfSteps, OfAGridIsTold)
   vtkNew<vtkAppendFilter> grid;
   grid->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(grid->GetOutputPort());
-  this->Device->Play(); // before the grid is there
+  this->Device->GetPlayback()->Play(); // before the grid is there
   this->Rest();
   ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
   for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
@@ -208,24 +209,24 @@ TEST_F(PlaybackOfSteps, OfAGridIsTold)
   this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
   this->Filter->SetTimeUnitsPerSecond(4.0);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 13.5; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() > 13.5; }));
   this->ExpectForceOfTheWall();
 }
 
 TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
 {
   this->Filter->SetTimeUnitsPerSecond(8.0);
-  this->Device->SetPlaybackToPingPong();
+  this->Device->GetPlayback()->SetModeToPingPong();
   this->Rest();
-  EXPECT_FALSE(this->Device->IsPlaying());
-  this->Device->Play();
+  EXPECT_FALSE(this->Device->GetPlayback()->IsPlaying());
+  this->Device->GetPlayback()->Play();
   double most = 0.0;
   double last = 10.0;
   double least = 14.0;
   this->Watch(2.5,
     [&]
     {
-      const double time = this->Device->GetDataTime();
+      const double time = this->Device->GetPlayback()->GetDataTime();
       if (time == 0.0)
       {
         return; // not felt yet
@@ -233,27 +234,27 @@ TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
       EXPECT_LE(10.0, time);
       EXPECT_LE(time, 14.0);
       this->ExpectForceOfTheWall();
-      most = std::max(most, this->Device->GetComputedForce()[0]);
+      most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
       least = time < last ? std::min(least, time) : least;
       last = time;
     });
   EXPECT_GT(most, 0.4);
   EXPECT_LT(least, 11.0); // it came back
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->WaitTicks(20));
-  const double held = this->Device->GetDataTime();
+  const double held = this->Device->GetPlayback()->GetDataTime();
   ASSERT_TRUE(this->WaitTicks(50));
-  EXPECT_EQ(this->Device->GetDataTime(), held);
-  EXPECT_FALSE(this->Device->IsWaitingForData());
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), held);
+  EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
 
 TEST_F(PlaybackOfSteps, TheVolumeStandsStillUntilItIsPlayed)
 {
   this->Rest();
   ASSERT_TRUE(this->WaitTicks(20));
-  EXPECT_EQ(this->Device->GetDataTime(), 0.0);
-  EXPECT_EQ(this->Device->GetPlayback(), vtkHapticDevice::ONCE);
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 0.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetMode(), vtkHapticPlayback::ONCE);
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
 }
 
 TEST_F(PlaybackOfSteps, GoesToAnyTimeAndFeelsTheWallThere)
@@ -261,18 +262,22 @@ TEST_F(PlaybackOfSteps, GoesToAnyTimeAndFeelsTheWallThere)
   this->Rest();
   for (const double time : { 13.6, 10.5, 12.0, 99.0, 11.0 })
   {
-    this->Device->SetDataTime(time);
-    EXPECT_EQ(this->Device->GetDataTime(), time);
+    this->Device->GetPlayback()->SetDataTime(time);
+    EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
     const double there = std::min(time, 14.0);
     ASSERT_TRUE(this->WaitTicks(5));
     ASSERT_TRUE(this->Wait(
-      [&] { return this->Device->GetDataTime() == there && !this->Device->IsWaitingForData(); }))
+      [&]
+      {
+        return this->Device->GetPlayback()->GetDataTime() == there &&
+          !this->Device->GetPlayback()->IsWaitingForData();
+      }))
       << time;
-    EXPECT_LE(this->Device->GetComputedForce()[0], 0.52);
+    EXPECT_LE(this->Device->GetState()->GetComputedForce()[0], 0.52);
   }
-  this->Device->SetDataTime(std::numeric_limits<double>::quiet_NaN());
+  this->Device->GetPlayback()->SetDataTime(std::numeric_limits<double>::quiet_NaN());
   this->ExpectError("The data time has to be a finite number");
-  EXPECT_EQ(this->Device->GetDataTime(), 11.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 11.0);
 }
 
 TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
@@ -280,11 +285,11 @@ TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
   this->Filter->SetTimeUnitsPerSecond(20.0);
   this->Source->FailsAt = 12.0;
   this->Rest();
-  this->Device->Play();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsWaitingForData(); }));
+  this->Device->GetPlayback()->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->IsWaitingForData(); }));
   this->Source->FailsAt = std::numeric_limits<double>::quiet_NaN();
   ASSERT_TRUE(this->WaitTicks(50));
-  EXPECT_EQ(this->Device->GetDataTime(), 11.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 11.0);
   EXPECT_NE(
     this->Device->GetStatusText().find("waiting for the frame at data time 12"), std::string::npos)
     << this->Device->GetStatusText();
@@ -293,8 +298,8 @@ TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
   ASSERT_TRUE(this->Device->Publish());
   this->Filter->Modified();
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 14.0; }));
-  EXPECT_FALSE(this->Device->IsWaitingForData());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 14.0; }));
+  EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
 
 TEST_F(PlaybackOfSteps, StepsOfAnotherShapeAreRefusedAndOthersOfAnotherTypeAreFelt)
@@ -306,10 +311,10 @@ TEST_F(PlaybackOfSteps, StepsOfAnotherShapeAreRefusedAndOthersOfAnotherTypeAreFe
                         : MakeWallStep(time, time == 14.0 ? 20 : 24);
   };
   this->Rest();
-  this->Device->Play();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsWaitingForData(); }));
+  this->Device->GetPlayback()->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->IsWaitingForData(); }));
   ASSERT_TRUE(this->WaitTicks(10));
-  EXPECT_EQ(this->Device->GetDataTime(), 13.0);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 13.0);
   this->ExpectForceOfTheWall();
   this->ExpectFilterError("has another geometry");
 }
@@ -327,36 +332,36 @@ TEST_F(PlaybackOfComponents, ARecordingReplaysToTheBit)
 TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
 {
   this->Filter->SetTimeUnitsPerSecond(8.0);
-  this->Device->SetPlaybackToLoop();
+  this->Device->GetPlayback()->SetModeToLoop();
   this->Rest();
   vtkDataArray* const array = this->Frames->GetPointData()->GetScalars();
   const int users = array->GetReferenceCount();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   double most = 0.0;
   this->Watch(1.2,
     [&]
     {
-      const double time = this->Device->GetDataTime();
+      const double time = this->Device->GetPlayback()->GetDataTime();
       if (time > 0.0 && time <= 4.0)
       {
-        EXPECT_NEAR(this->Device->GetComputedForce()[0],
+        EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
           0.001 * WallStiffness * std::max(0.0, FindWall(10.0 + time) - TipRests), 0.02)
           << "at " << time;
       }
-      most = std::max(most, this->Device->GetComputedForce()[0]);
+      most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.4);
   // Each frame, and the first one behind the last one, is the array itself.
   EXPECT_GE(array->GetReferenceCount(), users + 5);
-  EXPECT_FALSE(this->Device->IsWaitingForData());
+  EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
 
 TEST_F(PlaybackOfComponents, ChangesOfTheImageArePublished)
 {
   this->Filter->SetTimeUnitsPerSecond(1e-3);
-  this->Device->SetDataTime(3.0);
+  this->Device->GetPlayback()->SetDataTime(3.0);
   this->Rest();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 3.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 3.0; }));
   EXPECT_TRUE(this->Device->IsPublished());
   this->Frames->GetPointData()->GetScalars()->Modified();
   EXPECT_FALSE(this->Device->IsPublished());
@@ -368,7 +373,7 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
 {
   this->Filter->SetInputData(0, MakeWallStep(10.0));
   this->Rest();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->WaitTicks(20));
   this->ExpectFilterError("has one component, and the components are the frames");
 }
@@ -381,15 +386,15 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), strength);
   this->Filter->SetTimeUnitsPerSecond(8.0);
   this->Rest();
-  this->Device->SetDataTime(10.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
+  this->Device->GetPlayback()->SetDataTime(10.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 10.0; }));
   const std::string file = this->File("Slips.vtp");
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  this->Device->Play();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 14.0; }));
-  this->Device->SetPlaybackSpeed(-0.5);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
+  this->Device->GetPlayback()->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 14.0; }));
+  this->Device->GetPlayback()->SetSpeed(-0.5);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 10.0; }));
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
@@ -418,22 +423,23 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   this->Source->Make = [](double) { return MakeWallStep(13.5); };
   this->Filter->SetTimeUnitsPerSecond(20.0);
-  this->Device->SetPlaybackToLoop();
+  this->Device->GetPlayback()->SetModeToLoop();
   this->Rest();
-  this->Device->SetDataTime(10.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
-  this->Device->SetVirtualTip(12.2, 11.0, 11.7);
+  this->Device->GetPlayback()->SetDataTime(10.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 10.0; }));
+  this->Device->GetVirtualHand()->SetPosition(12.2, 11.0, 11.7);
   ASSERT_TRUE(this->WaitTicks(100));
-  const double* const force = this->Device->GetComputedForce();
+  const double* const force = this->Device->GetState()->GetComputedForce();
   const Point still{ force[0], force[1], force[2] };
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   double latest = 0.0;
   this->Watch(0.5,
     [&]
     {
-      const double* const now = this->Device->GetComputedForce();
-      EXPECT_EQ((Point{ now[0], now[1], now[2] }), still) << this->Device->GetDataTime();
-      latest = std::max(latest, this->Device->GetDataTime());
+      const double* const now = this->Device->GetState()->GetComputedForce();
+      EXPECT_EQ((Point{ now[0], now[1], now[2] }), still)
+        << this->Device->GetPlayback()->GetDataTime();
+      latest = std::max(latest, this->Device->GetPlayback()->GetDataTime());
     });
   EXPECT_GT(latest, 13.0);
 }
@@ -445,15 +451,15 @@ TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
   this->Source->Make = [](double time)
   { return MakeWallStep(time < 13.5 ? time - 3.0 : time + 2.0); };
   this->Filter->SetTimeUnitsPerSecond(5.0);
-  this->Device->SetPlaybackToPingPong();
+  this->Device->GetPlayback()->SetModeToPingPong();
   this->Rest();
-  this->Device->SetDataTime(10.5);
+  this->Device->GetPlayback()->SetDataTime(10.5);
   ASSERT_TRUE(this->Wait([&] { return this->Source->Asked.back() == 12.0; }));
   EXPECT_TRUE(this->FilterLog.Warnings.empty()); // of the first three steps
-  this->Device->Play();
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 14.5; }));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() < 11.0; }));
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 14.5; }));
+  this->Device->GetPlayback()->Play();
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() > 14.5; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() < 11.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() > 14.5; }));
   ASSERT_EQ(this->FilterLog.Warnings.size(), 1U);
   const std::string& warning = this->FilterLog.Warnings.front();
   for (const char* part : { "input port 0", "by about 6 world", "from time 13 to time 14",
@@ -468,12 +474,12 @@ TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
 {
   this->Source->Steps = { 10.0, 12.0, 14.0 };
   this->Source->Make = [](double time) { return MakeWallStep(6.0 + 1.5 * (time - 10.0)); };
-  this->Device->SetPlaybackToPingPong();
+  this->Device->GetPlayback()->SetModeToPingPong();
   this->Rest();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->WaitTicks(2));
   EXPECT_TRUE(this->FilterLog.Warnings.empty()) << this->FilterLog.Warnings.front();
-  this->Device->SetPlaybackToLoop();
+  this->Device->GetPlayback()->SetModeToLoop();
   this->Source->Modified();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_EQ(this->FilterLog.Warnings.size(), 1U);
@@ -502,16 +508,17 @@ TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
   this->Filter->SetDisplacementArrayName("motion");
   this->Filter->SetTimeUnitsPerSecond(4.0);
   this->Rest();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   double most = 0.0;
   this->Watch(1.0,
     [&]
     {
-      const double time = this->Device->GetDataTime();
+      const double time = this->Device->GetPlayback()->GetDataTime();
       const double deep = time == 0.0 ? 0.0 : std::max(0.0, findWall(time) - TipRests);
-      EXPECT_NEAR(this->Device->GetComputedForce()[0], 0.001 * WallStiffness * deep, 0.03)
+      EXPECT_NEAR(
+        this->Device->GetState()->GetComputedForce()[0], 0.001 * WallStiffness * deep, 0.03)
         << "at " << time;
-      most = std::max(most, this->Device->GetComputedForce()[0]);
+      most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 1.6);
 }
@@ -530,13 +537,13 @@ TEST_F(PlaybackOfSteps, AStepWithoutNumbersHoldsNothingAndTimeGoesOn)
   };
   this->Filter->SetTimeUnitsPerSecond(8.0);
   this->Rest();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   double latest = 0.0;
   this->Watch(1.0,
     [&]
     {
-      latest = this->Device->GetDataTime();
-      const double force = this->Device->GetComputedForce()[0];
+      latest = this->Device->GetPlayback()->GetDataTime();
+      const double force = this->Device->GetState()->GetComputedForce()[0];
       EXPECT_TRUE(std::isfinite(force)) << "at " << latest;
       EXPECT_LE(std::abs(force), 0.52) << "at " << latest;
     });
@@ -551,19 +558,20 @@ TEST_F(PlaybackOfSteps, AMeshGoesAlong)
   this->Filter->SetIsoValue(500.0);
   this->Filter->SetProxyRadius(1.0);
   this->Filter->SetTimeUnitsPerSecond(4.0);
-  this->Device->SetPlaybackToPingPong();
+  this->Device->GetPlayback()->SetModeToPingPong();
   this->Rest();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   double most = 0.0;
   double latest = 0.0;
   this->Watch(1.8,
     [&]
     {
-      latest = this->Device->GetDataTime();
+      latest = this->Device->GetPlayback()->GetDataTime();
       const double deep = latest == 0.0 ? 0.0 : std::max(0.0, FindWall(latest) + 1.0 - TipRests);
-      EXPECT_NEAR(this->Device->GetComputedForce()[0], 0.001 * WallStiffness * deep, 2e-3)
+      EXPECT_NEAR(
+        this->Device->GetState()->GetComputedForce()[0], 0.001 * WallStiffness * deep, 2e-3)
         << "at " << latest;
-      most = std::max(most, this->Device->GetComputedForce()[0]);
+      most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.9);
   EXPECT_LT(latest, 14.0); // it came back

@@ -64,29 +64,29 @@ protected:
   void Begin(double end = 1.0)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(StreamedTip, 19.0, 19.0);
-    this->Device->SetPlaybackSpeed(20.0);
-    this->Device->Play();
+    this->Device->GetVirtualHand()->SetPosition(StreamedTip, 19.0, 19.0);
+    this->Device->GetPlayback()->SetSpeed(20.0);
+    this->Device->GetPlayback()->Play();
     ASSERT_TRUE(this->Device->Start());
     this->GoTo(end);
   }
   /// The force is that of where the wall is, as long as a state comes.
   void Feel()
   {
-    const double now = this->Device->GetDataTime();
+    const double now = this->Device->GetPlayback()->GetDataTime();
     if (this->Device->GetTickRate() > 0.0)
     {
-      EXPECT_NEAR(this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now, this->Radius),
-        this->Tolerance)
+      EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
+        ForceOfTheStreamedWall(now, this->Radius), this->Tolerance)
         << "at " << now;
       // The servo's time, and not this one's.
-      const double elapsed = this->Device->GetTime() - this->FeltAt;
+      const double elapsed = this->Device->GetState()->GetTime() - this->FeltAt;
       if (this->FeltAt > 0.0)
       {
         EXPECT_LE(std::abs(now - this->Felt), this->Speed * elapsed + 0.02) << "a leap at " << now;
       }
       this->Felt = now;
-      this->FeltAt = this->Device->GetTime();
+      this->FeltAt = this->Device->GetState()->GetTime();
     }
   }
   void GoTo(double time)
@@ -95,14 +95,14 @@ protected:
       [&]
       {
         this->Feel();
-        return this->Device->GetDataTime() == time;
+        return this->Device->GetPlayback()->GetDataTime() == time;
       }))
-      << time << ", but " << this->Device->GetDataTime();
+      << time << ", but " << this->Device->GetPlayback()->GetDataTime();
   }
   void SetSpeed(double speed)
   {
     this->Speed = std::max(this->Speed, std::abs(speed)); // the last one may be that still
-    this->Device->SetPlaybackSpeed(speed);
+    this->Device->GetPlayback()->SetSpeed(speed);
   }
   vtkNew<vtkHapticFrameSource> Source;
   double Radius = 0.0;
@@ -117,14 +117,15 @@ protected:
 TEST_F(StreamedFrames, ThatAreTooFastForABlendAreToldOnce)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(StreamedTip, 19.0, 19.0);
-  this->Device->Play();
+  this->Device->GetVirtualHand()->SetPosition(StreamedTip, 19.0, 19.0);
+  this->Device->GetPlayback()->Play();
   this->Give(0.0, 1.0);
   ASSERT_TRUE(this->Device->Start());
   EXPECT_TRUE(this->FilterLog.Warnings.empty());
   for (const double time : { 1.0, 7.0, 13.0 })
   {
-    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() == time; })) << time;
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() == time; }))
+      << time;
     this->Give(time, time + 6.0);
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_EQ(this->FilterLog.Warnings.size(), 1U) << "at " << time;
@@ -141,8 +142,8 @@ TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
     ASSERT_TRUE(this->Device->Publish());
     this->GoTo(i + 1.0);
   }
-  EXPECT_NEAR(this->Device->GetComputedForce()[0], 1.0, 0.02);
-  this->Device->SetPlaybackSpeed(-20.0);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], 1.0, 0.02);
+  this->Device->GetPlayback()->SetSpeed(-20.0);
   for (int i = 5; i > 1; --i)
   {
     this->Give(i, i - 1.0);
@@ -208,34 +209,34 @@ TEST_F(StreamedFrames, ThatWereLeftOutAreGoneOver)
   this->SetSpeed(2.0);
   this->Give(3.0, 3.8);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 3.1; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
   // Too late for the first of these; and then for what is between.
   this->Give(3.8, 4.2);
   ASSERT_TRUE(this->Device->Publish());
   this->Give(4.2, 5.0);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_LT(this->Device->GetDataTime(), 3.8);
+  ASSERT_LT(this->Device->GetPlayback()->GetDataTime(), 3.8);
   this->GoTo(5.0);
   this->Give(5.6, 6.4);
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
-  EXPECT_GT(this->Device->GetComputedForce()[0], 1.65);
+  EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
   // Backwards, and while time holds between two frames.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);
   this->GoTo(4.6);
   this->SetSpeed(2.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 4.8; }));
-  this->Device->Hold();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 4.8; }));
+  this->Device->GetPlayback()->Hold();
   ASSERT_TRUE(this->WaitTicks(20));
-  const double held = this->Device->GetDataTime();
+  const double held = this->Device->GetPlayback()->GetDataTime();
   this->Give(5.8, 6.4);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(50));
-  EXPECT_EQ(this->Device->GetDataTime(), held);
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), held);
   this->Feel();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   this->GoTo(6.4);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
@@ -250,23 +251,25 @@ TEST_F(StreamedFrames, HoldTimeWhileARegionIsLate)
   this->SetSpeed(0.5);
   this->Give(3.0, 4.0, region);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 3.1; }));
-  this->Device->SetVirtualTip(StreamedTip, 19.0, 1.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 3.1; }));
+  this->Device->GetVirtualHand()->SetPosition(StreamedTip, 19.0, 1.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 0.0; }));
   ASSERT_TRUE(this->WaitTicks(5));
-  const double held = this->Device->GetDataTime();
+  const double held = this->Device->GetPlayback()->GetDataTime();
   EXPECT_GT(held, 3.1);
   EXPECT_LT(held, 4.0);
   ASSERT_TRUE(this->WaitTicks(300));
-  EXPECT_EQ(this->Device->GetDataTime(), held) << "the wall goes past a hand that can't feel it";
+  EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), held)
+    << "the wall goes past a hand that can't feel it";
   this->Give(3.0, 4.0, other);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
-  const double before = this->Device->GetDataTime();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetResidency() == 1.0; }));
+  const double before = this->Device->GetPlayback()->GetDataTime();
   EXPECT_LT(before, 4.0);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 4.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 4.0; }));
   // It begins at the tip, as after any gap; from there the wall pushes as it comes.
-  EXPECT_GT(this->Device->GetComputedForce()[0], 0.001 * StreamedStiffness * 0.5 * (4.0 - before));
+  EXPECT_GT(this->Device->GetState()->GetComputedForce()[0],
+    0.001 * StreamedStiffness * 0.5 * (4.0 - before));
 }
 
 /// The servo goes on with another region, as if it had the whole.
@@ -283,14 +286,14 @@ TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
     this->GoTo(i + 1.0);
   }
   ASSERT_TRUE(this->WaitTicks(20));
-  const double force = this->Device->GetComputedForce()[0];
+  const double force = this->Device->GetState()->GetComputedForce()[0];
   EXPECT_NEAR(force, 1.0, 0.02);
   this->Give(4.0, 5.0, region);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
   // Newton's method goes on where the last tick on the way has left it.
-  EXPECT_NEAR(this->Device->GetComputedForce()[0], force, 1e-5);
-  EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], force, 1e-5);
+  EXPECT_EQ(this->Device->GetState()->GetResidency(), 1.0);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
@@ -310,7 +313,7 @@ TEST_F(StreamedFrames, MayBeMeshes)
     ASSERT_TRUE(this->Device->Publish());
     this->GoTo(i + 1.0);
   }
-  EXPECT_NEAR(this->Device->GetComputedForce()[0], 1.5, 0.02);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0], 1.5, 0.02);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
@@ -324,8 +327,8 @@ TEST_F(StreamedFrames, OfAnotherShapeAreAnotherVolume)
   this->Source->AddFrame(small, 1.0);
   this->Source->AddFrame(small, 2.0);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 2.0; }));
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 2.0; }));
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   this->Source->AddFrame(this->MakeFrame(3.0), 3.0);
   EXPECT_FALSE(this->Device->Publish());
   ASSERT_EQ(this->FilterLog.Errors.size(), 1U);

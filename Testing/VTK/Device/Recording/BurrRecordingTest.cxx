@@ -30,7 +30,7 @@ protected:
     SetConstant(this->Burr->GetSpecificEnergy(), 1.0);
     this->Filter->SetTool(this->Burr);
   }
-  ~BurrRecording() override { this->Device->SpinningOff(); }
+  ~BurrRecording() override { this->Device->GetVirtualHand()->SpinningOff(); }
 
   /// Armed, as a burr does not spin without.
   void Begin()
@@ -63,8 +63,9 @@ protected:
   /// The stroke ends, and nothing more is removed.
   bool EndStroke()
   {
-    this->Device->SpinningOff();
-    return this->Wait([this] { return !this->Device->IsSpinning(); }) && this->WaitTicks(2);
+    this->Device->GetVirtualHand()->SpinningOff();
+    return this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }) &&
+      this->WaitTicks(2);
   }
   /// The recording is replayed with the same forces, and leaves what the hand has left.
   void ExpectSameRemoval()
@@ -86,13 +87,13 @@ TEST_F(BurrRecording, RemovesWhileItSpins)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
   ASSERT_TRUE(this->WaitTicks(100));
-  EXPECT_GT(Length(this->Device->GetComputedForce()), 0.2);
-  EXPECT_FALSE(this->Device->IsSpinning());
+  EXPECT_GT(Length(this->Device->GetState()->GetComputedForce()), 0.2);
+  EXPECT_FALSE(this->Device->GetState()->IsSpinning());
   EXPECT_EQ(this->GetRemoval()->GetRemovedVolume(), 0.0);
-  this->Device->SpinningOn();
-  EXPECT_TRUE(this->Device->GetSpinning());
+  this->Device->GetVirtualHand()->SpinningOn();
+  EXPECT_TRUE(this->Device->GetVirtualHand()->GetSpinning());
   ASSERT_TRUE(this->Wait([this] { return this->GetRemoval()->GetRemovedVolume() > 1.0; }));
-  EXPECT_TRUE(this->Device->IsSpinning());
+  EXPECT_TRUE(this->Device->GetState()->IsSpinning());
   EXPECT_FALSE(this->GetRemoval()->IsEmpty());
   EXPECT_FALSE(this->GetRemoval()->IsUsedUp());
   ASSERT_TRUE(this->EndStroke());
@@ -102,12 +103,12 @@ TEST_F(BurrRecording, RemovesWhileItSpins)
 TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
 {
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(6.0, 0.5));
   ASSERT_TRUE(this->EndStroke());
   const auto first = this->GetShares();
   const double volume = this->GetRemoval()->GetRemovedVolume();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(9.0, 0.5));
   ASSERT_TRUE(this->EndStroke());
   const auto second = this->GetShares();
@@ -120,7 +121,7 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), first);
   EXPECT_NEAR(this->GetRemoval()->GetRemovedVolume(), volume, 1e-9);
-  EXPECT_LE(Length(this->Device->GetComputedForce()), 1e-9);
+  EXPECT_LE(Length(this->Device->GetState()->GetComputedForce()), 1e-9);
   EXPECT_TRUE(this->GetRemoval()->Redo());
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), second);
@@ -142,14 +143,14 @@ TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
 {
   this->Begin();
   this->StartRecording();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.5));
   this->Wander(20);
   ASSERT_TRUE(this->EndStroke());
   this->Wander(3);
   EXPECT_TRUE(this->GetRemoval()->Undo());
   this->Wander(3);
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   this->Wander(20);
   this->ExpectSameRemoval();
   EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
@@ -167,7 +168,7 @@ TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
   this->Filter->SetLabelTable(table);
   this->Begin();
   this->StartRecording();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.5));
   this->Wander(20);
   this->ExpectSameRemoval();
@@ -176,10 +177,10 @@ TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
 TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
 {
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.5));
   ASSERT_TRUE(this->EndStroke());
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.5));
   EXPECT_GT(this->GetRemoval()->GetNumberOfUndos(), 0);
   this->StartRecording(); // while it drills
@@ -198,10 +199,10 @@ TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
 TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
 {
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.3));
   this->StartRecording();
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Wander(10);
   this->StartRecording();
   EXPECT_TRUE(this->GetRemoval()->Reset());
@@ -215,7 +216,7 @@ TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
   this->Begin();
   this->GetRemoval()->SetAirValue(-50.0);
   ASSERT_TRUE(this->Device->Publish());
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 1.0));
   ASSERT_TRUE(this->EndStroke());
   this->Filter->SetTool(nullptr);
@@ -224,7 +225,7 @@ TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
   this->Wander(10);
   EXPECT_TRUE(this->GetRemoval()->Reset());
   this->Wander(20);
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Stop();
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(this->Name.c_str());
@@ -248,7 +249,7 @@ TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
 TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
 {
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.5));
   ASSERT_TRUE(this->EndStroke());
   const auto shares = this->GetShares();
@@ -271,7 +272,7 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
 TEST_F(BurrRecording, ARemovalThatIsNoLongerFeltIsFree)
 {
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.3));
   ASSERT_TRUE(this->EndStroke());
   vtkNew<vtkVolumeHapticsFilter> other;
@@ -306,7 +307,7 @@ TEST_F(BurrRecording, AFileIsReadUnderTheHand)
 {
   const std::string file = this->File("Removal.vti");
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(7.0, 0.5));
   ASSERT_TRUE(this->EndStroke());
   const auto shares = this->GetShares();
@@ -318,7 +319,7 @@ TEST_F(BurrRecording, AFileIsReadUnderTheHand)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_EQ(this->GetShares(), shares);
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.2)) << "the servo goes on with it";
   EXPECT_NE(this->GetShares(), shares);
 }
@@ -327,39 +328,39 @@ TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
 {
   this->Burr->SetSpinButton(1);
   Recording::Begin();
-  this->Device->SetVirtualButtons(2);
+  this->Device->GetVirtualHand()->SetButtons(2);
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_FALSE(this->Device->IsSpinning()) << "nothing would be felt";
+  EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "nothing would be felt";
   this->Device->Arm();
-  this->Device->SetVirtualButtons(1);
+  this->Device->GetVirtualHand()->SetButtons(1);
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_FALSE(this->Device->IsSpinning()) << "that is another one";
-  this->Device->SetVirtualButtons(3);
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsSpinning(); }));
+  EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "that is another one";
+  this->Device->GetVirtualHand()->SetButtons(3);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsSpinning(); }));
   // Nor while the force is held back, whatever the button says.
   this->Device->BeginLongWork("the test thinks", 10.0);
-  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsSpinning(); }));
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }));
   this->Device->EndLongWork();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsSpinning(); }));
-  this->Device->SetVirtualButtons(0);
-  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsSpinning(); }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsSpinning(); }));
+  this->Device->GetVirtualHand()->SetButtons(0);
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsSpinning(); }));
   this->Burr->SetSpinButton(-1);
   ASSERT_TRUE(this->Device->Publish());
-  this->Device->SetVirtualButtons(-1);
+  this->Device->GetVirtualHand()->SetButtons(-1);
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_FALSE(this->Device->IsSpinning());
+  EXPECT_FALSE(this->Device->GetState()->IsSpinning());
   this->Filter->SetTool(nullptr);
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_FALSE(this->Device->IsSpinning()) << "a point does not spin";
+  EXPECT_FALSE(this->Device->GetState()->IsSpinning()) << "a point does not spin";
 }
 
 TEST_F(BurrRecording, TheToolMayChangeUnderForce)
 {
   vtkNew<vtkHapticNeedle> needle;
   this->Begin();
-  this->Device->SpinningOn();
+  this->Device->GetVirtualHand()->SpinningOn();
   for (vtkHapticTool* const next :
     { static_cast<vtkHapticTool*>(nullptr), static_cast<vtkHapticTool*>(needle.Get()) })
   {
@@ -372,7 +373,7 @@ TEST_F(BurrRecording, TheToolMayChangeUnderForce)
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->WaitTicks(20));
     EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-    EXPECT_FALSE(this->Device->IsSpinning());
+    EXPECT_FALSE(this->Device->GetState()->IsSpinning());
     const auto shares = this->GetShares();
     ASSERT_TRUE(this->WaitTicks(50));
     EXPECT_EQ(this->GetShares(), shares) << "only a burr removes";

@@ -81,7 +81,7 @@ TEST_F(HashTime, IsNotThatOfTheStart)
   ASSERT_TRUE(this->WaitTicks(20));
   this->Gated->IsOpen = true;
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_TRUE(this->Log.Warnings.empty());
   // The same values are not hashed again.
@@ -89,7 +89,7 @@ TEST_F(HashTime, IsNotThatOfTheStart)
   this->StartRecording();
   EXPECT_FALSE(this->IsHashing());
   ASSERT_TRUE(this->WaitTicks(20));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_EQ(this->Gated->Asked, asked);
 }
@@ -101,7 +101,7 @@ TEST_F(HashTime, IsNotWaitedForWhileArmed)
   ASSERT_TRUE(this->WaitTicks(20));
   // Only so that the worker, which is told to end, can.
   std::thread opener = this->OpenSoon(3000);
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   opener.join();
   EXPECT_EQ(this->ReadHash(), "");
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
@@ -115,7 +115,7 @@ TEST_F(HashTime, IsWaitedForWithoutForce)
   this->StartRecording();
   ASSERT_TRUE(this->WaitTicks(20));
   std::thread opener = this->OpenSoon();
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   opener.join();
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_TRUE(this->Log.Warnings.empty());
@@ -146,7 +146,7 @@ TEST_F(HashTime, BeginsAgainIfTheValuesChange)
   opener.join();
   ASSERT_TRUE(this->WaitUntilAsked(2));
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
   EXPECT_NE(this->ReadHash(), before);
 }
@@ -164,7 +164,7 @@ TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
   this->Device->UpdateState(); // the worker may hold the last reference but this one
   opener.join();
   ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
 }
 

@@ -119,9 +119,9 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
 {
   const std::string file = this->File("Labels.csv");
   this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->Wander(60);
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->Device->Stop();
   vtkNew<vtkHapticPathSource> path;
   path->SetShapeToFromFile();
@@ -204,16 +204,16 @@ TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfThickSlices)
 TEST_F(LabelRecording, TheStateTellsTheLabel)
 {
   this->Begin();
-  EXPECT_EQ(this->Device->GetLabel(), -7);
+  EXPECT_EQ(this->Device->GetState()->GetLabel(), -7);
   ASSERT_TRUE(this->Lead(11.0, 7.0, 5.0));
-  EXPECT_EQ(this->Device->GetLabel(), 9);
+  EXPECT_EQ(this->Device->GetState()->GetLabel(), 9);
   ASSERT_TRUE(this->Lead(11.0, 7.0, 40.0));
-  EXPECT_EQ(this->Device->GetLabel(), 0) << "beyond the label image";
+  EXPECT_EQ(this->Device->GetState()->GetLabel(), 0) << "beyond the label image";
   this->Filter->SetLabelData(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
   ASSERT_TRUE(this->WaitTicks(3));
-  EXPECT_EQ(this->Device->GetLabel(), 0) << "there is no label image";
+  EXPECT_EQ(this->Device->GetState()->GetLabel(), 0) << "there is no label image";
 }
 
 TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
@@ -229,16 +229,16 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   this->Begin();
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(9.5));
-  EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  EXPECT_FALSE(this->Device->GetState()->IsAtForbiddenLabel());
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   ASSERT_TRUE(this->LeadInto(12.0));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsAtForbiddenLabel(); }));
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 10.0, 0.1);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 10.0, 0.1);
   // x_s is 2 mm behind the wall, in the label of 700 N/m.
-  EXPECT_NEAR(this->Device->GetComputedForce()[2], -700.0 * 0.002, 0.1);
+  EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[2], -700.0 * 0.002, 0.1);
   EXPECT_EQ(events.Count, 1);
   ASSERT_TRUE(this->Lead(7.0, 7.0, 6.0));
-  EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
+  EXPECT_FALSE(this->Device->GetState()->IsAtForbiddenLabel());
   EXPECT_EQ(events.Count, 1);
 }
 
@@ -268,8 +268,8 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_FALSE(isMeasuring());
   ASSERT_TRUE(this->LeadInto(12.0));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->IsAtForbiddenLabel(); }));
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->IsAtForbiddenLabel(); }));
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
   // A change of mind ends the work.
   this->Table->SetStandOff(2.0);
   ASSERT_TRUE(this->Device->Publish());
@@ -278,7 +278,7 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_FALSE(isMeasuring());
-  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsAtForbiddenLabel(); }));
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->GetState()->IsAtForbiddenLabel(); }));
 }
 
 TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
@@ -307,8 +307,8 @@ TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_FALSE(isRefining());
   ASSERT_TRUE(this->LeadInto(12.5 * 0.9 + 1.5));
-  ASSERT_TRUE(this->Wait(
-    [this] { return std::abs(this->Device->GetProxyPosition()[2] - 12.5 * 0.9) < 0.15; }));
+  ASSERT_TRUE(this->Wait([this]
+    { return std::abs(this->Device->GetState()->GetProxyPosition()[2] - 12.5 * 0.9) < 0.15; }));
   // Other materials of the same labels are felt at once.
   this->Table->SetStiffness(9, 600.0);
   ASSERT_TRUE(this->Device->Publish());

@@ -139,25 +139,25 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   this->Begin();
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->Lead(9.0, 7.0, 5.0));
-  const double held = Length(this->Device->GetForce());
+  const double held = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  constexpr int reader = 5;                 // beside that of the fixture
-  this->Device->DrainStates(ticks, reader); // begins to keep them
+  constexpr int reader = 5;                       // beside that of the fixture
+  this->Device->GetState()->Drain(ticks, reader); // begins to keep them
   // The line goes: the hand is free, and force rises anew when another mode comes.
   this->Follow->ActiveOff();
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) < 1e-6; }));
+  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) < 1e-6; }));
   ASSERT_TRUE(this->Lead(10.0, 7.0, 5.0));
   this->Front->ActiveOn();
   this->Follow->ActiveOn();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Lead(10.0, 9.0, 5.0));
-  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 0.3; }));
+  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.3; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
   // No tick of all that has made the force longer than the slew limit lets it grow.
   ASSERT_TRUE(this->WaitTicks(50));
-  this->Device->DrainStates(ticks, reader);
+  this->Device->GetState()->Drain(ticks, reader);
   ASSERT_GT(ticks->GetNumberOfRows(), 50);
   auto* const command = vtkDataArray::SafeDownCast(ticks->GetColumnByName("Command"));
   double jolt = 0.0;

@@ -31,7 +31,7 @@ protected:
 
   double FindDepth()
   {
-    this->Device->GetNeedleTrack(this->Track);
+    this->Device->GetState()->GetNeedleTrack(this->Track);
     return this->Track->GetFieldData()->GetArray("Depth")->GetComponent(0, 0);
   }
 
@@ -55,7 +55,7 @@ TEST_F(NeedleRecording, ReplaysToTheBit)
 
 TEST_F(NeedleRecording, ReplaysWithItsOrientationToTheBit)
 {
-  this->Device->SetVirtualTipOrientation(0.0, 1.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetOrientation(0.0, 1.0, 0.0, 0.0);
   this->Begin();
   this->StartRecording();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
@@ -63,10 +63,10 @@ TEST_F(NeedleRecording, ReplaysWithItsOrientationToTheBit)
   for (int i = 0; i < 20; ++i)
   {
     const double a = 0.02 * i;
-    this->Device->SetVirtualTipOrientation(std::sin(a), std::cos(a), 0.0, 0.0);
+    this->Device->GetVirtualHand()->SetOrientation(std::sin(a), std::cos(a), 0.0, 0.0);
     this->Wander(1);
   }
-  this->Device->SetVirtualTipOrientation(0.0, 0.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetOrientation(0.0, 0.0, 0.0, 0.0);
   this->Wander(10);
   this->ExpectSame(0.15);
 }
@@ -78,7 +78,7 @@ TEST_F(NeedleRecording, TheToolMayChangeUnderForce)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
   ASSERT_TRUE(this->Wait([this] { return this->FindDepth() > 1.0; }));
-  EXPECT_GT(Length(this->Device->GetForce()), 0.15);
+  EXPECT_GT(Length(this->Device->GetState()->GetForce()), 0.15);
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->FindDepth() == 0.0; }));

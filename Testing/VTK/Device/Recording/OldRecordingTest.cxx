@@ -68,7 +68,7 @@ TEST_F(OldRecording, PlaysAsADeviceWithoutOrientation)
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->Wait(
       [this] { return this->Device->GetStatusText().find("end") != std::string::npos; }));
-    EXPECT_FALSE(this->Device->HasTipOrientation());
+    EXPECT_FALSE(this->Device->GetState()->HasTipOrientation());
     this->Device->Close();
   }
 }

@@ -78,8 +78,8 @@ TEST_F(RecordingFailure, ShowsAtTheStart)
   }
   EXPECT_EQ(Load(this->In("mine.vtp")), "good");
   chmod(this->Folder.c_str(), 0755);
-  EXPECT_TRUE(this->Device->StartRecording(this->In("a.vtp").c_str()));
-  EXPECT_TRUE(this->Device->StopRecording());
+  EXPECT_TRUE(this->Device->GetRecorder()->Start(this->In("a.vtp").c_str()));
+  EXPECT_TRUE(this->Device->GetRecorder()->Stop());
   EXPECT_FALSE(Exists(this->In("a.vtp.part")));
 }
 
@@ -91,9 +91,9 @@ TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
   EXPECT_EQ(Load(file), "good") << "a file that is there is replaced by a whole one only";
   const std::string elsewhere = this->In("elsewhere.vtp");
   EXPECT_FALSE(
-    this->Device->RecoverRecording((file + ".part").c_str(), this->In("no/a.vtp").c_str()));
+    this->Device->GetRecorder()->Recover((file + ".part").c_str(), this->In("no/a.vtp").c_str()));
   this->ExpectError("no folder");
-  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), elsewhere.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Recover((file + ".part").c_str(), elsewhere.c_str()));
   EXPECT_FALSE(Exists(file + ".part"));
   this->ExpectReplays(elsewhere, 256);
 }
@@ -104,7 +104,7 @@ TEST_F(RecordingFailure, OfATableKeepsWhatThereIs)
   this->FillTheDisk(file);
   EXPECT_FALSE(Exists(file));
   EXPECT_FALSE(Exists(file + ".json"));
-  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Recover((file + ".part").c_str(), file.c_str()));
   EXPECT_TRUE(Exists(file + ".json"));
   EXPECT_TRUE(this->Device->Open(("replay:" + file).c_str()));
 }
@@ -113,16 +113,16 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
 {
   const std::string file = this->In("last.vtp");
   this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   this->WanderForTwoGroups(file);
   {
     // The disk is full: the ticks that were written stay, and no others are added.
     const FullDisk full(1);
     this->Device->Close();
   }
-  this->ExpectError("RecoverRecording");
+  this->ExpectError("vtkHapticRecorder::Recover");
   EXPECT_FALSE(Exists(file));
-  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Recover((file + ".part").c_str(), file.c_str()));
   this->ExpectReplays(file, 512);
 }
 
@@ -130,17 +130,17 @@ TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)
 {
   const std::string file = this->In("twice.vtp");
   this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   vtkNew<vtkHapticDevice> other;
   MessageLog log(other);
   ASSERT_TRUE(other->Open("virtual"));
   other->SetVolumeHaptics(this->Filter);
   ASSERT_TRUE(other->Start());
-  EXPECT_FALSE(other->StartRecording(file.c_str()));
+  EXPECT_FALSE(other->GetRecorder()->Start(file.c_str()));
   ASSERT_EQ(log.Errors.size(), 1U);
   EXPECT_NE(log.Errors[0].find("recorded already"), std::string::npos) << log.Errors[0];
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_TRUE(this->Device->StopRecording());
+  EXPECT_TRUE(this->Device->GetRecorder()->Stop());
   this->ExpectReplays(file, 5);
 }
 
@@ -148,16 +148,16 @@ TEST_F(RecordingFailure, NamesFilesOfAnyBytes)
 {
   // Python drops a message that is not UTF-8.
   this->Begin();
-  EXPECT_FALSE(this->Device->StartRecording(this->In("no/\xE4\xFF.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->In("no/\xE4\xFF.vtp").c_str()));
   this->ExpectError("\\xE4\\xFF.vtp");
-  EXPECT_FALSE(this->Device->StartRecording(this->In("\xE4.txt").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->In("\xE4.txt").c_str()));
   this->ExpectError("\\xE4.txt");
-  EXPECT_FALSE(this->Device->RecoverRecording(this->In("\xE4.part").c_str(), "a.vtp"));
+  EXPECT_FALSE(this->Device->GetRecorder()->Recover(this->In("\xE4.part").c_str(), "a.vtp"));
   this->ExpectError("\\xE4.part does not exist");
   const std::string file = this->In("\xE4.vtp");
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
   ASSERT_TRUE(this->WaitTicks(5));
-  ASSERT_TRUE(this->Device->StopRecording());
+  ASSERT_TRUE(this->Device->GetRecorder()->Stop());
   this->ExpectReplays(file, 5);
 }
 
@@ -165,14 +165,14 @@ TEST_F(RecordingFailure, RecoversNothingElse)
 {
   for (const char* const part : std::initializer_list<const char*>{ "", ".part", nullptr })
   {
-    EXPECT_FALSE(this->Device->RecoverRecording(part, this->In("a.vtp").c_str()));
+    EXPECT_FALSE(this->Device->GetRecorder()->Recover(part, this->In("a.vtp").c_str()));
     this->ExpectError("FILE.part");
   }
   std::ofstream(this->In("foreign.part")) << "no recording at all, but long enough to be one";
-  EXPECT_FALSE(
-    this->Device->RecoverRecording(this->In("foreign.part").c_str(), this->In("a.vtp").c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Recover(
+    this->In("foreign.part").c_str(), this->In("a.vtp").c_str()));
   this->ExpectError("is not the unfinished recording");
-  EXPECT_FALSE(this->Device->RecoverRecording(this->In("foreign.part").c_str(), nullptr));
+  EXPECT_FALSE(this->Device->GetRecorder()->Recover(this->In("foreign.part").c_str(), nullptr));
   this->ExpectError(".vtp or .csv");
   EXPECT_FALSE(Exists(this->In("a.vtp")));
 }

@@ -44,7 +44,7 @@ TEST_F(Recording, HoldsThatTheProxyBeginsAtTheTipWhenItIsArmed)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
   this->Device->Arm();
   ASSERT_TRUE(this->WaitTicks(10));
-  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   this->Wander(60);
   this->ExpectSame();
   vtkPointData* const points = this->Recorded->GetPointData();
@@ -130,9 +130,9 @@ TEST_F(Recording, GoesOnAfterAFault)
   this->BeginFast();
   this->StartRecording();
   this->Wander(20);
-  this->Device->SetVirtualTip(7.0, 600.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 600.0, 5.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
-  this->Device->SetVirtualTip(7.0, 7.0, 7.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 7.0);
   ASSERT_TRUE(this->WaitTicks(500));
   this->Device->Arm();
   this->Wander(30);
@@ -157,6 +157,6 @@ TEST_F(Recording, NeedsSomethingToBeFelt)
 {
   this->Device->SetVolumeHaptics(nullptr);
   this->Begin();
-  EXPECT_FALSE(this->Device->StartRecording(this->Name.c_str()));
+  EXPECT_FALSE(this->Device->GetRecorder()->Start(this->Name.c_str()));
   this->ExpectError("SetVolumeHaptics() a filter first");
 }

@@ -26,10 +26,10 @@ protected:
   void Record(const std::string& file)
   {
     this->Begin();
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     ASSERT_TRUE(this->Lead(7.0, 7.1, 9.0));
     ASSERT_TRUE(this->Lead(7.0, 7.2, 6.0));
-    ASSERT_TRUE(this->Device->StopRecording());
+    ASSERT_TRUE(this->Device->GetRecorder()->Stop());
     this->Device->Close();
   }
   static vtkSmartPointer<vtkPolyData> Read(const std::string& file)

@@ -25,12 +25,12 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     {
       ASSERT_TRUE(this->Device->Open(("replay:" + file).c_str()));
       ASSERT_TRUE(this->Device->Start());
-      ASSERT_TRUE(this->Device->StartRecording(again.c_str()));
+      ASSERT_TRUE(this->Device->GetRecorder()->Start(again.c_str()));
       this->Device->Arm();
       ASSERT_TRUE(this->Wait(
         [this] { return this->Device->GetStatusText().find("end") != std::string::npos; }));
-      EXPECT_NEAR(this->Device->GetTipPosition()[2], 6.0, 1e-5);
-      ASSERT_TRUE(this->Device->StopRecording());
+      EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 6.0, 1e-5);
+      ASSERT_TRUE(this->Device->GetRecorder()->Stop());
       this->Device->Close();
       EXPECT_TRUE(this->Log.Errors.empty());
       is = Read(again);

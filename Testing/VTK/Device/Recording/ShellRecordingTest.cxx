@@ -52,10 +52,10 @@ protected:
   }
   void TurnTool(double angle)
   {
-    this->Device->SetVirtualTipOrientation(
+    this->Device->GetVirtualHand()->SetOrientation(
       std::cos(0.5 * angle), 0.6 * std::sin(0.5 * angle), 0.8 * std::sin(0.5 * angle), 0.0);
   }
-  bool IsPressed() { return Length(this->Device->GetComputedForce()) > 0.1; }
+  bool IsPressed() { return Length(this->Device->GetState()->GetComputedForce()) > 0.1; }
 
   vtkNew<vtkHapticPointShell> Tool;
 };
@@ -101,21 +101,25 @@ TEST_F(ShellRecording, GivesForceAndTorque)
   ASSERT_TRUE(this->LeadInto(8.0));
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25) << "half of the virtual device's";
   ASSERT_TRUE(this->Wait(
-    [this] {
-      return Length(this->Device->GetForce()) > 0.15 && Length(this->Device->GetTorque()) > 1e-4;
+    [this]
+    {
+      return Length(this->Device->GetState()->GetForce()) > 0.15 &&
+        Length(this->Device->GetState()->GetTorque()) > 1e-4;
     }));
   // The ball is held 1.5 mm to the left of its middle: the surface turns the hand about -y.
-  EXPECT_GT(this->Device->GetTorque()[1], 1e-4);
-  EXPECT_LT(this->Device->GetForce()[2], -0.15);
-  EXPECT_NEAR(this->Device->GetTorque()[1], this->Device->GetComputedTorque()[1], 1e-12);
-  const double* const q = this->Device->GetToolOrientation();
+  EXPECT_GT(this->Device->GetState()->GetTorque()[1], 1e-4);
+  EXPECT_LT(this->Device->GetState()->GetForce()[2], -0.15);
+  EXPECT_NEAR(this->Device->GetState()->GetTorque()[1],
+    this->Device->GetState()->GetComputedTorque()[1], 1e-12);
+  const double* const q = this->Device->GetState()->GetToolOrientation();
   EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
   this->Device->SetMaximumTorque(1e-5);
-  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetTorque()) < 1.1e-5; }));
-  EXPECT_GT(Length(this->Device->GetTorque()), 0.9e-5);
+  ASSERT_TRUE(
+    this->Wait([this] { return Length(this->Device->GetState()->GetTorque()) < 1.1e-5; }));
+  EXPECT_GT(Length(this->Device->GetState()->GetTorque()), 0.9e-5);
   this->Device->Disarm();
-  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetTorque()) == 0.0; }));
-  EXPECT_GT(Length(this->Device->GetComputedTorque()), 1e-4);
+  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetTorque()) == 0.0; }));
+  EXPECT_GT(Length(this->Device->GetState()->GetComputedTorque()), 1e-4);
   this->Device->ResetMaximumTorque();
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
 }
@@ -128,7 +132,7 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(8.0));
-  const double force = Length(this->Device->GetForce());
+  const double force = Length(this->Device->GetState()->GetForce());
   EXPECT_GT(force, 0.15);
   this->Tool->SetNumberOfPoints(20000);
   this->Filter->SetTool(this->Tool);
@@ -136,8 +140,8 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   EXPECT_FALSE(this->Device->IsPublished());
   EXPECT_TRUE(this->IsSpreading()) << this->Device->GetStatusText();
   ASSERT_TRUE(this->WaitTicks(20));
-  EXPECT_EQ(Length(this->Device->GetToolOrientation()), 0.0);
-  EXPECT_NEAR(Length(this->Device->GetForce()), force, 0.05 * force);
+  EXPECT_EQ(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
+  EXPECT_NEAR(Length(this->Device->GetState()->GetForce()), force, 0.05 * force);
   // A change of mind does not wait for the worker.
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
@@ -148,7 +152,7 @@ TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   ASSERT_TRUE(this->WaitTicks(5));
-  EXPECT_NE(Length(this->Device->GetToolOrientation()), 0.0);
+  EXPECT_NE(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
   // They are known from now on.
   this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
   ASSERT_TRUE(this->Device->Publish());
@@ -187,7 +191,7 @@ TEST_F(ShellRecording, TheToolMayChangeUnderForce)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(8.0));
-  EXPECT_GT(Length(this->Device->GetForce()), 0.15);
+  EXPECT_GT(Length(this->Device->GetState()->GetForce()), 0.15);
   vtkNew<vtkHapticNeedle> needle;
   for (vtkHapticTool* const next :
     { static_cast<vtkHapticTool*>(nullptr), static_cast<vtkHapticTool*>(needle.Get()) })
@@ -196,18 +200,18 @@ TEST_F(ShellRecording, TheToolMayChangeUnderForce)
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->WaitTicks(20));
     EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-    EXPECT_EQ(Length(this->Device->GetToolOrientation()), 0.0);
+    EXPECT_EQ(Length(this->Device->GetState()->GetToolOrientation()), 0.0);
     this->Filter->SetTool(this->Tool);
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
     ASSERT_TRUE(this->WaitFullyArmed());
     ASSERT_TRUE(this->LeadInto(8.0));
-    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 0.15; }));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetState()->GetForce()) > 0.15; }));
   }
   // Another material under force: it goes on.
   SetConstant(this->Filter->GetProperty()->GetStiffness(), 700.0);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
-  EXPECT_GT(Length(this->Device->GetComputedForce()), 0.15);
+  EXPECT_GT(Length(this->Device->GetState()->GetComputedForce()), 0.15);
 }

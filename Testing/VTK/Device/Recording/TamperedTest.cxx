@@ -45,11 +45,11 @@ protected:
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());
     this->Begin();
     this->Wander(20);
-    EXPECT_TRUE(this->Device->StartRecording(file.c_str()));
+    EXPECT_TRUE(this->Device->GetRecorder()->Start(file.c_str()));
     this->Wander(4);
     this->Turn(10.0, 0.4);
     this->Wander(4);
-    EXPECT_TRUE(this->Device->StopRecording());
+    EXPECT_TRUE(this->Device->GetRecorder()->Stop());
     this->Device->Close();
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file.c_str());

@@ -92,7 +92,7 @@ protected:
 TEST_F(DisplayRoom, EveryWordOfAFaultIsSeen)
 {
   this->BeginFast();
-  this->Device->SetVirtualTip(7.0, 600.0, 5.0);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 600.0, 5.0);
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
   this->Display->SetDevice(this->Device);
   this->Display->SetNotice("The folder of the recording is full. Remove what you do not need.");

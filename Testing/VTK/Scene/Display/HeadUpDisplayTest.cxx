@@ -268,7 +268,7 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);
   this->Filter->SetLabelData(labels);
   this->Filter->SetLabelTable(table);
-  const double* const position = this->Device->GetSurfacePosition();
+  const double* const position = this->Device->GetState()->GetSurfacePosition();
   const int layer = static_cast<int>(std::lround((15.5 - position[2]) / 0.5));
   const std::string name = layer % 2 == 0 ? " layer " + std::to_string(layer) + " \xC3\xB6, "
                                           : " label " + std::to_string(layer) + ", ";

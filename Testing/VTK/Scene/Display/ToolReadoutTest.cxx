@@ -79,7 +79,7 @@ protected:
 
   double Number(const char* name)
   {
-    this->Device->GetNeedleTrack(this->Track);
+    this->Device->GetState()->GetNeedleTrack(this->Track);
     return this->Track->GetFieldData()->GetArray(name)->GetComponent(0, 0);
   }
 
@@ -94,7 +94,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   this->Begin();
   // A stylus that leans by 0.2 rad.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 3.0));
-  this->Device->SetVirtualTipOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetOrientation(std::sin(0.1), std::cos(0.1), 0.0, 0.0);
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(6.0));
   ASSERT_TRUE(this->Says(" deep in skin, ")) << this->Display->GetText();
@@ -115,7 +115,7 @@ TEST_F(NeedleReadout, TellsDepthAngleLayersAndForbiddenTouches)
   EXPECT_NEAR(this->Number("Depth"), 10.0 / std::cos(0.2), 0.3);
   EXPECT_NEAR(this->Number("ShaftForce"), 0.02 * this->Number("Depth"), 1e-3);
   char deep[32];
-  std::snprintf(deep, sizeof(deep), "Needle %.1f deep", this->Device->GetNeedleDepth());
+  std::snprintf(deep, sizeof(deep), "Needle %.1f deep", this->Device->GetState()->GetNeedleDepth());
   EXPECT_TRUE(this->Says(deep)) << this->Display->GetText();
 
   // As a file.
@@ -167,7 +167,7 @@ TEST_F(ToolReadout, TellsTheTorqueOnAShape)
   ASSERT_TRUE(this->LeadInto(7.0));
   const auto torque = [this]
   {
-    const double* const t = this->Device->GetComputedTorque();
+    const double* const t = this->Device->GetState()->GetComputedTorque();
     return 1e3 * std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
   };
   ASSERT_TRUE(this->Wait([&] { return torque() > 0.2; })) << this->Display->GetText();

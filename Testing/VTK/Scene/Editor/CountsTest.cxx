@@ -6,10 +6,8 @@
  * large array in pieces, or spread samples of it.
  */
 
-#include "VTK/Scene/Base/ArraySweep.h"
 #include "VTK/Scene/Base/HapticHistogram.h"
-#include "VTK/Scene/Editor/HapticPresentLabels.h"
-#include "VTK/Scene/Editor/HapticValueName.h"
+#include "VTK/Scene/Editor/HapticValueScale.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>

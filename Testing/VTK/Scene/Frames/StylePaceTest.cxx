@@ -8,9 +8,9 @@
 
 #include "VTK/Scene/Interaction/StyleRig.h"
 
-#include "VTK/Scene/Display/HapticTextPace.h"
+#include "VTK/Scene/Display/HapticWrappedText.h"
+#include "VTK/Scene/Frames/FrameQuality.h"
 #include "VTK/Scene/Frames/HapticRenderPace.h"
-#include "VTK/Scene/Frames/RayProgress.h"
 
 #include <thread>
 

@@ -183,17 +183,17 @@ TEST_F(StyleQualityTest, AVolumeThatPlaysIsDrawnAsOneThatIsTouched)
     GTEST_SKIP() << "OpenGL runs on a graphics card";
   }
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
-  this->Device->SetPlaybackToLoop();
-  this->Device->Play();
+  this->Device->GetPlayback()->SetModeToLoop();
+  this->Device->GetPlayback()->Play();
   ASSERT_TRUE(Eventually(
     [&]
     {
       this->Style->UpdateHaptics();
-      return this->Device->HasFrames();
+      return this->Device->GetPlayback()->HasFrames();
     }));
   this->Draw(InMotion, 1);
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
-  this->Device->Hold();
+  this->Device->GetPlayback()->Hold();
   this->Draw(AtRest, 1);
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
 }
@@ -235,7 +235,7 @@ TEST_F(StyleQualityTest, AnApplicationWithoutTimersDrawsWhatTheTimerWould)
   EXPECT_EQ(frames.Count, 0);
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
-  this->Device->SetVirtualTip(40.0, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetPosition(40.0, 0.0, 0.0);
   ASSERT_TRUE(Eventually([this] { return this->Style->DrawHaptics(); }));
   EXPECT_GT(frames.Count, 0);
 }

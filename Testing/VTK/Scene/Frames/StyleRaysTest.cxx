@@ -267,7 +267,7 @@ TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
   }
   const auto move = [this](double x)
   {
-    this->Device->SetVirtualTip(x, 0.0, 40.0);
+    this->Device->GetVirtualHand()->SetPosition(x, 0.0, 40.0);
     return Eventually([this] { return this->Style->DrawHaptics(); });
   };
   ASSERT_TRUE(move(10.0));

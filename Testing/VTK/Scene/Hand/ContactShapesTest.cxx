@@ -80,22 +80,22 @@ TEST_F(ContactShapes, AStifferSpringHasSlack)
   this->Filter->SetSolverToPrecise();
   SetConstant(this->Filter->GetProperty()->GetStiffness(), 500.0);
   this->BeginPressed();
-  const double before = Length(this->Device->GetComputedForce());
-  EXPECT_EQ(this->Device->GetSlack(), 0.0);
+  const double before = Length(this->Device->GetState()->GetComputedForce());
+  EXPECT_EQ(this->Device->GetState()->GetSlack(), 0.0);
   constexpr double stiffness = 1000.0;
   SetConstant(this->Filter->GetProperty()->GetStiffness(), stiffness);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetSlack() > 0.1; }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetSlack() > 0.1; }));
   // The force stays, f = K (d - s), so that no energy is given to a hand at rest.
-  const double force = Length(this->Device->GetComputedForce());
+  const double force = Length(this->Device->GetState()->GetComputedForce());
   EXPECT_NEAR(force, before, 0.02 * before);
-  const double* const tip = this->Device->GetTipPosition();
-  const double* const proxy = this->Device->GetProxyPosition();
+  const double* const tip = this->Device->GetState()->GetTipPosition();
+  const double* const proxy = this->Device->GetState()->GetProxyPosition();
   const double d[3] = { tip[0] - proxy[0], tip[1] - proxy[1], tip[2] - proxy[2] };
-  EXPECT_NEAR(this->Device->GetSlack(), Length(d) - 1e3 * force / stiffness, 0.01);
+  EXPECT_NEAR(this->Device->GetState()->GetSlack(), Length(d) - 1e3 * force / stiffness, 0.01);
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetContact() == 0; }));
-  EXPECT_EQ(this->Device->GetSlack(), 0.0) << "it ends with the contact";
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetState()->GetContact() == 0; }));
+  EXPECT_EQ(this->Device->GetState()->GetSlack(), 0.0) << "it ends with the contact";
 }
 
 TEST_F(ContactShapes, ThePatchGrowsWithThePress)
@@ -121,7 +121,8 @@ TEST_F(ContactShapes, ThePatchGrowsWithThePress)
   window->AddRenderer(renderer);
   renderer->AddViewProp(hand);
   window->Render();
-  const double depth = this->Device->GetTipPosition()[2] - this->Device->GetProxyPosition()[2];
+  const double depth =
+    this->Device->GetState()->GetTipPosition()[2] - this->Device->GetState()->GetProxyPosition()[2];
   ASSERT_GT(depth, 2.5);
   const double patch = std::min(std::sqrt(0.9 * 0.9 + 2.5 * depth), 2.5);
   const double half = 0.5 * (hand->GetBounds()[1] - hand->GetBounds()[0]);
@@ -152,7 +153,7 @@ TEST_F(ContactShapes, AStylusLeansTowardsTheViewer)
   camera->SetViewUp(0.0, 1.0, 0.0);
   window->Render();
   // Right is -x, up is y, and the viewer is at -z: 25 radii, as a pen in the right hand.
-  const double* const proxy = this->Device->GetProxyPosition();
+  const double* const proxy = this->Device->GetState()->GetProxyPosition();
   EXPECT_LT(hand->GetBounds()[0], proxy[0] - 0.4 * 5.0);
   EXPECT_GT(hand->GetBounds()[3], proxy[1] + 0.5 * 5.0);
   EXPECT_LT(hand->GetBounds()[4], proxy[2] - 0.5 * 5.0);

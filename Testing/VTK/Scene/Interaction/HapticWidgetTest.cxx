@@ -65,12 +65,12 @@ protected:
   }
   void Run(vtkIdType ticks)
   {
-    const vtkIdType end = this->Widget->GetDevice()->GetTick() + ticks;
+    const vtkIdType end = this->Widget->GetDevice()->GetState()->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
       [&]
       {
         this->Widget->UpdateHaptics();
-        return this->Widget->GetDevice()->GetTick() >= end;
+        return this->Widget->GetDevice()->GetState()->GetTick() >= end;
       }));
   }
   void Pointer(int x, int y, unsigned long event = vtkCommand::MouseMoveEvent)
@@ -128,7 +128,7 @@ protected:
     this->Run(30);
     ASSERT_GT(this->GetForce(), 0.3) << "N";
   }
-  double GetForce() { return Length(this->Widget->GetDevice()->GetForce()); }
+  double GetForce() { return Length(this->Widget->GetDevice()->GetState()->GetForce()); }
   void ExpectLetGo()
   {
     EXPECT_FALSE(this->Widget->GetTouchMode());
@@ -171,8 +171,8 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
   this->Widget->On();
   this->PushIn();
   // A ball of 30 mm: where the tip is by four wheel steps of a voxel each below the first contact.
-  const double* const tip = this->Widget->GetDevice()->GetTipPosition();
-  const double* const proxy = this->Widget->GetDevice()->GetProxyPosition();
+  const double* const tip = this->Widget->GetDevice()->GetState()->GetTipPosition();
+  const double* const proxy = this->Widget->GetDevice()->GetState()->GetProxyPosition();
   EXPECT_NEAR(proxy[2], 30.0, 0.1) << "where it is seen";
   EXPECT_LT(tip[2], proxy[2] - 1.0);
   EXPECT_EQ(this->Interactor->GetInteractorStyle(), this->Style.Get()) << "the style lives on";
@@ -244,14 +244,14 @@ TEST_F(HapticWidget, TheProgramsDragGoesOnWithItsStyle)
   this->SwitchOn();
   this->PushIn();
   const std::vector<double> before = this->GetView();
-  const double depth = this->Widget->GetDevice()->GetTipPosition()[2];
+  const double depth = this->Widget->GetDevice()->GetState()->GetTipPosition()[2];
   this->Pointer(150, 150);
   EXPECT_EQ(this->Count(vtkCommand::MiddleButtonPressEvent), 1);
   this->Pointer(170, 150); // the program pans
   this->Pointer(170, 150, vtkCommand::MiddleButtonReleaseEvent);
   this->Run(10);
   EXPECT_NE(this->GetView(), before);
-  EXPECT_NEAR(this->Widget->GetDevice()->GetTipPosition()[2], depth, 1e-6);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetTipPosition()[2], depth, 1e-6);
   const std::vector<double> panned = this->GetView();
   EXPECT_EQ(this->Count(vtkCommand::MouseMoveEvent, 175, 150), 0) << "the hand has the mouse again";
   EXPECT_EQ(this->GetView(), panned);
@@ -337,18 +337,18 @@ TEST_F(HapticWidget, TouchesTheFirstOfSeveralVolumes)
   this->AddBall(front, 40.0);
   this->SwitchOn();
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 70.0, 0.1);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetProxyPosition()[2], 70.0, 0.1);
   this->Widget->TouchModeOff();
   this->ExpectLetGo();
   this->Widget->SetVolume(this->Volume);
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0, 0.1);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetProxyPosition()[2], 30.0, 0.1);
   this->Widget->TouchModeOff();
   this->ExpectLetGo();
   this->Widget->SetVolume(nullptr);
   front->VisibilityOff();
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0, 0.1);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetProxyPosition()[2], 30.0, 0.1);
 }
 
 TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
@@ -430,9 +430,9 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
     }));
   EXPECT_EQ(told.Warnings.size(), 1U);
   this->Widget->GetStyle()->DrawHaptics(); // the cure: from now on the program does it
-  const vtkIdType tick = this->Widget->GetDevice()->GetTick();
+  const vtkIdType tick = this->Widget->GetDevice()->GetState()->GetTick();
   this->Window->Render();
-  EXPECT_EQ(this->Widget->GetDevice()->GetTick(), tick);
+  EXPECT_EQ(this->Widget->GetDevice()->GetState()->GetTick(), tick);
   this->Press("Escape");
   this->ExpectLetGo();
 }
@@ -480,7 +480,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->SwitchOn();
   EXPECT_TRUE(this->Renderer->HasViewProp(this->Widget->GetRepresentation()));
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
   this->Press("Escape");
   this->ExpectLetGo();
   EXPECT_TRUE(this->Log.Errors.empty());
@@ -496,7 +496,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->Widget->On();
   this->Press("Escape");
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 20.0, 0.1);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetState()->GetProxyPosition()[2], 20.0, 0.1);
 }
 
 TEST_F(HapticWidget, TellsWhatIsMissingWithTheCure)

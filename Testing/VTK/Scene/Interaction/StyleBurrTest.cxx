@@ -130,7 +130,7 @@ protected:
   void Drill()
   {
     this->PushIn();
-    this->Device->SpinningOn();
+    this->Device->GetVirtualHand()->SpinningOn();
     for (int i = 0; i < 10; ++i)
     {
       this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
@@ -138,7 +138,7 @@ protected:
       this->Style->DrawHaptics();
     }
     EXPECT_GT(this->Filter->GetRemoval()->GetRemovedVolume(), 50.0);
-    this->Device->SpinningOff();
+    this->Device->GetVirtualHand()->SpinningOff();
     this->Run(20);
     this->Press("Escape");
     this->Run(20);
@@ -231,7 +231,7 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
   bool isInTime = false;
   for (int stroke = 0; stroke < 20 && !isInTime; ++stroke)
   {
-    this->Device->SpinningOff();
+    this->Device->GetVirtualHand()->SpinningOff();
     this->Pointer(32, 32, vtkCommand::MouseWheelForwardEvent);
     this->Run(50);
     Levels before = Read(this->Window);
@@ -240,17 +240,18 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
       {
         this->Style->DrawHaptics();
         const Levels now = Read(this->Window);
-        return MostDifference(std::exchange(before, now), now) == 0 && !this->Device->IsSpinning();
+        return MostDifference(std::exchange(before, now), now) == 0 &&
+          !this->Device->GetState()->IsSpinning();
       }));
     const double volume = removal->GetRemovedVolume();
-    double begin = this->Device->GetTime();
+    double begin = this->Device->GetState()->GetTime();
     bool isSeen = false;
-    this->Device->SpinningOn();
+    this->Device->GetVirtualHand()->SpinningOn();
     for (int look = 0; look < 4000 && !isSeen; ++look)
     {
       this->Style->UpdateHaptics();
       // The time is read before: what was removed later is not yet in the volume.
-      const double now = this->Device->GetTime();
+      const double now = this->Device->GetState()->GetTime();
       if (removal->GetRemovedVolume() == volume)
       {
         begin = now;
@@ -263,13 +264,13 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
     }
     ASSERT_TRUE(isSeen) << "stroke " << stroke;
     this->Style->UpdateHaptics();
-    const double delay = this->Device->GetTime() - begin;
+    const double delay = this->Device->GetState()->GetTime() - begin;
     EXPECT_GT(delay, 0.0);
     isInTime = delay <= 0.1 || frames.Count <= 2;
     std::cout << "stroke " << stroke << ": " << 1e3 * delay << " ms, " << frames.Count
               << " frames\n";
   }
-  this->Device->SpinningOff();
+  this->Device->GetVirtualHand()->SpinningOff();
   EXPECT_TRUE(isInTime);
   EXPECT_EQ(mapper->GetInputDataObject(0, 0), this->Ball);
   EXPECT_EQ(this->Ball->GetMTime(), uploaded);

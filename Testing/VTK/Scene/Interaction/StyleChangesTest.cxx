@@ -52,13 +52,13 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
   look->GetScalarOpacity()->AddPoint(-1000.0, 1.0);
   this->Filter->GetProperty()->SetVisibilityFrom(look);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
-  ASSERT_GT(this->Device->GetNormalForce(), 0.5);
+  ASSERT_GT(this->Device->GetState()->GetNormalForce(), 0.5);
   look->GetScalarOpacity()->RemoveAllPoints();
   look->GetScalarOpacity()->AddPoint(-1000.0, 0.0);
   this->Style->UpdateHaptics();
   this->Run(3);
-  EXPECT_EQ(this->Device->GetNormalForce(), 0.0);
-  EXPECT_EQ(this->Device->GetContact(), 0);
+  EXPECT_EQ(this->Device->GetState()->GetNormalForce(), 0.0);
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
 }
 
 TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
@@ -83,7 +83,7 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   editor->VisibilityOff();
   this->Style->SetFunctionEditor(editor);
   ASSERT_NO_FATAL_FAILURE(this->PushIn());
-  ASSERT_GT(this->Device->GetNormalForce(), 1.0);
+  ASSERT_GT(this->Device->GetState()->GetNormalForce(), 1.0);
 
   this->Press("l");
   EXPECT_TRUE(editor->GetVisibility());
@@ -102,12 +102,12 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   // A surface that is pressed harder than its strength gives way until the force is that, within
   // the 0.1 % of solver PRECISE.
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetNormalForce(), clicked, 1e-3 * clicked)
+  EXPECT_NEAR(this->Device->GetState()->GetNormalForce(), clicked, 1e-3 * clicked)
     << "the hand feels it at once";
   this->Pointer(x, y, vtkCommand::MouseWheelBackwardEvent);
   EXPECT_NEAR(table->GetSurfaceStrength(5), clicked - 5.0 / 200.0, 1e-12) << "a step of the slider";
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetNormalForce(), clicked - 5.0 / 200.0, 1e-3 * clicked);
+  EXPECT_NEAR(this->Device->GetState()->GetNormalForce(), clicked - 5.0 / 200.0, 1e-3 * clicked);
   this->Press("l");
   EXPECT_FALSE(editor->GetVisibility());
   this->Style->SetFunctionEditor(nullptr);
@@ -119,15 +119,15 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
-  ExpectAt(this->Device->GetTipPosition(), 10, 4, 2); // right, up and towards the user
-  this->Renderer->GetActiveCamera()->Azimuth(90.0);   // now looking along -x
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2); // right, up and towards the user
+  this->Renderer->GetActiveCamera()->Azimuth(90.0);               // now looking along -x
   this->Style->UpdateHaptics();
   this->Run(5);
-  ExpectAt(this->Device->GetTipPosition(), 2, 4, -10);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 2, 4, -10);
   this->Style->SetWorkspaceScale(2000.0);
   this->Style->UpdateHaptics();
   this->Run(5);
-  ExpectAt(this->Device->GetTipPosition(), 4, 8, -20);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 4, 8, -20);
 }
 
 TEST_F(StyleTest, TheHandMovesWithoutTheTipWhileItIsClutched)
@@ -141,32 +141,32 @@ TEST_F(StyleTest, TheHandMovesWithoutTheTipWhileItIsClutched)
   ASSERT_TRUE(this->Style->GetClutch());
   this->Run(5);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << "no force meanwhile";
-  ExpectAt(this->Device->GetTipPosition(), 10, 4, 2);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
   ASSERT_TRUE(Eventually(
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetTipPosition()[0] > 15.0;
+      return this->Device->GetState()->GetTipPosition()[0] > 15.0;
     }));
   this->Press("k", vtkCommand::KeyReleaseEvent);
   EXPECT_FALSE(this->Style->GetClutch());
   this->Run(5);
-  ExpectAt(this->Device->GetTipPosition(), 10, 4, 2);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 10, 4, 2);
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::READY) << "armed again";
   this->Press("c");
   this->Style->UpdateHaptics();
   this->Run(5);
-  ExpectAt(this->Device->GetTipPosition(), 16, 4, 2);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 16, 4, 2);
 }
 
 TEST_F(StyleTest, AMouseHasNoWorkspaceAndNoClutch)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(1.0, 2.0, 40.0);
+  this->Device->GetVirtualHand()->SetPosition(1.0, 2.0, 40.0);
   ASSERT_TRUE(this->Device->Start());
   this->Renderer->GetActiveCamera()->Azimuth(90.0);
   this->Run(5);
   this->Press("k");
   EXPECT_FALSE(this->Style->GetClutch());
-  ExpectAt(this->Device->GetTipPosition(), 1, 2, 40);
+  ExpectAt(this->Device->GetState()->GetTipPosition(), 1, 2, 40);
 }

@@ -29,7 +29,7 @@ protected:
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
     this->Run(30);
-    ASSERT_GT(Length(this->Device->GetForce()), 0.5);
+    ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.5);
   }
   void Settle(vtkIdType ticks = 30)
   {
@@ -57,7 +57,8 @@ protected:
   }
   double Spring(double stiffness)
   {
-    const double lag = this->Device->GetProxyPosition()[2] - this->Device->GetTipPosition()[2];
+    const double lag = this->Device->GetState()->GetProxyPosition()[2] -
+      this->Device->GetState()->GetTipPosition()[2];
     return stiffness * 1e-3 * lag;
   }
 
@@ -74,31 +75,33 @@ TEST_F(StyleCompare, TwoStiffnessesAreFeltOnOneSpot)
   this->Press("C");
   EXPECT_EQ(this->Style->GetComparedSettings(), "B");
   EXPECT_TRUE(this->Shows("Settings B")) << this->Display->GetText();
-  const double before = Length(this->Device->GetComputedForce());
+  const double before = Length(this->Device->GetState()->GetComputedForce());
   EXPECT_NEAR(before, this->Spring(500.0), 0.02) << "B begins as A";
-  const double surface = this->Device->GetProxyPosition()[2];
+  const double surface = this->Device->GetState()->GetProxyPosition()[2];
 
   vtkPiecewiseFunction* const k = this->Filter->GetProperty()->GetStiffness();
   k->AddPoint(0.0, 200.0);
   this->Style->UpdateHaptics();
   this->Settle();
-  EXPECT_NEAR(Length(this->Device->GetComputedForce()), this->Spring(200.0), 0.02);
+  EXPECT_NEAR(Length(this->Device->GetState()->GetComputedForce()), this->Spring(200.0), 0.02);
   for (int i = 0; i < 2; ++i)
   {
     for (const auto& [name, stiffness] : { std::pair{ "A", 500.0 }, std::pair{ "B", 200.0 } })
     {
       SCOPED_TRACE(name);
-      const double force = Length(this->Device->GetComputedForce());
+      const double force = Length(this->Device->GetState()->GetComputedForce());
       this->Press("C");
       this->Settle();
       EXPECT_EQ(this->Style->GetComparedSettings(), name);
       EXPECT_TRUE(this->Shows((std::string("Settings ") + name).c_str()));
       EXPECT_EQ(this->Filter->GetProperty()->GetStiffness(), k) << "an editor keeps its function";
-      EXPECT_LE(Length(this->Device->GetComputedForce()), force + 0.01)
+      EXPECT_LE(Length(this->Device->GetState()->GetComputedForce()), force + 0.01)
         << "a hand that rests is not pushed out";
       this->LiftAndPress();
-      EXPECT_NEAR(Length(this->Device->GetComputedForce()), this->Spring(stiffness), 0.02);
-      EXPECT_NEAR(this->Device->GetProxyPosition()[2], surface, 0.1) << "where it was held";
+      EXPECT_NEAR(
+        Length(this->Device->GetState()->GetComputedForce()), this->Spring(stiffness), 0.02);
+      EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], surface, 0.1)
+        << "where it was held";
     }
   }
   EXPECT_STREQ(this->Display->GetNotice(), "");
@@ -190,7 +193,7 @@ TEST_F(StyleCompare, SettingsThatCantBeFeltStayAway)
   EXPECT_NE(this->Log.Errors[0].find("Settings B can't be felt here"), std::string::npos);
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   this->Settle();
-  EXPECT_NEAR(Length(this->Device->GetComputedForce()), this->Spring(500.0), 0.02);
+  EXPECT_NEAR(Length(this->Device->GetState()->GetComputedForce()), this->Spring(500.0), 0.02);
 }
 
 TEST_F(StyleCompare, AnotherFilterOrDeviceBeginsAnew)

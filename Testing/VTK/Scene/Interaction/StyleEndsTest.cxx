@@ -48,7 +48,7 @@ protected:
     const bool goesIn = this->Updates++ % 20 < 10;
     this->Pointer(
       150, 150, goesIn ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent);
-    if (this->Act && goesIn && Length(this->Device->GetForce()) > 0.5)
+    if (this->Act && goesIn && Length(this->Device->GetState()->GetForce()) > 0.5)
     {
       std::exchange(this->Act, nullptr)();
     }
@@ -59,7 +59,7 @@ protected:
       [this]
       {
         this->Device->UpdateState();
-        return Length(this->Device->GetForce()) == 0.0;
+        return Length(this->Device->GetState()->GetForce()) == 0.0;
       }));
     EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << this->Device->GetStatusText();
     EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT) << this->Device->GetStatusText();
@@ -73,7 +73,7 @@ protected:
       [this]
       {
         this->Style->UpdateHaptics();
-        return Length(this->Device->GetForce()) == 0.0;
+        return Length(this->Device->GetState()->GetForce()) == 0.0;
       }));
     EXPECT_FALSE(this->Style->GetTouchMode());
     EXPECT_FALSE(this->Device->IsArmOrdered());

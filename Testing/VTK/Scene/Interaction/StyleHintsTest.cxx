@@ -57,7 +57,7 @@ TEST_F(StyleHints, SayWhatToDoUntilItWasDone)
     this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
     this->Run(10);
   }
-  ASSERT_NE(this->Device->GetContact(), 0);
+  ASSERT_NE(this->Device->GetState()->GetContact(), 0);
   EXPECT_TRUE(this->Hints("")) << this->Display->GetHint();
   EXPECT_EQ(std::string(this->Display->GetText()).find("Resting on the volume, "), 0U)
     << this->Display->GetText();
@@ -66,7 +66,7 @@ TEST_F(StyleHints, SayWhatToDoUntilItWasDone)
     this->Pointer(150, 150, vtkCommand::MouseWheelBackwardEvent);
     this->Run(10);
   }
-  ASSERT_EQ(this->Device->GetContact(), 0);
+  ASSERT_EQ(this->Device->GetState()->GetContact(), 0);
   EXPECT_TRUE(this->Hints("")) << "it was done, " << this->Display->GetHint();
   EXPECT_STREQ(this->Display->GetText().c_str(), "") << "nothing is touched";
   this->Press("Escape");
@@ -81,7 +81,8 @@ TEST_F(StyleHints, SayHowToGoOnAfterAFault)
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
-  this->Device->PlaceVirtualTip(0.0, 0.0, 500.0); // an armed device sees a hand that is too fast
+  this->Device->GetVirtualHand()->Place(
+    0.0, 0.0, 500.0); // an armed device sees a hand that is too fast
   this->Run(20);
   ASSERT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT);
   EXPECT_TRUE(this->Hints("Press a to go on")) << this->Display->GetHint();

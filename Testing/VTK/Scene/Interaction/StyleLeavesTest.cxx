@@ -44,12 +44,12 @@ TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
   display->SetDevice(this->Device);
   this->PushIn();
   this->Run(5);
-  ASSERT_GT(Length(this->Device->GetForce()), 0.3) << "N";
+  ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
   EXPECT_NE(display->GetText().find(" N"), std::string::npos) << display->GetText();
   vtkNew<vtkInteractorStyleTrackballCamera> other;
   this->Interactor->SetInteractorStyle(other);
   // Nobody updates the device any more.
-  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_EQ(display->GetText().find(" N"), std::string::npos) << display->GetText();
 }

@@ -64,7 +64,7 @@ protected:
     // After a pause of a busy machine the servo starts again from the tip, and only a new contact
     // is felt: see StyleEnds.
     constexpr int most = 400;
-    for (int i = 1; i < most && Length(this->Device->GetForce()) <= 0.5; ++i)
+    for (int i = 1; i < most && Length(this->Device->GetState()->GetForce()) <= 0.5; ++i)
     {
       this->Run(100); // force rises within some of these
       for (int step = 0; step < 8 && i % 8 == 0; ++step)
@@ -74,8 +74,8 @@ protected:
         this->Run(10);
       }
     }
-    ASSERT_GT(Length(this->Device->GetForce()), 0.5);
-    this->Device->DrainStates(this->States, 1);
+    ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.5);
+    this->Device->GetState()->Drain(this->States, 1);
     this->Shown.clear();
   }
   /// A histogram of 43 million samples, which is counted in the background.
@@ -139,7 +139,7 @@ protected:
   void ExpectPause()
   {
     this->Run(20);
-    this->Device->DrainStates(this->States, 1);
+    this->Device->GetState()->Drain(this->States, 1);
     int forceless = 0;
     for (vtkIdType i = 0; i < this->States->GetNumberOfRows(); ++i)
     {

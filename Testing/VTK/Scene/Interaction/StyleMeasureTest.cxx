@@ -32,7 +32,7 @@ protected:
   {
     this->PushIn();
     this->Run(100);
-    ASSERT_NE(this->Device->GetContact(), 0);
+    ASSERT_NE(this->Device->GetState()->GetContact(), 0);
   }
   /// The mouse goes along x, a pixel of 0.2 mm at a time.
   void Slide(int from, int to)
@@ -47,7 +47,7 @@ protected:
   }
   std::array<double, 3> Proxy()
   {
-    const double* const p = this->Device->GetProxyPosition();
+    const double* const p = this->Device->GetState()->GetProxyPosition();
     return { p[0], p[1], p[2] };
   }
 
@@ -65,8 +65,8 @@ TEST_F(StyleMeasure, APointIsWhereTheSurfaceHoldsTheProxy)
   this->List->GetPoint(0, 0, x);
   const std::array<double, 3> proxy = this->Proxy();
   EXPECT_TRUE(std::equal(x, x + 3, proxy.begin()));
-  EXPECT_GT(Length(x), Length(this->Device->GetTipPosition()) + 1.0) << "not the tip";
-  EXPECT_EQ(this->List->GetValue(0), this->Device->GetSurfaceValue());
+  EXPECT_GT(Length(x), Length(this->Device->GetState()->GetTipPosition()) + 1.0) << "not the tip";
+  EXPECT_EQ(this->List->GetValue(0), this->Device->GetState()->GetSurfaceValue());
   EXPECT_NE(this->Display->GetText().find("Point 1"), std::string::npos);
 }
 
@@ -76,7 +76,7 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   this->Press("D");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
   EXPECT_NE(this->Display->GetText().find("Distance: 1 of 2 points"), std::string::npos);
-  const double radius = Length(this->Device->GetProxyPosition());
+  const double radius = Length(this->Device->GetState()->GetProxyPosition());
   const double first = std::atan2(this->Proxy()[0], this->Proxy()[2]);
   this->Press("A");
   EXPECT_EQ(this->List->GetUnfinishedText(), "Angle: 1 of 3 points") << "takes the other's place";
@@ -86,7 +86,7 @@ TEST_F(StyleMeasure, ADistanceIsAChordAndAnAngleThatOfItsPoints)
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetUnfinishedText(), "");
   // Without friction the proxy is where the ball is nearest to the tip: 8 mm to the side.
-  const double* const tip = this->Device->GetTipPosition();
+  const double* const tip = this->Device->GetState()->GetTipPosition();
   const double turn = std::atan2(tip[0], tip[2]) - first;
   EXPECT_GT(turn, 0.2);
   EXPECT_NEAR(this->List->GetValue(0), 2.0 * radius * std::sin(0.5 * turn), 0.05) << "voxels: 1 mm";

@@ -24,7 +24,7 @@ protected:
     this->Filter->SetMethodToForceField();
     this->Filter->SetIsoValue(1e6);
     ASSERT_TRUE(this->Device->Open("virtual"));
-    this->Device->SetVirtualTip(0.0, 0.0, 28.0);
+    this->Device->GetVirtualHand()->SetPosition(0.0, 0.0, 28.0);
     ASSERT_TRUE(this->Device->Start());
     this->Run(5);
   }
@@ -37,7 +37,7 @@ protected:
 TEST_F(StyleMethodErrors, TheMethodBeforeStays)
 {
   this->Begin();
-  const double force = this->Device->GetComputedForce()[2];
+  const double force = this->Device->GetState()->GetComputedForce()[2];
   ASSERT_GT(force, 0.5);
   EXPECT_FALSE(this->Style->NextMethod());
   ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
@@ -51,7 +51,7 @@ TEST_F(StyleMethodErrors, TheMethodBeforeStays)
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
   EXPECT_EQ(this->Display->GetPlotTitle(), "Force field");
   this->Run(5);
-  EXPECT_EQ(this->Device->GetComputedForce()[2], force);
+  EXPECT_EQ(this->Device->GetState()->GetComputedForce()[2], force);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U) << "one error is enough";
   EXPECT_NE(this->Display->GetText().find("goes on"), std::string::npos) << "still to be read";
 }

@@ -30,7 +30,7 @@ protected:
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
     this->Run(30);
-    ASSERT_GT(Length(this->Device->GetForce()), 0.5);
+    ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.5);
   }
   /// Until what was published is felt.
   void Settle()
@@ -41,7 +41,7 @@ protected:
   /// The force that the servo computes by now.
   void ExpectForce(double x, double y, double z)
   {
-    const double* const force = this->Device->GetComputedForce();
+    const double* const force = this->Device->GetState()->GetComputedForce();
     EXPECT_NEAR(force[0], x, 0.02);
     EXPECT_NEAR(force[1], y, 0.02);
     EXPECT_NEAR(force[2], z, 0.02);
@@ -78,7 +78,7 @@ TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
 TEST_F(StyleMethod, TheServoFeelsWithTheMethodAtOnce)
 {
   this->Touch();
-  const double depth = 30.0 - this->Device->GetTipPosition()[2];
+  const double depth = 30.0 - this->Device->GetState()->GetTipPosition()[2];
   this->Filter->SetMethodToForceField();
   this->Style->UpdateHaptics();
   EXPECT_EQ(this->Display->GetPlotTitle(), "Force field") << "also when it was not the key";
@@ -86,7 +86,8 @@ TEST_F(StyleMethod, TheServoFeelsWithTheMethodAtOnce)
   this->ExpectForce(0.0, 0.0, 1.0);
   this->Press("m");
   this->Settle();
-  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 30.5, 0.02) << "a sphere of half a voxel";
+  EXPECT_NEAR(this->Device->GetState()->GetProxyPosition()[2], 30.5, 0.02)
+    << "a sphere of half a voxel";
   this->ExpectForce(0.0, 0.0, 0.5 * (depth + 0.5)); // 500 N/m
 }
 
@@ -145,23 +146,25 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Filter->SetMethodToPrimitives();
   this->Style->UpdateHaptics();
   this->Settle();
-  EXPECT_GT(Length(this->Device->GetModeForce(0)), 0.5);
-  EXPECT_EQ(Length(this->Device->GetModeForce(1)), 0.0);
-  EXPECT_EQ(Length(this->Device->GetModeForce(-1)) + Length(this->Device->GetModeForce(8)), 0.0);
-  EXPECT_NEAR(
-    Length(this->Device->GetModeForce(0)), Length(this->Device->GetComputedForce()), 1e-12);
+  EXPECT_GT(Length(this->Device->GetState()->GetModeForce(0)), 0.5);
+  EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(1)), 0.0);
+  EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(-1)) +
+      Length(this->Device->GetState()->GetModeForce(8)),
+    0.0);
+  EXPECT_NEAR(Length(this->Device->GetState()->GetModeForce(0)),
+    Length(this->Device->GetState()->GetComputedForce()), 1e-12);
   vtkTable* const plot = this->Display->GetPlotTable();
   auto* const curve = vtkDataArray::SafeDownCast(plot->GetColumnByName("1 surface"));
   ASSERT_TRUE(curve);
   const vtkIdType last = curve->GetNumberOfTuples() - 1;
-  EXPECT_NEAR(curve->GetComponent(last, 0), Length(this->Device->GetModeForce(0)), 0.1);
+  EXPECT_NEAR(curve->GetComponent(last, 0), Length(this->Device->GetState()->GetModeForce(0)), 0.1);
   for (const char* const wanted : { "+-", "-+", "++" })
   {
     this->Press("M");
     EXPECT_EQ(shown(), wanted);
     this->Settle();
     // The tip is inside: what comes back is felt when the hand moves.
-    EXPECT_EQ(Length(this->Device->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
+    EXPECT_EQ(Length(this->Device->GetState()->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
   }
   // A mode that can't be felt is left off again.
   vtkNew<vtkHapticMode> follow;

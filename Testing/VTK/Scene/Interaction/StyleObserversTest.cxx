@@ -71,12 +71,12 @@ protected:
   /// By the states of the servo, as the status is that of a time.
   void ExpectDisarmed(vtkHapticDevice* device, const char* what)
   {
-    const vtkIdType end = device->GetTick() + 20;
+    const vtkIdType end = device->GetState()->GetTick() + 20;
     EXPECT_TRUE(Eventually(
       [&]
       {
         device->UpdateState();
-        return !device->IsRunning() || device->GetTick() >= end;
+        return !device->IsRunning() || device->GetState()->GetTick() >= end;
       }));
     EXPECT_NE(device->GetStatus(), vtkHapticDevice::ARMED) << what;
     EXPECT_NE(device->GetStatus(), vtkHapticDevice::ACTIVE) << what;

@@ -52,7 +52,7 @@ protected:
     this->Renderer->AddVolume(this->Volume);
     this->Display->SetDevice(this->Device);
     this->Style->SetHeadUpDisplay(this->Display);
-    this->Device->SetPlaybackToPingPong();
+    this->Device->GetPlayback()->SetModeToPingPong();
   }
   void Start()
   {
@@ -72,9 +72,9 @@ protected:
   /// The nearest frame, by the data time alone; the first one is at `first`, the next one 1 later.
   void ExpectWhatIsFelt(double first)
   {
-    const double number = this->Device->GetDataTime() - first;
+    const double number = this->Device->GetPlayback()->GetDataTime() - first;
     EXPECT_LE(std::abs(this->GetShownNumber() - number), 0.5 + 1e-9);
-    EXPECT_EQ(this->Device->GetFrameTime(), first + this->GetShownNumber());
+    EXPECT_EQ(this->Device->GetPlayback()->GetFrameTime(), first + this->GetShownNumber());
     EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
   }
   /// While it is played, until all of some frames were seen.
@@ -86,8 +86,8 @@ protected:
       {
         this->Style->UpdateHaptics();
         // Frames that are in memory never come late.
-        EXPECT_FALSE(this->Device->IsWaitingForData());
-        if (this->Device->HasFrames())
+        EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
+        if (this->Device->GetPlayback()->HasFrames())
         {
           this->ExpectWhatIsFelt(first);
           if (std::find(seen.begin(), seen.end(), this->GetShownNumber()) == seen.end())
@@ -111,8 +111,8 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
   this->Mapper->SetInputConnection(this->Source->GetOutputPort());
   this->Start();
   EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
-  EXPECT_FALSE(this->Device->HasFrames());
-  EXPECT_EQ(this->Device->GetFrameImage(), nullptr);
+  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
+  EXPECT_EQ(this->Device->GetPlayback()->GetFrameImage(), nullptr);
   EXPECT_EQ(this->Display->GetText().find("Time"), std::string::npos);
   this->Press("space");
   this->WatchFrames(2.0, 5);
@@ -141,21 +141,22 @@ TEST_F(StylePlayback, TellsThatFramesAreLate)
   reader->Make = [](double time) { return MakeNumbered(static_cast<int>(time)); };
   this->Filter->SetInputConnection(0, reader->GetOutputPort());
   this->Start();
-  this->Device->SetDataTime(0.0);
-  ASSERT_TRUE(Eventually([&] { return this->Device->UpdateState() && this->Device->HasFrames(); }));
+  this->Device->GetPlayback()->SetDataTime(0.0);
+  ASSERT_TRUE(Eventually(
+    [&] { return this->Device->UpdateState() && this->Device->GetPlayback()->HasFrames(); }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
   // The frames of another place come when the servo's state has told of it.
-  this->Device->SetDataTime(4.0);
-  ASSERT_TRUE(
-    Eventually([&] { return this->Device->UpdateState() && this->Device->IsWaitingForData(); }));
+  this->Device->GetPlayback()->SetDataTime(4.0);
+  ASSERT_TRUE(Eventually([&]
+    { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
   EXPECT_NE(this->Display->GetText().find("held, waiting for data"), std::string::npos)
     << this->Display->GetText();
   // The picture may show the new frame before the servo's state tells that it has it.
   ASSERT_TRUE(Eventually(
     [&]
     {
-      return this->Device->UpdateState() && this->Device->GetFrameTime() == 4.0 &&
-        !this->Device->IsWaitingForData();
+      return this->Device->UpdateState() && this->Device->GetPlayback()->GetFrameTime() == 4.0 &&
+        !this->Device->GetPlayback()->IsWaitingForData();
     }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
 }
@@ -170,7 +171,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
   this->Volume->SetUserMatrix(placed);
   this->Mapper->SetInputData(plain);
   this->Start();
-  this->Device->Play();
+  this->Device->GetPlayback()->Play();
   this->WatchFrames(2.0, 5);
   EXPECT_EQ(this->GetShown()->GetOrigin()[0], -3.0);
   EXPECT_TRUE(this->Log.Warnings.empty());
@@ -213,7 +214,7 @@ TEST_F(StylePlayback, AMaskOfTheSameShapeIsNoComponent)
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->HasFrames();
+      return this->Device->GetPlayback()->HasFrames();
     }));
   this->Run(20);
   EXPECT_EQ(this->GetShown(), mask);
@@ -230,7 +231,7 @@ TEST_F(StylePlayback, AVolumeThatShowsSomethingElseIsLeftAlone)
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->HasFrames();
+      return this->Device->GetPlayback()->HasFrames();
     }));
   this->Run(20);
   EXPECT_EQ(this->GetShown(), other);
@@ -242,15 +243,17 @@ TEST_F(StylePlayback, KeysGoFromFrameToFrame)
   const auto expect = [this](const char* key, double time)
   {
     this->Press(key);
-    EXPECT_FALSE(this->Device->IsPlaying());
+    EXPECT_FALSE(this->Device->GetPlayback()->IsPlaying());
     ASSERT_TRUE(Eventually(
       [&]
       {
         this->Style->UpdateHaptics();
-        return this->Device->HasFrames() && this->Device->GetDataTime() == time &&
-          !this->Device->IsWaitingForData() && this->Device->GetFrameTime() == time;
+        return this->Device->GetPlayback()->HasFrames() &&
+          this->Device->GetPlayback()->GetDataTime() == time &&
+          !this->Device->GetPlayback()->IsWaitingForData() &&
+          this->Device->GetPlayback()->GetFrameTime() == time;
       }))
-      << key << " " << time << ", but at " << this->Device->GetDataTime();
+      << key << " " << time << ", but at " << this->Device->GetPlayback()->GetDataTime();
   };
   expect("Right", 3.0);
   expect("Right", 4.0);
@@ -258,7 +261,7 @@ TEST_F(StylePlayback, KeysGoFromFrameToFrame)
   expect("Left", 2.0);
   expect("Left", 6.0);
   expect("Right", 2.0);
-  this->Device->SetDataTime(4.25);
+  this->Device->GetPlayback()->SetDataTime(4.25);
   this->Run(2);
   expect("Left", 4.0);
 }
@@ -268,50 +271,50 @@ TEST_F(StylePlayback, AKeyThatIsHeldSwitchesOnce)
 {
   this->Start();
   this->Press("space");
-  ASSERT_TRUE(this->Device->IsPlaying());
+  ASSERT_TRUE(this->Device->GetPlayback()->IsPlaying());
   int switches = 0;
   for (int i = 0; i < 20; ++i)
   {
-    const bool wasPlaying = this->Device->IsPlaying();
+    const bool wasPlaying = this->Device->GetPlayback()->IsPlaying();
     this->Press("space", vtkCommand::KeyReleaseEvent);
     this->Press("space");
-    switches += this->Device->IsPlaying() != wasPlaying;
+    switches += this->Device->GetPlayback()->IsPlaying() != wasPlaying;
   }
   EXPECT_LE(switches, 4) << "but for pauses of a busy machine";
-  const double speed = this->Device->GetPlaybackSpeed();
+  const double speed = this->Device->GetPlayback()->GetSpeed();
   this->Press("period");
   this->Press("period", vtkCommand::KeyReleaseEvent);
   this->Press("period");
-  EXPECT_EQ(this->Device->GetPlaybackSpeed(), 4.0 * speed) << "steps go on";
+  EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), 4.0 * speed) << "steps go on";
 }
 
 TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
 {
   this->Start();
   this->Press("period");
-  EXPECT_EQ(this->Device->GetPlaybackSpeed(), 2.0);
-  this->Device->SetPlaybackSpeed(-0.5);
+  EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), 2.0);
+  this->Device->GetPlayback()->SetSpeed(-0.5);
   this->Press("comma");
-  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -0.25);
+  EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -0.25);
   for (int i = 0; i < 20; ++i)
   {
     this->Press("period");
   }
-  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -64.0);
-  for (const int playback : { vtkHapticDevice::ONCE, vtkHapticDevice::LOOP,
-         vtkHapticDevice::PING_PONG, vtkHapticDevice::ONCE })
+  EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -64.0);
+  for (const int playback : { vtkHapticPlayback::ONCE, vtkHapticPlayback::LOOP,
+         vtkHapticPlayback::PING_PONG, vtkHapticPlayback::ONCE })
   {
     this->Press("b");
-    EXPECT_EQ(this->Device->GetPlayback(), playback);
+    EXPECT_EQ(this->Device->GetPlayback()->GetMode(), playback);
   }
-  this->Device->SetPlaybackSpeed(std::nan(""));
-  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -64.0);
+  this->Device->GetPlayback()->SetSpeed(std::nan(""));
+  EXPECT_EQ(this->Device->GetPlayback()->GetSpeed(), -64.0);
   // A volume that stands still has no such keys.
   this->Filter->SetInputData(0, this->Ball);
   this->Press("b");
   this->Press("space");
-  EXPECT_EQ(this->Device->GetPlayback(), vtkHapticDevice::ONCE);
-  EXPECT_FALSE(this->Device->IsPlaying());
+  EXPECT_EQ(this->Device->GetPlayback()->GetMode(), vtkHapticPlayback::ONCE);
+  EXPECT_FALSE(this->Device->GetPlayback()->IsPlaying());
 }
 
 TEST_F(StylePlayback, TheFrameSourceKeepsTheOrderOfTimesAndRefusesWhatIsNone)

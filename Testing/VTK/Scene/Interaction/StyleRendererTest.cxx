@@ -24,7 +24,7 @@ TEST_F(StyleRenderer, DefaultOneIsTouchedBeforeAnyButton)
   this->Pointer(225, 150); // its middle; 15 mm beside that of the first renderer
   this->Style->TouchModeOn();
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], 0.0, 0.3);
-  EXPECT_NEAR(this->Device->GetTipPosition()[1], 0.0, 0.3);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.0, 5.0);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 0.0, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[1], 0.0, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.0, 5.0);
 }

@@ -106,12 +106,12 @@ protected:
     };
     // From now on, not from when the device was looked at last.
     update();
-    const vtkIdType end = this->Device->GetTick() + ticks;
+    const vtkIdType end = this->Device->GetState()->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
       [&]
       {
         update();
-        return this->Device->GetTick() >= end;
+        return this->Device->GetState()->GetTick() >= end;
       }));
   }
   void Run(vtkIdType ticks)

@@ -115,15 +115,15 @@ TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
   // The ball is seen from its radius of 30 mm on, and the hand waits half a voxel in front of it.
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], 70.0, 1.0);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 70.0, 1.0);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
   this->Style->TouchModeOff();
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Volume);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
   EXPECT_TRUE(this->Log.Warnings.empty());
   this->Style->TouchVolume(this->Volume);
   EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 1) << "ends the others";
@@ -162,15 +162,15 @@ TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
     EXPECT_EQ(this->Style->GetTouchedVolume(), ports[port]);
     EXPECT_EQ(this->Device->GetVolumeHaptics() == this->Filter, port == 0);
     EXPECT_EQ(this->Device->GetVolumeHaptics()->GetKernelRadius(), 3);
-    EXPECT_NEAR(this->Device->GetTipPosition()[0], 70.0 * port, 1.0);
-    EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
+    EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 70.0 * port, 1.0);
+    EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
     this->Style->TouchModeOff();
   }
   // Each has its own opacity and place, now and later.
   ports[0]->SetPosition(0.0, 0.0, 10.0);
   this->Style->TouchModeOn();
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 40.5, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 40.5, 0.3);
   this->Style->TouchModeOff();
   add(2);
   this->Style->UpdateHaptics();
@@ -198,21 +198,22 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   EXPECT_TRUE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 100.5, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 100.5, 0.3);
   const auto see = [this](vtkTable* states, vtkIdType row) { this->Watch(states, row); };
   bool hasFeltOther = false;
-  for (int i = 0; i < 120 && this->Device->GetTipPosition()[2] > 28.0; ++i)
+  for (int i = 0; i < 120 && this->Device->GetState()->GetTipPosition()[2] > 28.0; ++i)
   {
     this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
     this->Run(20, see);
-    hasFeltOther = hasFeltOther || (this->FeelsOther() && this->Device->GetContact() != 0);
+    hasFeltOther =
+      hasFeltOther || (this->FeelsOther() && this->Device->GetState()->GetContact() != 0);
   }
   EXPECT_TRUE(hasFeltOther);
   EXPECT_FALSE(this->FeelsOther());
   EXPECT_EQ(this->Changes, 1);
   EXPECT_EQ(this->ContactAtChange, 0);
   EXPECT_LT(this->LargestStep, 0.02) << "N";
-  EXPECT_NE(this->Device->GetContact(), 0) << "the ball behind is touched";
+  EXPECT_NE(this->Device->GetState()->GetContact(), 0) << "the ball behind is touched";
   EXPECT_GT(vtkMath::Norm(this->Force), 1.0) << "500 N/m times 2 mm or more";
   EXPECT_TRUE(this->Style->GetTouchMode()) << "no fault";
 }
@@ -229,21 +230,21 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3) << "in front of the first one";
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3) << "in front of the first one";
   this->Style->TouchModeOff();
   this->Style->SetFeltVolumeToNearest();
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
-  EXPECT_GT(this->Device->GetTipPosition()[2], 35.0);
+  EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 35.0);
   // In the air, the choice counts for what is ahead.
   this->Style->TouchModeOff();
-  this->Device->PlaceVirtualTip(0.0, 0.0, 60.0);
+  this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
   ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
   // As strong as the other one, it is not chosen, because it is behind.
   strength->AddPoint(0.1, 8.0);
-  this->Device->PlaceVirtualTip(0.0, 0.0, 55.0);
+  this->Device->GetVirtualHand()->Place(0.0, 0.0, 55.0);
   ASSERT_TRUE(this->RunUntilOtherIsFelt(true));
 }
 
@@ -256,7 +257,7 @@ TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3);
 }
 
 TEST_F(StyleSeveral, InsteadOfOneThatIsHiddenTheOtherOneIsFelt)

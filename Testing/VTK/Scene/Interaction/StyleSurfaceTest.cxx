@@ -20,21 +20,22 @@ TEST_F(StyleTest, ASurfaceThatShrinksIsNoLongerTouched)
   this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualTip(0.0, 0.0, 40.0);
+  this->Device->GetVirtualHand()->SetPosition(0.0, 0.0, 40.0);
   ASSERT_TRUE(this->Device->Start());
   this->Run(3);
-  this->Device->SetVirtualTip(0.0, 0.0, 28.0);
+  this->Device->GetVirtualHand()->SetPosition(0.0, 0.0, 28.0);
   ASSERT_TRUE(Eventually(
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetNormalForce() > 0.9;
+      return this->Device->GetState()->GetNormalForce() > 0.9;
     }));
   sphere->SetRadius(20.0);
   EXPECT_TRUE(Eventually(
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetNormalForce() == 0.0 && this->Device->GetContact() == 0;
+      return this->Device->GetState()->GetNormalForce() == 0.0 &&
+        this->Device->GetState()->GetContact() == 0;
     }));
 }

@@ -78,13 +78,13 @@ TEST_F(StyleTogether, EachGetsEveryStateAndEvent)
   {
     this->Pointer(
       150, 150, i < 10 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent);
-    const vtkIdType end = this->Device->GetTick() + 10;
+    const vtkIdType end = this->Device->GetState()->GetTick() + 10;
     ASSERT_TRUE(Eventually(
       [&]
       {
         first.Update();
         second.Update();
-        return this->Device->GetTick() >= end;
+        return this->Device->GetState()->GetTick() >= end;
       }));
   }
   this->Press("Escape");
@@ -108,15 +108,15 @@ TEST_F(StyleTogether, EachGetsEveryStateAndEvent)
 TEST_F(StyleTogether, EachHasANumberOfItsOwn)
 {
   // The styles have 0 and -1.
-  EXPECT_EQ(this->Device->AddReader(), -2);
-  EXPECT_EQ(this->Device->AddReader(), -3);
-  this->Device->RemoveReader(-2);
-  EXPECT_EQ(this->Device->AddReader(), -2);
+  EXPECT_EQ(this->Device->GetState()->AddReader(), -2);
+  EXPECT_EQ(this->Device->GetState()->AddReader(), -3);
+  this->Device->GetState()->RemoveReader(-2);
+  EXPECT_EQ(this->Device->GetState()->AddReader(), -2);
   this->Other->SetDevice(nullptr);
-  EXPECT_EQ(this->Device->AddReader(), -1);
+  EXPECT_EQ(this->Device->GetState()->AddReader(), -1);
   vtkNew<vtkHapticDevice> fresh;
   this->Other->SetDevice(fresh);
-  EXPECT_EQ(fresh->AddReader(), -1) << "the only style has 0";
+  EXPECT_EQ(fresh->GetState()->AddReader(), -1) << "the only style has 0";
 }
 
 TEST_F(StyleTogether, ADeviceThatAStyleLeavesIsDisarmed)

@@ -29,7 +29,7 @@ protected:
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
     ASSERT_TRUE(this->Device->Start());
-    this->Device->PlaceVirtualTip(0.0, 0.0, 60.0);
+    this->Device->GetVirtualHand()->Place(0.0, 0.0, 60.0);
     this->Interactor->SetAltKey(0);
     this->Pointer(150, 150);
     this->Run(5);
@@ -47,14 +47,14 @@ protected:
       [&]
       {
         this->Style->UpdateHaptics();
-        const double* const is = this->Device->GetTipOrientation();
+        const double* const is = this->Device->GetState()->GetTipOrientation();
         double dot = 0.0;
         for (int c = 0; c < 4; ++c)
         {
           dot += is[c] * wanted.GetData()[c];
         }
         // The step of each event is that of a small turn.
-        return this->Device->HasTipOrientation() && std::abs(dot) > 1.0 - 1e-5;
+        return this->Device->GetState()->HasTipOrientation() && std::abs(dot) > 1.0 - 1e-5;
       });
   }
 
@@ -66,7 +66,7 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
 {
   this->Filter->SetTool(this->Tool);
   this->Begin();
-  EXPECT_FALSE(this->Device->HasTipOrientation());
+  EXPECT_FALSE(this->Device->GetState()->HasTipOrientation());
   EXPECT_NE(this->Style->GetKeys().find("Alt + mouse\tturn the tool"), std::string::npos);
   // Its front goes to the right.
   for (int x = 151; x <= 170; ++x)
@@ -74,7 +74,7 @@ TEST_F(StyleTool, TheMouseTurnsItLikeABall)
     this->AltMove(x, 150);
   }
   EXPECT_TRUE(this->IsTurned(0.2, 0.0, 1.0, 0.0));
-  EXPECT_FALSE(this->Device->IsTipOrientationMeasured());
+  EXPECT_FALSE(this->Device->GetState()->IsTipOrientationMeasured());
   for (int x = 169; x >= 150; --x)
   {
     this->AltMove(x, 150);
@@ -105,19 +105,19 @@ TEST_F(StyleTool, TheTipStaysWhereItIs)
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->Run(50);
-  const double before[3] = { this->Device->GetTipPosition()[0], this->Device->GetTipPosition()[1],
-    this->Device->GetTipPosition()[2] };
+  const double before[3] = { this->Device->GetState()->GetTipPosition()[0],
+    this->Device->GetState()->GetTipPosition()[1], this->Device->GetState()->GetTipPosition()[2] };
   this->AltMove(180, 130);
   this->Run(100);
   for (int c = 0; c < 3; ++c)
   {
-    EXPECT_EQ(this->Device->GetTipPosition()[c], before[c]);
+    EXPECT_EQ(this->Device->GetState()->GetTipPosition()[c], before[c]);
   }
-  EXPECT_TRUE(this->Device->HasTipOrientation());
+  EXPECT_TRUE(this->Device->GetState()->HasTipOrientation());
   this->Interactor->SetAltKey(0);
   this->Pointer(190, 130);
   this->Run(100);
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], before[0] + 2.0, 1e-6) << "10 pixels";
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], before[0] + 2.0, 1e-6) << "10 pixels";
 }
 
 /// A box of 1 mm begins in front of the ball, and is then pressed into it by the wheel.
@@ -131,9 +131,9 @@ TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   // Half of the box in front of where a point feels the surface, a kernel radius above it.
-  EXPECT_GT(this->Device->GetTipPosition()[2], 30.5);
-  EXPECT_LT(this->Device->GetTipPosition()[2], 33.5);
-  EXPECT_EQ(this->Device->GetContact(), 0);
+  EXPECT_GT(this->Device->GetState()->GetTipPosition()[2], 30.5);
+  EXPECT_LT(this->Device->GetState()->GetTipPosition()[2], 33.5);
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
   for (int i = 0; i < 8; ++i)
   {
     this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
@@ -143,9 +143,9 @@ TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
     [this]
     {
       this->Style->UpdateHaptics();
-      return Length(this->Device->GetForce()) > 0.1;
+      return Length(this->Device->GetState()->GetForce()) > 0.1;
     }));
-  EXPECT_GT(this->Device->GetForce()[2], 0.1);
+  EXPECT_GT(this->Device->GetState()->GetForce()[2], 0.1);
 }
 
 TEST_F(StyleTool, APointAndAMeasuredHandAreNotTurned)
@@ -153,13 +153,14 @@ TEST_F(StyleTool, APointAndAMeasuredHandAreNotTurned)
   this->Begin();
   this->AltMove(180, 150);
   this->Run(20);
-  EXPECT_FALSE(this->Device->HasTipOrientation()) << "there is no tool";
+  EXPECT_FALSE(this->Device->GetState()->HasTipOrientation()) << "there is no tool";
   this->Filter->SetTool(this->Tool);
-  this->Device->SetVirtualTipOrientation(0.6, 0.8, 0.0, 0.0);
+  this->Device->GetVirtualHand()->SetOrientation(0.6, 0.8, 0.0, 0.0);
   this->Run(50);
-  ASSERT_TRUE(this->Device->IsTipOrientationMeasured());
+  ASSERT_TRUE(this->Device->GetState()->IsTipOrientationMeasured());
   this->AltMove(210, 150);
   this->Run(50);
-  EXPECT_NEAR(this->Device->GetTipOrientation()[1], 0.8, 1e-12) << "the device knows it";
+  EXPECT_NEAR(this->Device->GetState()->GetTipOrientation()[1], 0.8, 1e-12)
+    << "the device knows it";
   EXPECT_EQ(this->Style->GetKeys().find("Alt + mouse"), std::string::npos);
 }

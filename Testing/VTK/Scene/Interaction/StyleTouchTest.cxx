@@ -25,8 +25,9 @@ TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
   this->Press("t");
   ASSERT_TRUE(this->Style->GetTouchMode());
   this->Run(50);
-  EXPECT_EQ(this->Device->GetContact(), 0) << "touch mode begins in front of the surface";
-  const double start = this->Device->GetTipPosition()[2];
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 0)
+    << "touch mode begins in front of the surface";
+  const double start = this->Device->GetState()->GetTipPosition()[2];
   // Materials are read a kernel radius of 2 mm ahead.
   EXPECT_NEAR(start, 32.0, 1.5);
 
@@ -62,8 +63,8 @@ TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
     this->Pointer(x, 150);
     this->Run(4, watch);
   }
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], 8.0, 1e-6) << "40 pixels of 0.2 mm";
-  EXPECT_GT(this->Device->GetProxyPosition()[0], 7.0);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], 8.0, 1e-6) << "40 pixels of 0.2 mm";
+  EXPECT_GT(this->Device->GetState()->GetProxyPosition()[0], 7.0);
   EXPECT_GT(touched, 150);
   EXPECT_LT(away, 0.05) << "voxels of 1 mm";
   for (int i = 0; i < 6; ++i)
@@ -71,7 +72,7 @@ TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
     this->Pointer(190, 150, vtkCommand::MouseWheelBackwardEvent);
     this->Run(10, watch);
   }
-  EXPECT_EQ(this->Device->GetContact(), 0);
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
   this->Press("Escape");
   this->Run(20);
   EXPECT_FALSE(this->Style->GetTouchMode());
@@ -89,22 +90,22 @@ TEST_F(StyleTest, MovesFinelyInDepthAndPressesTheButton)
   this->Pointer(10, 10); // beside the ball: into the plane of the focal point
   this->Style->TouchModeOn();
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], -28.0, 0.2);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.0, 1e-6);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], -28.0, 0.2);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 0.0, 1e-6);
   this->Pointer(10, 10, vtkCommand::MouseWheelBackwardEvent);
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.5, 1e-6);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 0.5, 1e-6);
   this->Pointer(10, 10, vtkCommand::MouseWheelBackwardEvent, 1);
   this->Pointer(15, 10, vtkCommand::MouseMoveEvent, 1);
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.6, 1e-6);
-  EXPECT_NEAR(this->Device->GetTipPosition()[0], -27.8, 0.21);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 0.6, 1e-6);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[0], -27.8, 0.21);
   this->Pointer(15, 10, vtkCommand::LeftButtonPressEvent);
   this->Run(20);
-  EXPECT_EQ(this->Device->GetButtons(), 1);
+  EXPECT_EQ(this->Device->GetState()->GetButtons(), 1);
   this->Pointer(15, 10, vtkCommand::LeftButtonReleaseEvent);
   this->Run(20);
-  EXPECT_EQ(this->Device->GetButtons(), 0);
+  EXPECT_EQ(this->Device->GetState()->GetButtons(), 0);
 }
 
 TEST_F(StyleTest, NeedsADeviceThatRuns)
@@ -124,14 +125,14 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
-  const double start = this->Device->GetTipPosition()[2];
+  const double start = this->Device->GetState()->GetTipPosition()[2];
   const double radius = start - 0.5; // of the first contact: the touch begins half a voxel before
   for (int i = 0; i < 4; ++i)
   {
     this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
     this->Run(10);
   }
-  const double press = start - this->Device->GetTipPosition()[2];
+  const double press = start - this->Device->GetState()->GetTipPosition()[2];
   ASSERT_NEAR(press, 4.0, 1e-6) << "voxels of 1 mm";
   const auto heightAt = [&](double x) { return std::sqrt(radius * radius - x * x) + 0.5; };
   const auto strokeTo = [&](int pixel)
@@ -144,25 +145,26 @@ TEST_F(StyleTest, AStrokeGoesOnAroundABall)
   for (int pixel = 154; pixel <= 294; pixel += 4)
   {
     x = strokeTo(pixel);
-    ASSERT_NEAR(this->Device->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
-    ASSERT_NE(this->Device->GetContact(), 0) << x;
+    ASSERT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
+    ASSERT_NE(this->Device->GetState()->GetContact(), 0) << x;
   }
   // Beyond a slope of 2 there is an edge: the hand leaves the ball, in the plane of the view.
-  const double height = this->Device->GetTipPosition()[2];
+  const double height = this->Device->GetState()->GetTipPosition()[2];
   strokeTo(150 + static_cast<int>(5.0 * radius) - 1);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], height, 1e-6);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6);
   strokeTo(340);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], height, 1e-6) << "there is nothing to follow";
-  EXPECT_EQ(this->Device->GetContact(), 0);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], height, 1e-6)
+    << "there is nothing to follow";
+  EXPECT_EQ(this->Device->GetState()->GetContact(), 0);
   // From there, it comes back to the front of the surface, and a little higher it stays higher.
   x = strokeTo(200);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(x), 0.05);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x), 0.05);
   this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
   x = strokeTo(230);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
   // Methods without surfaces are felt in the plane.
   this->Filter->SetMethodToForceField();
   this->Run(10);
   x = strokeTo(180);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(16.0) + 1.0, 0.05);
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], heightAt(16.0) + 1.0, 0.05);
 }

@@ -26,10 +26,10 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   double angle = 0.0;
   for (int i = 0; i < 200; ++i)
   {
-    const double before = this->Device->GetTime();
+    const double before = this->Device->GetState()->GetTime();
     this->Style->UpdateHaptics();
-    const double time = this->Device->GetTime() - before;
-    angle += this->Device->GetTurnRate()[1] * std::min(time, 0.1);
+    const double time = this->Device->GetState()->GetTime() - before;
+    angle += this->Device->GetState()->GetTurnRate()[1] * std::min(time, 0.1);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   played.Turn = 0.0;

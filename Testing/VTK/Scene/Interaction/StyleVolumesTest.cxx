@@ -65,7 +65,7 @@ protected:
       this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
       this->Run(10);
     }
-    ASSERT_GT(Length(this->Device->GetForce()), 0.3) << "N";
+    ASSERT_GT(Length(this->Device->GetState()->GetForce()), 0.3) << "N";
     ASSERT_TRUE(this->Log.Warnings.empty()) << this->Log.Warnings[0];
   }
   /// The hand has let go, and can't begin anew; both was told with the cure.
@@ -76,7 +76,7 @@ protected:
       this->RunUntilReady();
       EXPECT_FALSE(this->Style->GetTouchMode()) << when;
       EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << when;
-      EXPECT_EQ(Length(this->Device->GetForce()), 0.0) << when;
+      EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0) << when;
       ASSERT_EQ(this->Log.Warnings.size(), 1U) << when;
       EXPECT_NE(this->Log.Warnings[0].find(cure), std::string::npos) << this->Log.Warnings[0];
       this->Log.Warnings.clear();
@@ -102,7 +102,7 @@ protected:
   /// The largest change of the force between two ticks (N), until none is left.
   double FindLargestStep(LoopPauses& pauses)
   {
-    double last = Length(this->Device->GetForce());
+    double last = Length(this->Device->GetState()->GetForce());
     double largest = 0.0;
     EXPECT_TRUE(Eventually(
       [&]
@@ -338,7 +338,7 @@ TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
       this->Style->UpdateHaptics(); // takes the states before
       pauses.Look(this->Device);
       pauses.Forget();
-      force = Length(this->Device->GetForce());
+      force = Length(this->Device->GetState()->GetForce());
       isRemoved ? this->Renderer->RemoveVolume(this->Volume) : this->Volume->VisibilityOff();
       step = this->FindLargestStep(pauses);
       this->Log.Warnings.clear();

@@ -70,7 +70,7 @@ TEST(Undrawn, NumbersThatAreMissing)
   const double three[3] = { 1.0, 2.0, 3.0 };
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   vtkNew<vtkHapticDevice> device;
-  expectError(device.Get(), [&] { device->SetVirtualTip(nullptr); });
+  expectError(device.Get(), [&] { device->GetVirtualHand()->SetPosition(nullptr); });
   expectError(device.Get(), [&] { device->SetNewtonsPerFullScale(nullptr); });
   vtkNew<vtkHapticPathSource> source;
   expectError(source.Get(), [&] { source->SetBoxBounds(nullptr); });

@@ -111,7 +111,7 @@ protected:
   }
   void ExpectTip(const SlicePlace& wanted)
   {
-    const double* const tip = this->Device->GetTipPosition();
+    const double* const tip = this->Device->GetState()->GetTipPosition();
     for (int axis = 0; axis < 3; ++axis)
     {
       EXPECT_NEAR(tip[axis], wanted[axis], 1e-6) << axis;
@@ -199,10 +199,11 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   const SlicePlace end = this->Ask(0, x - 20, y + 5);
   this->Pointer(x - 20, y + 5, vtkCommand::LeftButtonPressEvent);
   this->Run(2);
-  EXPECT_GT(std::abs(this->Device->GetTipPosition()[0] - end[0]), 1.0) << "2 m/s at most";
+  EXPECT_GT(std::abs(this->Device->GetState()->GetTipPosition()[0] - end[0]), 1.0)
+    << "2 m/s at most";
   this->Run(60);
   this->ExpectTip(end);
-  EXPECT_EQ(this->Device->GetButtons(), 0);
+  EXPECT_EQ(this->Device->GetState()->GetButtons(), 0);
   const SlicePlace dragged = this->Ask(0, x - 15, y + 5);
   this->Pointer(x - 15, y + 5);
   this->Run(60);
@@ -216,7 +217,8 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
   this->View->GetPosition(shown);
   for (int axis = 0; axis < 3; ++axis)
   {
-    EXPECT_NEAR(shown[axis], this->Device->GetTipPosition()[axis], 0.5) << "the slices follow";
+    EXPECT_NEAR(shown[axis], this->Device->GetState()->GetTipPosition()[axis], 0.5)
+      << "the slices follow";
   }
 }
 

@@ -5,8 +5,8 @@
  * Which volumes of a scene show what a tool has left of an array.
  */
 
-#include "VTK/Scene/Volumes/CarvedPictures.h"
 #include "CarvedScene.h"
+#include "VTK/Scene/Volumes/CarvedPicture.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkHapticRemoval.h>

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticPlayback
+ * @brief   plays a volume that moves while a hand feels it
+ *
+ * Plays the time steps of the volume that a vtkHapticDevice makes felt:
+ *
+ *   device->SetVolumeHaptics(filter);        // its source has several time steps
+ *   device->Start();
+ *   vtkHapticPlayback* playback = device->GetPlayback();
+ *   playback->SetModeToLoop();
+ *   playback->SetSpeed(0.5);                 // half as fast as the filter says
+ *   playback->Play();
+ *   ... in the GUI's timer: device->UpdateState(); show playback->GetFrameImage() ...
+ *   playback->Hold();
+ *
+ * @sa vtkHapticDevice, vtkHapticFrameSource
+ */
+#ifndef vtkHapticPlayback_h
+#define vtkHapticPlayback_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkImageData;
+
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct DeviceParts;
+} // namespace VolumeHaptics
+#endif
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticPlayback : public vtkObject
+{
+public:
+  static vtkHapticPlayback* New();
+  vtkTypeMacro(vtkHapticPlayback, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The time of a volume that moves: its source has several time steps (TIME_STEPS), or its
+   * components are its frames (SetFramesToComponents of the filter). It begins with the first Play
+   * or SetDataTime: until then, the time step that the source shows is felt, or the component of
+   * the property, and the volume stands still.
+   *
+   * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
+   * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
+   * and another end never step the data time nor the force. At the end of the time steps, it holds
+   * (ModeToOnce, the default), goes on to the first step through a mean interval in which the
+   * last step is blended to it (ModeToLoop), or turns around (ModeToPingPong).
+   *
+   * SetDataTime jumps to another time, in the units of the source; beyond the time steps, the
+   * nearest step is used. The volume there is felt as a new one: a force that would jump begins
+   * again at zero. GetDataTime returns the data time of the latest state, or the time of
+   * SetDataTime until it is felt; default 0. In the interval after the last step, it is above the
+   * last step's time.
+   *
+   * vtkHapticDevice::UpdateState reads the time steps ahead of the servo, three in memory at most:
+   * when SetDataTime jumps to a pair of two other steps, one of them may be felt alone for a
+   * moment. If steps are late, data time stands still: IsWaitingForData becomes true, and
+   * vtkHapticDevice::GetStatusText says which steps are awaited. Components are felt in their
+   * array, without a copy.
+   */
+  void Play();
+  void Hold();
+  bool IsPlaying(); ///< Get whether the last order was Play. Default false.
+  enum ModeType
+  {
+    ONCE = 0,
+    LOOP = 1,
+    PING_PONG = 2
+  };
+  void SetMode(int mode);
+  int GetMode();
+  void SetModeToOnce() { this->SetMode(ONCE); }
+  void SetModeToLoop() { this->SetMode(LOOP); }
+  void SetModeToPingPong() { this->SetMode(PING_PONG); }
+  void SetDataTime(double time);
+  double GetDataTime();
+  bool IsWaitingForData();
+  ///@}
+
+  ///@{
+  /**
+   * How many times as fast as by the filter's TimeUnitsPerSecond a volume that moves is played;
+   * less than 0, backwards. Unlike that setting, it needs no Publish. -1e6 to 1e6, default 1.
+   */
+  void SetSpeed(double factor);
+  double GetSpeed();
+  ///@}
+
+  ///@{
+  /**
+   * Get the volume that moves as it is felt now: the frame nearest to GetDataTime, as an image
+   * whose scalars are the touched array of that time step, or the component that is the frame; and
+   * its time. The image stays the same until the frame changes; its samples must not be changed.
+   * vtkInteractorStyleHaptic shows it by itself. nullptr if HasFrames is false: no volume that
+   * moves is felt.
+   */
+  bool HasFrames();
+  vtkImageData* GetFrameImage();
+  double GetFrameTime();
+  ///@}
+
+protected:
+  vtkHapticPlayback() = default;
+  ~vtkHapticPlayback() override = default;
+
+private:
+#ifndef __VTK_WRAP__
+  friend struct VolumeHaptics::DeviceParts;
+
+  /** Returns the parts of the device; null, after an error, without a device. */
+  VolumeHaptics::DeviceParts* GetParts();
+
+  VolumeHaptics::DeviceParts* Parts = nullptr; // null without a device
+#endif
+
+  vtkHapticPlayback(const vtkHapticPlayback&) = delete;
+  void operator=(const vtkHapticPlayback&) = delete;
+};
+
+#endif

@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRecorder.h"
+
+#include "VTK/Base/BackgroundWork.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticHash.h"
+#include "VTK/Base/TouchedArray.h"
+#include "VTK/Device/DeviceParts.h"
+#include "VTK/Device/HapticLongWork.h"
+#include "VTK/Device/Recording/HapticJournal.h"
+#include "VTK/Device/Recording/HapticRecordingFile.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Trace/RecordingNames.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <locale>
+#include <memory>
+#include <new>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <sys/stat.h>
+#include <utility>
+
+vtkStandardNewMacro(vtkHapticRecorder);
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/** Time to write a tick to a .vtp and to a .csv (s), as measured. */
+constexpr double SecondsPerTick = 2e-6;
+constexpr double SecondsPerLine = 2e-5;
+
+/**
+ * Lowest expected size of a tick in a journal while the tip moves: 80 to 180 bytes were measured.
+ */
+constexpr double BytesPerTick = 80;
+
+/**
+ * If hashing is expected to take no longer than the first number (s), the start of a recording
+ * waits for it, but at most the second number (s). So the journal of a small volume has the hash
+ * from its beginning.
+ */
+constexpr double ShortHashing = 5e-3;
+constexpr double ShortHashWait = 20e-3;
+/** Longest wait for the hashes at the end of a recording without force (s). */
+constexpr double LongestHashWait = 10.0;
+
+constexpr const char* HashingWork = "the recorded volume is hashed";
+
+using TouchedArrays = std::array<TouchedArray, 2>;
+
+double EstimateHashing(const TouchedArrays& touched)
+{
+  double time = 0.0;
+  for (const TouchedArray& one : touched)
+  {
+    time += one.Array ? EstimateHashTime(one.Array) : 0.0;
+  }
+  return time;
+}
+
+/** Hashes all arrays on the worker's thread; nothing if the work is cancelled. */
+std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor& monitor)
+{
+  const double all = EstimateHashing(touched);
+  double before = 0.0;
+  std::array<std::string, 2> hashes;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    vtkDataArray* const array = touched[i].Array;
+    if (!array)
+    {
+      continue;
+    }
+    const double share = EstimateHashTime(array) / std::max(all, 1e-12);
+    hashes[i] = HashArray(array, touched[i].Dimensions.data(),
+      [&](double done) { return monitor.GoesOn(before + share * done); });
+    if (hashes[i].empty())
+    {
+      return std::nullopt;
+    }
+    before += share;
+  }
+  return RecordingHashes{ hashes[0], hashes[1] };
+}
+
+double EstimateWriting(const std::string& file, double ticks)
+{
+  return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
+}
+
+/** Writes the table of the labels that a replay needs. */
+void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
+{
+  vtkHapticLabelTable* const table = filter->GetLabelTable();
+  constexpr vtkIdType most = 1000; // most labels that are listed one by one
+  if (table && table->GetNumberOfLabels() <= most)
+  {
+    os << "LabelTable:\n";
+    table->PrintSelf(os, vtkIndent(2));
+  }
+  else if (table)
+  {
+    os << "LabelTable: of " << table->GetNumberOfLabels() << " labels\n";
+  }
+}
+
+} // namespace
+
+/**
+ * Begins, ends and recovers recordings. Errors and warnings are reported by the device, which also
+ * announces long work.
+ */
+class vtkHapticRecorder::vtkInternals
+{
+public:
+  vtkInternals(vtkHapticDevice* device, DeviceSession& session)
+    : Device(device)
+    , Session(session)
+  {
+  }
+
+  vtkHapticDevice* GetDevice() const { return this->Device; }
+
+  ///@{
+  /** See the functions of vtkHapticRecorder. */
+  bool Start(const std::string& file, vtkVolumeHapticsFilter* filter);
+  bool Recover(const std::string& part, const std::string& file);
+  ///@}
+
+  /** See vtkHapticRecorder::Stop. Writing is announced as long work only if isAnnounced. */
+  bool Stop(bool isAnnounced);
+
+  /** Whether there is a recording that this process has to end. */
+  bool IsUnderWay() const;
+
+  /** The file of the recording that is under way; empty without one. */
+  const std::string& GetFile() const { return this->File; }
+
+  /**
+   * Hands over the volume's hashes when they are known; call this often while a recording is under
+   * way. Reports an error, once for each recording, if the recording fails, for example with a full
+   * disk.
+   */
+  void Update();
+
+private:
+  using HashKey = std::array<TouchedArray::Key, 2>; ///< keys of scalars and labels
+
+  bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
+  /** Returns the hashes of what a filter touches now; null until they are known. */
+  const RecordingHashes* FindHashes(vtkVolumeHapticsFilter* filter);
+  /**
+   * Hands over the hashes at the end of a recording. Waits for them, except while a hand would
+   * wait, too.
+   */
+  void AwaitHashes(HapticRecording& recording);
+  void TellTrouble();
+  TickCollector* FindRecordable(const std::string& file) const;
+
+  vtkHapticDevice* const Device;
+  DeviceSession& Session;
+  std::string File;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< set until its hashes are handed over
+  KeyedWork<HashKey, RecordingHashes> Hashing;
+  bool IsTroubleTold = false;
+};
+
+/** Returns the collector of ticks if a recording into this file can begin; null after an error. */
+TickCollector* vtkHapticRecorder::vtkInternals::FindRecordable(const std::string& name) const
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  const char* error = nullptr;
+  if (!ticks)
+  {
+    error = "There is nothing to record: Start() the servo first.";
+  }
+  else if (ticks->IsRecording())
+  {
+    error = "A recording is under way: Stop() it first.";
+  }
+  else if (!ticks->GetLatestModel())
+  {
+    error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+            "of what is felt. If there is one, wait until IsPublished().";
+  }
+  else if (!ticks->GetLatestModel()->Resident.IsWhole())
+  {
+    error = "A region of a larger volume can't be recorded: the forces depend on when each region "
+            "arrived, so that no single image could replay them. Connect the whole "
+            "volume to the filter, Publish() it and, if its surface is being meshed, wait until "
+            "IsPublished(); or keep the states with vtkHapticState::Drain().";
+  }
+  if (error)
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return nullptr;
+  }
+  std::string reason;
+  if (GetTraceEnding(name).empty())
+  {
+    reason = "\"" + Printable(name) + "\" has an unknown ending: name it .vtp or .csv.";
+  }
+  else if (!CheckWritable(name, reason) ||
+    (GetTraceEnding(name) == ".csv" && !CheckWritable(name + ".json", reason)))
+  {
+    reason = Printable(name) + " can't be written: " + reason;
+  }
+  if (!reason.empty())
+  {
+    vtkErrorWithObjectMacro(this->Device, "The recording " << reason);
+    return nullptr;
+  }
+  return ticks;
+}
+
+bool vtkHapticRecorder::vtkInternals::Start(const std::string& name, vtkVolumeHapticsFilter* filter)
+{
+  try
+  {
+    return this->Begin(name, filter);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->File.clear();
+    vtkErrorWithObjectMacro(
+      this->Device, << "There is not enough memory to begin the recording " << Printable(name)
+                    << ", which takes about 7 MB. Close other programs that need memory.");
+    return false;
+  }
+}
+
+bool vtkHapticRecorder::vtkInternals::Begin(const std::string& name, vtkVolumeHapticsFilter* felt)
+{
+  TickCollector* const ticks = this->FindRecordable(name);
+  if (!ticks)
+  {
+    return false;
+  }
+  RecordingAbout about;
+  about.DeviceId = this->Session.GetId();
+  if (felt)
+  {
+    const TouchedArrays touched = felt->GetBaker().GetTouched();
+    std::ostringstream settings;
+    settings.imbue(std::locale::classic()); // a replay parses these numbers
+    felt->PrintSettings(settings, vtkIndent());
+    settings << RecordingNames::DeviceRate << this->Session.GetRate() << " Hz\n";
+    const BakedLabels* const labels = ticks->GetLatestModel()->Baked->Labels.get();
+    if (labels && labels->Fine)
+    {
+      const Vector3& steps = labels->Fine->GetSteps();
+      settings << RecordingNames::LabelGrid << steps.X << " x " << steps.Y << " x " << steps.Z
+               << "\n";
+    }
+    if (touched[1].Array)
+    {
+      DescribeLabels(felt, settings);
+    }
+    about.Settings = settings.str();
+    if (!this->FindHashes(felt) && EstimateHashing(touched) <= ShortHashing)
+    {
+      this->Hashing.WaitFor(ShortHashWait);
+    }
+  }
+  auto recording = std::make_unique<HapticRecording>();
+  std::string error;
+  std::string warning;
+  if (!recording->Start(name, about, error, warning))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  ticks->StartRecording(std::move(recording));
+  this->Felt = felt;
+  this->Update();
+  this->File = name;
+  this->IsTroubleTold = false;
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Device, << warning);
+  }
+  return true;
+}
+
+const RecordingHashes* vtkHapticRecorder::vtkInternals::FindHashes(vtkVolumeHapticsFilter* filter)
+{
+  const TouchedArrays touched = filter->GetBaker().GetTouched();
+  return this->Hashing.Follow({ touched[0].GetKey(), touched[1].GetKey() },
+    [touched](WorkMonitor& monitor) { return HashAll(touched, monitor); });
+}
+
+void vtkHapticRecorder::vtkInternals::Update()
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording())
+  {
+    return;
+  }
+  ticks->FollowRecording();
+  if (const RecordingHashes* const hashes = this->Felt ? this->FindHashes(this->Felt) : nullptr)
+  {
+    ticks->SetRecordingHashes(*hashes);
+    this->Felt = nullptr;
+  }
+  this->Session.NoteBackgroundWork(
+    HashingWork, this->Felt ? this->Hashing.GetProgress() : WorkEnded);
+  this->TellTrouble();
+}
+
+void vtkHapticRecorder::vtkInternals::AwaitHashes(HapticRecording& recording)
+{
+  this->Session.NoteBackgroundWork(HashingWork, WorkEnded);
+  const vtkSmartPointer<vtkVolumeHapticsFilter> felt = std::exchange(this->Felt, nullptr);
+  if (!felt)
+  {
+    return;
+  }
+  const RecordingHashes* hashes = this->FindHashes(felt);
+  if (!hashes && !this->Session.HasArmOrder())
+  {
+    this->Hashing.WaitFor(LongestHashWait);
+    hashes = this->FindHashes(felt);
+  }
+  if (hashes)
+  {
+    recording.SetHashes(*hashes);
+  }
+  else
+  {
+    this->Hashing.Abandon(); // the hashes are not needed any more
+    vtkWarningWithObjectMacro(this->Device,
+      << "The recording " << Printable(recording.GetFile())
+      << " has no hash of its volume, as it ended before that was known: nothing tells later which "
+         "volume it is of. Disarm() before Stop(), which then waits for the hash, or go "
+         "on until GetStatusText() no longer tells of it.");
+  }
+}
+
+bool vtkHapticRecorder::vtkInternals::Stop(bool isAnnounced)
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  std::unique_ptr<HapticRecording> recording = ticks ? ticks->StopRecording() : nullptr;
+  if (!recording)
+  {
+    vtkErrorWithObjectMacro(this->Device, "No recording is under way: Start() the recorder first.");
+    return false;
+  }
+  const std::string file = std::exchange(this->File, std::string());
+  this->AwaitHashes(*recording);
+  if (const std::uint64_t lost = recording->GetLostTicks())
+  {
+    vtkWarningWithObjectMacro(this->Device,
+      << lost << " ticks are missing from the recording " << Printable(file)
+      << ": the machine was too busy to collect them. Its forces can't be replayed beyond the "
+         "first gap. Record to a local disk, with less else running.");
+  }
+  std::string error;
+  std::unique_ptr<LongWork> work;
+  if (isAnnounced)
+  {
+    work.reset(new LongWork(this->Device, "the recording is written",
+      EstimateWriting(file, static_cast<double>(recording->GetNumberOfTicks()))));
+  }
+  if (!recording->Finish(error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool vtkHapticRecorder::vtkInternals::Recover(const std::string& from, const std::string& to)
+{
+  std::string error;
+  if (from.size() <= std::strlen(JournalEnding))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      "There is no recording to recover: give the name of an unfinished recording, FILE.part.");
+    return false;
+  }
+  struct stat status;
+  const double bytes = stat(from.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  const LongWork work(
+    this->Device, "the recording is recovered", EstimateWriting(to, bytes / BytesPerTick));
+  if (!WriteRecording(from, to, error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool vtkHapticRecorder::vtkInternals::IsUnderWay() const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  return ticks && ticks->IsRecording() && this->Session.IsOurs();
+}
+
+void vtkHapticRecorder::vtkInternals::TellTrouble()
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording() || this->IsTroubleTold)
+  {
+    return;
+  }
+  const std::string trouble = ticks->GetRecordingTrouble();
+  if (!trouble.empty())
+  {
+    this->IsTroubleTold = true;
+    vtkErrorWithObjectMacro(this->Device, << trouble);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRecorder::vtkHapticRecorder() = default;
+
+//------------------------------------------------------------------------------
+vtkHapticRecorder::~vtkHapticRecorder() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticRecorder::Attach(DeviceParts& parts)
+{
+  this->Internals = std::make_unique<vtkInternals>(parts.Device, parts.Session);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRecorder::Detach()
+{
+  this->Internals.reset();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRecorder::Update()
+{
+  this->Internals->Update();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRecorder::Finish()
+{
+  if (this->Internals->IsUnderWay())
+  {
+    this->Internals->Stop(false); // the force is off, and the owner may be gone
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticRecorder::FindDevice()
+{
+  if (!this->Internals)
+  {
+    vtkErrorMacro("This recorder has no device: take it from vtkHapticDevice::GetRecorder(), and "
+                  "keep the device as long as it is used.");
+    return nullptr;
+  }
+  return this->Internals->GetDevice();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRecorder::Start(const char* file)
+{
+  // An observer of errors may hold the last reference to the device, and release it.
+  const vtkSmartPointer<vtkHapticDevice> device(this->FindDevice());
+  return device && this->Internals->Start(file ? file : "", device->GetVolumeHaptics());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRecorder::Stop()
+{
+  const vtkSmartPointer<vtkHapticRecorder> self(this); // see Start
+  const vtkSmartPointer<vtkHapticDevice> device(this->FindDevice());
+  return device && this->Internals->Stop(true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRecorder::Recover(const char* part, const char* file)
+{
+  const vtkSmartPointer<vtkHapticDevice> device(this->FindDevice());
+  return device && this->Internals->Recover(part ? part : "", file ? file : "");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticRecorder::GetFileName()
+{
+  return this->Internals ? this->Internals->GetFile() : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRecorder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const std::string file = this->GetFileName();
+  os << indent << "FileName: " << (file.empty() ? "(none)" : file) << "\n";
+}

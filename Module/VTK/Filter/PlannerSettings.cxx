@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/PlannerSettings.h"
+
+#include "Core/Field/ResidentBox.h"
+#include "Core/Math/Vector3.h"
+#include "Core/Model/HapticModel.h"
+#include "Core/Regions/Residency.h"
+#include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
+#include "Core/Solvers/Precise/FarSide.h"
+#include "Core/Solvers/Primitives/PrimitiveFollower.h"
+#include "VTK/Modes/HapticModeKinds.h"
+
+#include "vtkHapticMode.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRegionPlanner.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+/** Longest stretch (m) of the spring by a hand if nothing limits the force. */
+constexpr double LongestSpring = 0.05;
+
+/** Returns the longest edge of a voxel (world units). */
+double FindVoxelSize(vtkHapticRegionPlanner* planner)
+{
+  const double* const direction = planner->GetDirection();
+  const double* const spacing = planner->GetSpacing();
+  Matrix3 toWorld;
+  for (int i = 0; i < 3; ++i)
+  {
+    toWorld.Row[i] = { direction[3 * i] * spacing[0], direction[3 * i + 1] * spacing[1],
+      direction[3 * i + 2] * spacing[2] };
+  }
+  return LargestColumn(toWorld);
+}
+
+/**
+ * Computes the largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Its largest value lies at a point
+ * of the functions.
+ */
+double FindSpring(vtkVolumeHapticsFilter* filter)
+{
+  vtkHapticProperty* const property = filter->GetProperty();
+  vtkPiecewiseFunction* const k = property->GetStiffness();
+  vtkPiecewiseFunction* const functions[] = { k, property->GetSurfaceStrength(),
+    property->GetFriction(), property->GetViscosity() };
+  const double defaults[] = { 500.0, 2.0, 0.0, 0.0 };
+  const auto at = [&](int i, double x)
+  { return functions[i]->GetSize() > 0 ? functions[i]->GetValue(x) : defaults[i]; };
+  std::vector<double> places = { 0.0 };
+  double drag = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int n = 0; n < functions[i]->GetSize(); ++n)
+    {
+      double node[4];
+      functions[i]->GetNodeValue(n, node);
+      places.push_back(node[0]);
+      drag = i == 3 ? std::max(drag, node[1]) : drag;
+    }
+  }
+  double longest = 0.0;
+  for (const double x : places)
+  {
+    const double own = at(0, x);
+    const double stiffness = filter->GetSameShape() ? filter->GetCouplingStiffness() : own;
+    const double mu = at(2, x);
+    const double force = at(1, x) * std::sqrt(1.0 + mu * mu) + drag;
+    longest = std::min(own, stiffness) > HapticModel::MinimumStiffness
+      ? std::max(longest, force / stiffness)
+      : longest;
+  }
+  return std::min(longest, LongestSpring);
+}
+
+/**
+ * Computes the longest spring of PRIMITIVES: all modes pull in the same direction with full
+ * strength.
+ */
+double FindModeSpring(vtkVolumeHapticsFilter* filter)
+{
+  double force = 0.0; // N
+  for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+  {
+    vtkHapticMode* const mode = filter->GetMode(i);
+    if (!mode->GetActive())
+    {
+      continue;
+    }
+    if (mode->GetKind() == vtkHapticMode::SURFACE)
+    {
+      return LongestSpring; // its materials have their own stiffness
+    }
+    for (const ModeFunction& function : GetModeFunctions(mode))
+    {
+      double most = function.Default;
+      vtkPiecewiseFunction* const strength = function.Function;
+      for (int n = 0; n < strength->GetSize(); ++n)
+      {
+        double node[4];
+        strength->GetNodeValue(n, node);
+        most = n == 0 ? node[1] : std::max(most, node[1]);
+      }
+      force += most;
+    }
+  }
+  const double spring = force / filter->GetCouplingStiffness();
+  return spring < LongestSpring ? spring : LongestSpring; // also covers a stiffness of 0 N/m
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* filter)
+{
+  const double voxel = FindVoxelSize(planner);
+  const double radius = filter->GetKernelRadius();
+  planner->SetMetersPerWorldUnit(filter->GetMetersPerWorldUnit());
+  const int method = filter->GetMethod();
+  const bool isSurface = method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
+  const bool hasModes = method == vtkVolumeHapticsFilter::PRIMITIVES;
+  const double spring = isSurface ? LongestSpring
+    : hasModes                    ? FindModeSpring(filter)
+                                  : FindSpring(filter);
+  planner->SetSpringLength(spring / filter->GetMetersPerWorldUnit());
+  double voxels = radius + ResidencySpare;
+  if (hasModes)
+  {
+    // See Residency.cxx: a derivative's step, and the way that a push may lead.
+    voxels += 1.0 + ModeWay;
+  }
+  else if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
+  {
+    // See Residency.cxx: the corners of the cube in which a surface is searched for, and the reach
+    // of its curvature.
+    voxels += LocalCornerReach + radius;
+  }
+  else if (method == vtkVolumeHapticsFilter::PROXY &&
+    filter->GetSolver() == vtkVolumeHapticsFilter::PRECISE &&
+    filter->GetMaterialPlacement() == vtkVolumeHapticsFilter::FAR_SIDE)
+  {
+    voxels += (FarSide::FarthestRadii - 1.0) * radius;
+  }
+  double reach = voxels * voxel;
+  auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
+  if (labels && method == vtkVolumeHapticsFilter::PROXY)
+  {
+    // See Residency.cxx: x_s and x_v of walls between labels.
+    const double* const spacing = labels->GetSpacing();
+    const double coarsest =
+      std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+    reach = std::max(reach, radius * coarsest + ResidencySpare * voxel);
+  }
+  planner->SetReach(
+    reach + (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));
+  planner->SetBand(ResidencyBand * voxel);
+}
+
+} // namespace VolumeHaptics

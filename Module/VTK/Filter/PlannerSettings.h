@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Computes for a planner of regions how far a filter reads around the tip.
+ */
+#ifndef PlannerSettings_h
+#define PlannerSettings_h
+
+class vtkHapticRegionPlanner;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** See vtkVolumeHapticsFilter::ConfigurePlanner. */
+void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* filter);
+
+} // namespace VolumeHaptics
+
+#endif

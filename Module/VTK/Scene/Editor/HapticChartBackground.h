@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Plots behind the function of a HapticFunctionChart: edges and tissues.
+ */
+#ifndef HapticChartBackground_h
+#define HapticChartBackground_h
+
+#include "VTK/Material/FunctionSearch.h"
+#include "VTK/Scene/Editor/HapticValueScale.h"
+
+#include "vtkNew.h"
+#include "vtkPlot.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkContext2D;
+class vtkHapticProperty;
+class vtkImageData;
+class vtkRectf;
+
+/**
+ * The edges of a volume behind a function.
+ *
+ * A two-dimensional histogram, value to the right and gradient magnitude upwards, with the arc of
+ * each boundary in it and a line where distinctness begins and is full. Its vertical axis runs
+ * from 0 to 1, as in the other plots of HapticFunctionChart.
+ */
+class HapticEdgePlot : public vtkPlot
+{
+public:
+  static HapticEdgePlot* New();
+  vtkTypeMacro(HapticEdgePlot, vtkPlot);
+
+  /**
+   * Shows a histogram, with the boundaries that a property has proposed; `proposed` may be null.
+   */
+  void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
+
+  /** Sets which values the axis shows for the scalars. */
+  void ScaleValues(const VolumeHaptics::ValueScale& scale);
+
+  /**
+   * The gradient magnitudes at which distinctness begins and becomes full (scalar units per world
+   * unit).
+   */
+  void ShowDistinctness(double start, double full);
+
+  ///@{
+  /** Called by the chart. */
+  bool Paint(vtkContext2D* painter) override;
+  void GetBounds(double bounds[4]) override;
+  ///@}
+
+protected:
+  HapticEdgePlot();
+  ~HapticEdgePlot() override;
+
+private:
+  HapticEdgePlot(const HapticEdgePlot&) = delete;
+  void operator=(const HapticEdgePlot&) = delete;
+
+  struct ArcPoint
+  {
+    double Value;
+    double Share; // relative to the largest shown gradient magnitude
+  };
+  /** A scalar in VTK's scale for single precision. */
+  float Scaled(double scalar);
+  void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
+
+  vtkNew<vtkImageData> Picture;
+  std::vector<std::vector<ArcPoint>> Arcs;
+  double Values[2] = { 0.0, 1.0 }; // scalars
+  VolumeHaptics::ValueScale ToValue;
+  double MostSlope = 1.0;
+  double Distinctness[2] = { 0.0, 0.0 };
+};
+
+/**
+ * The tissues of a property, as bands with names behind a function.
+ *
+ * The first tissue reaches to the left end of the axis, and the last one to the right, as
+ * functions go on there. A name stands upright where its band is narrow, and is left out where the
+ * band is too narrow even for that.
+ */
+class HapticTissueBands : public vtkPlot
+{
+public:
+  static HapticTissueBands* New();
+  vtkTypeMacro(HapticTissueBands, vtkPlot);
+
+  /**
+   * Sets the tissues of a property, or none; the axis' values for scalars; the ends of the axis;
+   * the size of letters.
+   */
+  void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
+    const double range[2], int letters);
+
+  ///@{
+  /** Called by the chart. */
+  bool Paint(vtkContext2D* painter) override;
+  void GetBounds(double bounds[4]) override;
+  ///@}
+
+protected:
+  HapticTissueBands();
+  ~HapticTissueBands() override;
+
+private:
+  HapticTissueBands(const HapticTissueBands&) = delete;
+  void operator=(const HapticTissueBands&) = delete;
+
+  struct Band
+  {
+    std::string Name;
+    double Low;
+    double High;
+    std::array<double, 3> Color;
+  };
+  void PaintName(vtkContext2D* painter, const Band& band, const vtkRectf& place) const;
+
+  std::vector<Band> Bands;
+  double Range[2] = { 0.0, 1.0 };
+  int Letters = 10;
+};
+
+#endif

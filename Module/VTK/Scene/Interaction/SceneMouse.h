@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the mouse moves beside camera and tip: the slices, and the tool in the hand.
+ */
+#ifndef SceneMouse_h
+#define SceneMouse_h
+
+#include "Core/Math/Quaternion.h"
+#include "VTK/Scene/Interaction/TouchedScene.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+class TouchMode;
+
+/**
+ * The mouse in the slices beside a scene: see vtkInteractorStyleHaptic.
+ *
+ * Functions return true if the event was for the slices. Positions are pixels of the window.
+ */
+class SliceMouse
+{
+public:
+  SliceMouse(TouchedScene& scene, TouchMode& touch)
+    : Scene(scene)
+    , Touch(touch)
+  {
+  }
+
+  bool Press(int x, int y, bool isRight);
+  /** Ends the action that the press of this button began. */
+  bool Release(bool isRight);
+  bool Move(int x, int y);
+  bool TurnWheel(double steps, int x, int y);
+
+  /** Whether events have changed what the slices show, without a motion of the tip. */
+  bool TakeChange();
+
+private:
+  enum class Drag
+  {
+    None,
+    Position,
+    WindowLevel
+  };
+
+  /** The slice under the mouse; -1 if there is none. */
+  int Find(int x, int y) const;
+  void GoTo(int x, int y);
+  /** Leads the tip to a position; if the mouse does not lead the tip, moves the slices there. */
+  void GoTo(const double position[3]);
+  void SetWindowLevel(int x, int y);
+
+  TouchedScene& Scene;
+  TouchMode& Touch;
+  Drag Dragged = Drag::None;
+  bool IsRight = false;  ///< the button that drags
+  int Slice = 0;         ///< the slice in which the drag began
+  int From[2] = {};      ///< start of the drag
+  double Before[2] = {}; ///< window and level at the start
+  bool HasChanged = false;
+};
+
+/** Turns a shaped tool by the mouse if its device measures no orientation. */
+class ToolTurn
+{
+public:
+  explicit ToolTurn(TouchedScene& scene)
+    : Scene(scene)
+  {
+  }
+
+  /** Whether the hand holds a tool that only the mouse can turn. */
+  bool HasTool() const;
+  /** Whether, in addition, the key Alt is held. */
+  bool IsOn() const;
+
+  ///@{
+  /**
+   * Turns the tool from one position of the pointer to the next (pixels), like a ball under the
+   * pointer: about the view's axes up and right, and about the line of sight. Less with Shift.
+   */
+  void Roll(const int from[2], const int to[2]);
+  void Twist(double steps);
+  ///@}
+
+private:
+  /** Turns by an angle vector (rad) along right, up and towards the viewer. */
+  void TurnBy(const Vector3& angles);
+  /** The orientation at which the next turn begins (world). */
+  Quaternion FindStart();
+
+  TouchedScene& Scene;
+  Quaternion Wish;                    ///< world; the last ordered orientation
+  std::array<double, 16> Placement{}; ///< placement of the device then: the hand turns with it
+  double Turned = -1e9;               ///< s, the time of the last turn
+};
+
+} // namespace VolumeHaptics
+
+#endif
