@@ -77,10 +77,10 @@ void TouchReader(Reader read, std::string_view bytes)
 
 void TouchSegmentation(std::string_view bytes)
 {
-  NrrdHeader header;
+  SegmentationHeader header;
   NrrdImage image;
   std::string error;
-  if (!ReadNrrdHeader(bytes, header, error) || !ReadNrrdImage(header, image, error))
+  if (!ReadSegmentationHeader(bytes, header, error) || !ReadNrrdImage(header, image, error))
   {
     Check(!error.empty() && error.back() == '.', "a refusal has a reason");
     return;

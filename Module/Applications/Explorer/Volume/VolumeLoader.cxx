@@ -15,6 +15,7 @@
 #include "Applications/Explorer/Volume/WholeFile.h"
 
 #include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/NrrdHeader.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 
 #include "vtkDataArray.h"
@@ -120,11 +121,11 @@ std::string FindSamples(const std::string& path)
   std::string data;
   if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
   {
-    data = VolumeHaptics::HeaderText(path, '=').Value({ "ElementDataFile" });
+    data = VolumeHaptics::HeaderText(path).Value({ "ElementDataFile" });
   }
   else if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
   {
-    data = VolumeHaptics::HeaderText(path, ':').Value({ "data file", "datafile" });
+    data = VolumeHaptics::ReadNrrdHeader(path).GetDataFile();
   }
   else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
   {
@@ -157,23 +158,25 @@ double CountHeld(const std::string& path, const std::string& samples)
   const std::string lower = vtksys::SystemTools::LowerCase(path);
   const bool isMeta = EndsWith(lower, ".mhd") || EndsWith(lower, ".mha");
   const bool isNrrd = EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr");
-  const VolumeHaptics::HeaderText header(
-    isMeta || isNrrd ? path : std::string(), isMeta ? '=' : ':');
-  const std::string encoding = vtksys::SystemTools::LowerCase(header.Value({ "encoding" }));
+  const VolumeHaptics::HeaderText meta(isMeta ? path : std::string());
+  const VolumeHaptics::NrrdHeader nrrd =
+    isNrrd ? VolumeHaptics::ReadNrrdHeader(path) : VolumeHaptics::NrrdHeader();
+  const std::string encoding = vtksys::SystemTools::LowerCase(nrrd.GetField("encoding"));
   const bool isPacked = isMeta
-    ? vtksys::SystemTools::LowerCase(header.Value({ "CompressedData" })) == "true"
+    ? vtksys::SystemTools::LowerCase(meta.Value({ "CompressedData" })) == "true"
     : isNrrd ? encoding == "gzip" || encoding == "gz"
              : IsNifti(lower) && IsPacked(samples);
   const bool isRaw = isMeta
-    ? vtksys::SystemTools::LowerCase(header.Value({ "BinaryData" })) != "false"
+    ? vtksys::SystemTools::LowerCase(meta.Value({ "BinaryData" })) != "false"
     : encoding == "raw" || IsNifti(lower);
   // Not checked: files with skipped lines before packed data, or with a very long header.
   const bool isHere = samples == path && (isMeta || isNrrd);
-  const bool isPlain = header.Value({ "line skip", "lineskip", "HeaderSize" }).empty();
+  const bool isPlain = meta.Value({ "HeaderSize" }).empty() && nrrd.GetField("line skip").empty();
+  const std::size_t head = isMeta ? meta.GetSize() : nrrd.HasEnd ? nrrd.Size : 0;
   const auto length = static_cast<double>(vtksys::SystemTools::FileLength(samples));
-  if (isPacked && isPlain && (!isHere || header.GetSize() > 0))
+  if (isPacked && isPlain && (!isHere || head > 0))
   {
-    return Explore::CountUnpacked(samples, isHere ? header.GetSize() : 0);
+    return Explore::CountUnpacked(samples, isHere ? head : 0);
   }
   // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
   constexpr double smallest = 10000.0;
@@ -280,7 +283,7 @@ Volume ReadVti(const std::string& path)
 /// dimensions.
 bool IsKnownToVTK(const std::string& path)
 {
-  const VolumeHaptics::HeaderText header(path, '=');
+  const VolumeHaptics::HeaderText header(path);
   const std::string type = header.Value({ "ElementType" });
   const bool isKnown = std::any_of(std::begin(META_TYPES), std::end(META_TYPES),
     [&](const char* known) { return type == known || type == std::string(known) + "_ARRAY"; });

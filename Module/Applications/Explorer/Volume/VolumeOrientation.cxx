@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/NrrdHeader.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 
 #include "vtkDataArray.h"
@@ -58,23 +59,15 @@ namespace Explore
 {
 WorldAxes FindNrrdAxes(const std::string& path)
 {
-  const std::string space = VolumeHaptics::HeaderText(path, ':').Value({ "space" });
-  for (const auto& [name, letters] :
-    { std::pair<std::string, std::string>{ "right-anterior-superior", "RAS" },
-      { "left-anterior-superior", "LAS" }, { "left-posterior-superior", "LPS" } })
-  {
-    if (space == name || space == name + "-time" || space == letters || space == letters + "T")
-    {
-      return WorldAxes::Patient;
-    }
-  }
-  return space.empty() ? WorldAxes::Unknown : WorldAxes::Other;
+  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
+  return VolumeHaptics::FindNrrdSpace(header).IsPatient ? WorldAxes::Patient
+    : header.GetField("space").empty()                  ? WorldAxes::Unknown
+                                                        : WorldAxes::Other;
 }
 
 WorldAxes FindMetaImageAxes(const std::string& path)
 {
-  const std::string letters =
-    VolumeHaptics::HeaderText(path, '=').Value({ "AnatomicalOrientation" });
+  const std::string letters = VolumeHaptics::HeaderText(path).Value({ "AnatomicalOrientation" });
   // Three letters, one from each of these pairs; MetaIO writes ??? for unknown axes.
   const bool isPatient = letters.size() == 3 && letters.find_first_of("RL") != std::string::npos &&
     letters.find_first_of("AP") != std::string::npos &&
@@ -104,7 +97,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
 {
-  const VolumeHaptics::HeaderText header(path, '=');
+  const VolumeHaptics::HeaderText header(path);
   std::vector<double> matrix = header.Numbers({ "TransformMatrix", "Orientation", "Rotation" });
   if (matrix.size() != 9)
   {
@@ -117,58 +110,42 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
 
 std::string DescribeNrrdTurn(const std::string& path)
 {
-  const VolumeHaptics::HeaderText header(path, ':');
-  const std::string space = header.Value({ "space" });
-  const bool isTurned = space == "right-anterior-superior" || space == "RAS" ||
-    space == "left-anterior-superior" || space == "LAS";
-  return isTurned && header.Numbers({ "space directions" }).size() == 9
-    ? "orientation turned from " + space + " to left-posterior-superior"
+  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
+  const bool isTurned = VolumeHaptics::FindNrrdSpace(header).Signs[1] < 0.0;
+  return isTurned && VolumeHaptics::FindNrrdSteps(header)
+    ? "orientation turned from " + header.GetField("space") + " to left-posterior-superior"
     : std::string();
 }
 
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
 {
-  const VolumeHaptics::HeaderText header(path, ':');
-  const std::string space = header.Value({ "space" });
-  std::vector<double> directions = header.Numbers({ "space directions" });
-  if (directions.size() != 9)
+  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
+  const auto steps = VolumeHaptics::FindNrrdSteps(header);
+  if (!steps)
   {
     return {};
   }
+  VolumeHaptics::NrrdVector origin =
+    VolumeHaptics::FindNrrdOrigin(header).value_or(VolumeHaptics::NrrdVector{});
   double axes[9];
   for (int c = 0; c < 3; ++c)
   {
     for (int row = 0; row < 3; ++row)
     {
-      axes[3 * row + c] = directions[3 * c + row];
+      axes[3 * row + c] = (*steps)[c][row];
     }
   }
-  double origin[3];
-  image->GetOrigin(origin);
-  const bool leftAnterior = space == "left-anterior-superior" || space == "LAS";
-  if ((leftAnterior || space == "3D-left-handed") && header.Value({ "encoding" }) == "raw")
+  if (VolumeHaptics::FindNrrdSpace(header).IsLeftHanded && header.GetField("encoding") == "raw")
   {
     // For these spaces only, VTK's reader reverses the rows of raw files.
     const double rows = image->GetDimensions()[1] - 1;
     for (int row = 0; row < 3; ++row)
     {
-      origin[row] += rows * directions[3 + row];
+      origin[row] += rows * axes[3 * row + 1];
       axes[3 * row + 1] = -axes[3 * row + 1];
     }
   }
-  if (space == "right-anterior-superior" || space == "RAS")
-  {
-    TurnAboutZ(axes, origin);
-  }
-  else if (leftAnterior)
-  {
-    origin[1] = -origin[1];
-    for (int c = 0; c < 3; ++c)
-    {
-      axes[3 + c] = -axes[3 + c];
-    }
-  }
-  SetFrame(image, axes, origin);
+  SetFrame(image, axes, origin.data());
   return DescribeNrrdTurn(path);
 }
 

@@ -34,7 +34,8 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
             "vtkHapticLabelTable their names.";
     return false;
   }
-  if (!ReadNrrdHeader(bytes, file.Header, error) || !ReadNrrdImage(file.Header, file.Image, error))
+  if (!ReadSegmentationHeader(bytes, file.Header, error) ||
+    !ReadNrrdImage(file.Header, file.Image, error))
   {
     return false;
   }

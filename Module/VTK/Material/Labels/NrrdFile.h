@@ -18,7 +18,7 @@ namespace VolumeHaptics
 struct NrrdFile
 {
   std::string Name;
-  NrrdHeader Header;
+  SegmentationHeader Header;
   NrrdImage Image;
 };
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -23,70 +22,38 @@ constexpr const char* SaveAgain =
   ". Save it again in 3D Slicer as one file, .seg.nrrd, of a binary labelmap.";
 constexpr double MostSamples = 1e12;
 
-struct SampleType
-{
-  std::size_t Size;
-  bool IsSigned;
-  const char* Names[6];
-};
-constexpr SampleType SampleTypes[] = {
-  { 1, true, { "signedchar", "int8", "int8t" } },
-  { 1, false, { "uchar", "unsignedchar", "uint8", "uint8t" } },
-  { 2, true, { "short", "shortint", "signedshort", "signedshortint", "int16", "int16t" } },
-  { 2, false, { "ushort", "unsignedshort", "unsignedshortint", "uint16", "uint16t" } },
-  { 4, true, { "int", "signedint", "int32", "int32t" } },
-  { 4, false, { "uint", "unsignedint", "uint32", "uint32t" } },
-  { 8, true,
-    { "longlong", "longlongint", "signedlonglong", "signedlonglongint", "int64", "int64t" } },
-  { 8, false, { "ulonglong", "unsignedlonglong", "unsignedlonglongint", "uint64", "uint64t" } },
-};
-
-std::string Find(const std::map<std::string, std::string>& fields, const char* name)
-{
-  const auto field = fields.find(name);
-  return field == fields.end() ? std::string() : field->second;
-}
-
 bool ReadType(const NrrdHeader& header, NrrdImage& image, std::string& error)
 {
-  const std::string name = Find(header.Fields, "type");
-  const std::string key = MakeKey(name);
-  for (const SampleType& type : SampleTypes)
+  const NrrdType type = header.GetType();
+  if (type.Size == 0 || !type.IsInteger)
   {
-    const auto isName = [&key](const char* known) { return known && key == known; };
-    if (std::any_of(std::begin(type.Names), std::end(type.Names), isName))
-    {
-      image.SampleSize = type.Size;
-      image.IsSigned = type.IsSigned;
-      const std::string endian = MakeKey(Find(header.Fields, "endian"));
-      image.IsSwapped = type.Size > 1 && !endian.empty() && IsOtherByteOrder(endian == "big");
-      return true;
-    }
+    error = "its samples are of the type " + Quote(header.GetField("type")) +
+      ", labels are whole numbers" + SaveAgain;
+    return false;
   }
-  error = "its samples are of the type " + Quote(name) + ", labels are whole numbers" + SaveAgain;
-  return false;
+  image.SampleSize = type.Size;
+  image.IsSigned = type.IsSigned;
+  image.IsSwapped =
+    image.SampleSize > 1 && !header.GetField("endian").empty() && IsOtherByteOrder(header.IsBig());
+  return true;
 }
 
 bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error)
 {
-  for (const char* const field : { "data file", "datafile" })
+  if (!header.GetDataFile().empty())
   {
-    if (header.Fields.count(field) > 0)
-    {
-      error = std::string("its samples are in another file") + SaveAgain;
-      return false;
-    }
+    error = std::string("its samples are in another file") + SaveAgain;
+    return false;
   }
-  for (const char* const field :
-    { "byte skip", "byteskip", "line skip", "lineskip", "block size", "blocksize" })
+  for (const char* const field : { "byte skip", "line skip", "block size" })
   {
-    if (!Find(header.Fields, field).empty() && Find(header.Fields, field) != "0")
+    if (!header.GetField(field).empty() && header.GetField(field) != "0")
     {
       error = std::string("its header has the field \"") + field + "\"" + SaveAgain;
       return false;
     }
   }
-  const std::string encoding = MakeKey(Find(header.Fields, "encoding"));
+  const std::string encoding = MakeKey(header.GetField("encoding"));
   image.IsCompressed = encoding == "gzip" || encoding == "gz";
   if (!image.IsCompressed && encoding != "raw")
   {
@@ -96,61 +63,16 @@ bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error
   return true;
 }
 
-/** Reads the three numbers in parentheses. */
-std::optional<std::array<double, 3>> ReadVector(std::string_view text)
-{
-  text = Trim(text);
-  if (text.size() < 2 || text.front() != '(' || text.back() != ')')
-  {
-    return {};
-  }
-  text = text.substr(1, text.size() - 2);
-  std::array<double, 3> vector{};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t comma = text.find(',');
-    const std::optional<double> number = ReadNumber(text.substr(0, comma));
-    if (!number || (comma == std::string_view::npos) != (i == 2))
-    {
-      return {};
-    }
-    vector[i] = *number;
-    text.remove_prefix(i == 2 ? text.size() : comma + 1);
-  }
-  return vector;
-}
-
-/** Splits a text at its blanks, except within parentheses. */
-std::vector<std::string> SplitVectors(const std::string& text)
-{
-  std::string joined;
-  int depth = 0;
-  for (const char character : text)
-  {
-    depth += character == '(' ? 1 : character == ')' ? -1 : 0;
-    if (depth <= 0 || character != ' ')
-    {
-      joined += character;
-    }
-  }
-  std::vector<std::string> words;
-  for (const std::string_view word : SplitWords(joined))
-  {
-    words.emplace_back(word);
-  }
-  return words;
-}
-
 /** Returns the axis of the layers, or the number of axes if there is none. */
 std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
 {
-  const std::vector<std::string> directions = SplitVectors(Find(header.Fields, "space directions"));
+  const std::vector<std::string> directions = SplitNrrdVectors(header.GetField("space directions"));
   const auto none = std::find(directions.begin(), directions.end(), "none");
   if (none != directions.end())
   {
     return static_cast<std::size_t>(none - directions.begin());
   }
-  const std::string kinds = Find(header.Fields, "kinds");
+  const std::string kinds = header.GetField("kinds");
   const std::vector<std::string_view> words = SplitWords(kinds);
   const auto list = std::find(words.begin(), words.end(), "list");
   return list == words.end() ? axes : static_cast<std::size_t>(list - words.begin());
@@ -159,7 +81,7 @@ std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
 bool ReadSizes(
   const NrrdHeader& header, NrrdImage& image, std::size_t& listAxis, std::string& error)
 {
-  const std::string text = Find(header.Fields, "sizes");
+  const std::string text = header.GetField("sizes");
   std::vector<std::size_t> sizes;
   double samples = 1.0;
   for (const std::string_view word : SplitWords(text))
@@ -197,53 +119,32 @@ double Determinant(const std::array<double, 9>& m)
     m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/** Returns the signs that convert positions to left-posterior-superior. */
-std::array<double, 3> FindSigns(const NrrdHeader& header)
-{
-  const std::string space = MakeKey(Find(header.Fields, "space"));
-  if (space == "rightanteriorsuperior" || space == "ras")
-  {
-    return { -1.0, -1.0, 1.0 };
-  }
-  if (space == "leftanteriorsuperior" || space == "las")
-  {
-    return { 1.0, -1.0, 1.0 };
-  }
-  return { 1.0, 1.0, 1.0 };
-}
-
 bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::size_t listAxis, std::string& error)
 {
-  const std::array<double, 3> signs = FindSigns(header);
-  const std::string directions = Find(header.Fields, "space directions");
-  std::vector<std::string> vectors = SplitVectors(directions);
-  if (vectors.size() == 4 && listAxis < 4)
-  {
-    vectors.erase(vectors.begin() + static_cast<std::ptrdiff_t>(listAxis));
-  }
-  for (std::size_t axis = 0; axis < 3 && !directions.empty(); ++axis)
-  {
-    const std::optional<std::array<double, 3>> vector =
-      vectors.size() == 3 ? ReadVector(vectors[axis]) : std::nullopt;
-    image.Spacing[axis] = vector ? std::hypot((*vector)[0], (*vector)[1], (*vector)[2]) : 0.0;
-    for (std::size_t row = 0; row < 3 && image.Spacing[axis] > 0.0; ++row)
-    {
-      image.Directions[3 * row + axis] = signs[row] * (*vector)[row] / image.Spacing[axis];
-    }
-  }
-  const std::string sizes = Find(header.Fields, "spacings");
+  const std::string directions = header.GetField("space directions");
+  const std::string sizes = header.GetField("spacings");
+  const std::string origin = header.GetField("space origin");
+  const auto steps = FindNrrdSteps(header);
   std::vector<std::string_view> spacings = SplitWords(sizes);
   if (spacings.size() == 4 && listAxis < 4)
   {
     spacings.erase(spacings.begin() + static_cast<std::ptrdiff_t>(listAxis));
   }
-  for (std::size_t axis = 0; axis < spacings.size() && axis < 3 && directions.empty(); ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    image.Spacing[axis] = ReadNumber(spacings[axis]).value_or(1.0);
+    if (directions.empty())
+    {
+      image.Spacing[axis] = axis < spacings.size() ? ReadNumber(spacings[axis]).value_or(1.0) : 1.0;
+      continue;
+    }
+    const NrrdVector step = steps ? (*steps)[axis] : NrrdVector{};
+    image.Spacing[axis] = std::hypot(step[0], step[1], step[2]);
+    for (std::size_t row = 0; row < 3 && image.Spacing[axis] > 0.0; ++row)
+    {
+      image.Directions[3 * row + axis] = step[row] / image.Spacing[axis];
+    }
   }
-  const std::string origin = Find(header.Fields, "space origin");
-  const std::optional<std::array<double, 3>> position =
-    origin.empty() ? std::array<double, 3>{} : ReadVector(origin);
+  const std::optional<NrrdVector> position = FindNrrdOrigin(header);
   const bool isGood = std::all_of(image.Spacing.begin(), image.Spacing.end(),
     [](double spacing) { return spacing > 0.0 && std::isfinite(spacing); });
   if (!isGood || !position || !(std::abs(Determinant(image.Directions)) > 1e-6))
@@ -252,10 +153,7 @@ bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::size_t listAxis,
       " or its space origin " + Quote(origin) + " place no volume in space" + SaveAgain;
     return false;
   }
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    image.Origin[row] = signs[row] * (*position)[row];
-  }
+  image.Origin = *position;
   return true;
 }
 
@@ -290,7 +188,7 @@ std::int64_t LoadSample(const char* from, const NrrdImage& image)
 class SegmentMap
 {
 public:
-  SegmentMap(const NrrdHeader& header, std::size_t layers)
+  SegmentMap(const SegmentationHeader& header, std::size_t layers)
     : Header(header)
     , ByLayer(layers)
   {
@@ -320,7 +218,7 @@ public:
   }
 
 private:
-  const NrrdHeader& Header;
+  const SegmentationHeader& Header;
   std::vector<std::unordered_map<std::int64_t, int>> ByLayer;
   bool KeepsValues = true;
 };
@@ -330,8 +228,8 @@ private:
 bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& error)
 {
   image = {};
-  const std::string representation = Find(header.Values, "Segmentation_SourceRepresentation");
-  if (representation == "Fractional labelmap")
+  const auto representation = header.Values.find("Segmentation_SourceRepresentation");
+  if (representation != header.Values.end() && representation->second == "Fractional labelmap")
   {
     error = std::string("it is a fractional labelmap") + SaveAgain;
     return false;
@@ -341,8 +239,8 @@ bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& erro
     ReadSizes(header, image, listAxis, error) && ReadFrame(header, image, listAxis, error);
 }
 
-bool ReadNrrdSamples(const NrrdHeader& header, const NrrdImage& image, const NrrdBytes& bytes,
-  int* labels, std::string& error)
+bool ReadNrrdSamples(const SegmentationHeader& header, const NrrdImage& image,
+  const NrrdBytes& bytes, int* labels, std::string& error)
 {
   constexpr std::size_t chunkSamples = 1 << 15;
   const std::size_t voxels = image.CountVoxels();

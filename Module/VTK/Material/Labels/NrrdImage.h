@@ -56,8 +56,8 @@ using NrrdBytes = std::function<std::size_t(char*, std::size_t)>;
  * unchanged if labels are the values; otherwise they become 0. False, with the reason and the cure,
  * on failure.
  */
-bool ReadNrrdSamples(const NrrdHeader& header, const NrrdImage& image, const NrrdBytes& bytes,
-  int* labels, std::string& error);
+bool ReadNrrdSamples(const SegmentationHeader& header, const NrrdImage& image,
+  const NrrdBytes& bytes, int* labels, std::string& error);
 
 } // namespace VolumeHaptics
 

@@ -4,7 +4,7 @@
 
 #include "VTK/Material/Labels/LabelText.h"
 
-#include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,28 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr std::string_view Magic = "NRRD000";
 constexpr std::string_view Prefix = "Segment";
-
-/** Resolves the backslashes of keys and values: \\ and \n. */
-std::string Unescape(std::string_view text)
-{
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const bool isEscape = text[i] == '\\' && i + 1 < text.size();
-    if (isEscape && (text[i + 1] == 'n' || text[i + 1] == '\\'))
-    {
-      ++i;
-      result += text[i] == 'n' ? '\n' : '\\';
-    }
-    else
-    {
-      result += text[i];
-    }
-  }
-  return result;
-}
 
 /** One segment, as the header describes it. */
 struct SegmentFields
@@ -103,7 +82,7 @@ bool ReadField(
   return true;
 }
 
-bool ReadSegments(NrrdHeader& header, std::string& error)
+bool ReadSegments(SegmentationHeader& header, std::string& error)
 {
   std::map<int, SegmentFields> segments;
   for (const auto& [key, value] : header.Values)
@@ -139,43 +118,10 @@ bool ReadSegments(NrrdHeader& header, std::string& error)
 
 } // namespace
 
-bool IsNrrd(std::string_view bytes)
+bool ReadSegmentationHeader(std::string_view bytes, SegmentationHeader& header, std::string& error)
 {
-  return bytes.substr(0, Magic.size()) == Magic;
-}
-
-bool ReadNrrdHeader(std::string_view bytes, NrrdHeader& header, std::string& error)
-{
-  header = {};
-  std::string_view rest = bytes;
-  bool hasEnd = false;
-  while (!rest.empty() && !hasEnd)
-  {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = Trim(rest.substr(0, end));
-    const std::size_t colon = line.find(": ");
-    const std::size_t equals = line.find(":=");
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    hasEnd = line.empty();
-    if (line.substr(0, 1) == "#")
-    {
-      continue;
-    }
-    if (equals != std::string_view::npos && equals < colon)
-    {
-      header.Values[Unescape(line.substr(0, equals))] = Unescape(line.substr(equals + 2));
-    }
-    else if (colon != std::string_view::npos)
-    {
-      std::string field(line.substr(0, colon));
-      std::transform(field.begin(), field.end(), field.begin(),
-        [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-      header.Fields[field] = Trim(line.substr(colon + 2));
-    }
-  }
-  header.Size = bytes.size() - rest.size();
-  const bool isDetached = header.Fields.count("data file") + header.Fields.count("datafile") > 0;
-  if (!hasEnd && !isDetached)
+  header = { ParseNrrdHeader(bytes), {} };
+  if (!header.HasEnd && header.GetDataFile().empty())
   {
     error = "its NRRD header has no end. Check that the file is complete.";
     return false;
@@ -185,8 +131,8 @@ bool ReadNrrdHeader(std::string_view bytes, NrrdHeader& header, std::string& err
 
 bool ReadNrrdLabels(std::string_view bytes, LabelEntries& entries, std::string& error)
 {
-  NrrdHeader header;
-  if (!ReadNrrdHeader(bytes, header, error))
+  SegmentationHeader header;
+  if (!ReadSegmentationHeader(bytes, header, error))
   {
     return false;
   }

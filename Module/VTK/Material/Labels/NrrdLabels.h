@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the header of a NRRD file, and the segments that 3D Slicer and VolView store in it
- * (.seg.nrrd).
+ * Reads the segments that 3D Slicer and VolView store in the header of a NRRD file (.seg.nrrd).
  *
  * A segment has a name, a colour, a layer and the value of its voxels there: SegmentN_Name, _Color,
  * _Layer and _LabelValue. Overlapping segments are in separate layers, and values may occur again
@@ -16,10 +15,9 @@
 #ifndef NrrdLabels_h
 #define NrrdLabels_h
 
+#include "VTK/Base/NrrdHeader.h"
 #include "VTK/Material/Labels/LabelEntry.h"
 
-#include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,22 +33,17 @@ struct NrrdSegment
   LabelEntry Entry;
 };
 
-struct NrrdHeader
+/** A header and its segments, in ascending order of N. */
+struct SegmentationHeader : NrrdHeader
 {
-  std::map<std::string, std::string> Fields; ///< "field: description", in lower case
-  std::map<std::string, std::string> Values; ///< "key:=value"
-  std::vector<NrrdSegment> Segments;         ///< in ascending order of N
-  std::size_t Size = 0;                      ///< bytes, including the empty line at the end
+  std::vector<NrrdSegment> Segments;
 };
-
-/** Whether bytes begin like a NRRD file. */
-bool IsNrrd(std::string_view bytes);
 
 /**
  * Reads the header at the beginning of a file. False, with the reason and the cure, on failure; a
  * header without segments is valid.
  */
-bool ReadNrrdHeader(std::string_view bytes, NrrdHeader& header, std::string& error);
+bool ReadSegmentationHeader(std::string_view bytes, SegmentationHeader& header, std::string& error);
 
 /**
  * Reads the segments. False, with the reason and the cure, and entries unchanged, if there are

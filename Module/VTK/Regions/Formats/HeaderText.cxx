@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The fields of both formats are near the top; after them there may be samples. */
+/** The fields are near the top; after them there may be samples. */
 constexpr int LongestHeader = 200; // lines
 
 std::string TrimBlanks(const std::string& text)
@@ -25,7 +25,7 @@ std::string TrimBlanks(const std::string& text)
 
 } // namespace
 
-HeaderText::HeaderText(const std::string& path, char separator)
+HeaderText::HeaderText(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   std::string line;
@@ -33,12 +33,11 @@ HeaderText::HeaderText(const std::string& path, char separator)
   for (int count = 0; count < LongestHeader && std::getline(file, line); ++count)
   {
     size += line.size() + 1;
-    const std::size_t middle = line.find(separator);
+    const std::size_t middle = line.find('=');
     const std::string key = TrimBlanks(line.substr(0, middle));
     if (key.empty())
     {
-      this->Size = size;
-      break; // a blank line ends a NRRD header
+      break;
     }
     if (middle != std::string::npos)
     {
@@ -67,13 +66,8 @@ std::string HeaderText::Value(const std::vector<std::string>& keys) const
 
 std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) const
 {
-  std::string text = this->Value(keys);
-  for (char& letter : text)
-  {
-    letter = letter == '(' || letter == ')' || letter == ',' ? ' ' : letter;
-  }
   std::vector<double> numbers;
-  std::istringstream words(text);
+  std::istringstream words(this->Value(keys));
   std::string word;
   while (words >> word)
   {

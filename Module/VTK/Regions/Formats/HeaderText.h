@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the text at the head of a MetaImage or NRRD file.
+ * Reads the text at the head of a MetaImage file.
  */
 #ifndef HeaderText_h
 #define HeaderText_h
@@ -15,16 +15,16 @@
 namespace VolumeHaptics
 {
 
-/** Holds the lines `key = value` or `key: value` of the text. */
+/** Holds the lines `key = value` of the text. */
 class HeaderText
 {
 public:
-  HeaderText(const std::string& path, char separator);
+  explicit HeaderText(const std::string& path);
 
   /** Returns the value of the first of these keys that exists, else an empty text. */
   std::string Value(const std::vector<std::string>& keys) const;
 
-  /** Returns the value as numbers; brackets and commas count as blanks, words are left out. */
+  /** Returns the value as numbers; words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
   /** Returns where samples after the header begin (bytes); 0 if its end was not found. */

@@ -4,6 +4,7 @@
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/NrrdHeader.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
@@ -24,23 +25,13 @@ namespace VolumeHaptics
 namespace
 {
 
-const std::map<std::string, int> SampleTypes = { { "met_char", VTK_SIGNED_CHAR },
+const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
   { "met_uchar", VTK_UNSIGNED_CHAR }, { "met_short", VTK_SHORT },
   { "met_ushort", VTK_UNSIGNED_SHORT }, { "met_int", VTK_INT }, { "met_uint", VTK_UNSIGNED_INT },
   // MetaIO's "long" has 4 bytes on all systems.
   { "met_long", VTK_INT }, { "met_ulong", VTK_UNSIGNED_INT }, { "met_long_long", VTK_LONG_LONG },
   { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
-  { "met_double", VTK_DOUBLE }, { "signed char", VTK_SIGNED_CHAR }, { "int8", VTK_SIGNED_CHAR },
-  { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
-  { "unsigned char", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
-  { "uint8_t", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT }, { "int16", VTK_SHORT },
-  { "int16_t", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
-  { "unsigned short", VTK_UNSIGNED_SHORT }, { "uint16", VTK_UNSIGNED_SHORT },
-  { "uint16_t", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "int32", VTK_INT },
-  { "int32_t", VTK_INT }, { "uint", VTK_UNSIGNED_INT }, { "unsigned int", VTK_UNSIGNED_INT },
-  { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT }, { "int64", VTK_LONG_LONG },
-  { "int64_t", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
-  { "uint64_t", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "double", VTK_DOUBLE } };
+  { "met_double", VTK_DOUBLE } };
 
 /** The fields of a header of either format. */
 struct RawHeader
@@ -69,10 +60,10 @@ bool IsMetaName(const std::string& name)
   return ending == ".mhd" || ending == ".mha";
 }
 
-int FindSampleType(const std::string& name)
+int FindMetaType(const std::string& name)
 {
-  const auto found = SampleTypes.find(LowerCase(name));
-  return found == SampleTypes.end() ? 0 : found->second;
+  const auto found = MetaTypes.find(LowerCase(name));
+  return found == MetaTypes.end() ? 0 : found->second;
 }
 
 double NumberOr(const std::vector<double>& numbers, double other)
@@ -115,7 +106,7 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
   header.Axes = FindThreeAxes(
     text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
-  header.Type = FindSampleType(text.Value({ "ElementType" }));
+  header.Type = FindMetaType(text.Value({ "ElementType" }));
   header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
   const std::string data = text.Value({ "ElementDataFile" });
   header.IsPlain = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
@@ -130,50 +121,33 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   return header;
 }
 
-/** Converts vectors from right-anterior-superior to left-posterior-superior. */
-void TurnAboutZ(std::vector<double>& vectors)
-{
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-  {
-    vectors[i] = i % 3 < 2 ? -vectors[i] : vectors[i];
-  }
-}
-
-RawHeader ReadNrrdHeader(const HeaderText& text, const std::string& name)
+RawHeader ConvertNrrdHeader(const NrrdHeader& nrrd, const std::string& name)
 {
   RawHeader header;
-  header.Size = text.Numbers({ "sizes" });
-  header.Spacing = text.Numbers({ "spacings" });
-  header.Origin = text.Numbers({ "space origin" });
-  const std::vector<double> directions = text.Numbers({ "space directions" });
-  const std::string space = text.Value({ "space" });
-  if (directions.size() == 9)
+  header.Size = nrrd.GetNumbers("sizes");
+  header.Spacing = nrrd.GetNumbers("spacings");
+  const NrrdVector origin = FindNrrdOrigin(nrrd).value_or(NrrdVector{});
+  header.Origin.assign(origin.begin(), origin.end());
+  if (const auto steps = FindNrrdSteps(nrrd))
   {
-    header.Axes = directions;
     header.Spacing.clear();
-    for (std::size_t c = 0; c < 9; c += 3)
+    for (const NrrdVector& step : *steps)
     {
-      header.Spacing.push_back(std::hypot(directions[c], directions[c + 1], directions[c + 2]));
-    }
-    if (space == "right-anterior-superior" || space == "RAS")
-    {
-      TurnAboutZ(header.Axes);
-      TurnAboutZ(header.Origin);
+      header.Axes.insert(header.Axes.end(), step.begin(), step.end());
+      header.Spacing.push_back(std::hypot(step[0], step[1], step[2]));
     }
   }
-  header.Type = FindSampleType(text.Value({ "type" }));
-  header.IsBig = text.Value({ "endian" }) == "big";
-  const std::string data = text.Value({ "data file", "datafile" });
-  const bool isMirrored =
-    space == "left-anterior-superior" || space == "LAS" || space == "3D-left-handed";
-  header.IsPlain = text.Value({ "encoding" }) == "raw" && data.find('%') == std::string::npos &&
-    data != "LIST" && !isMirrored && text.Value({ "line skip", "lineskip" }).empty();
+  const NrrdType type = nrrd.GetType();
+  header.Type = FindScalarType(type.IsInteger, type.IsSigned, type.Size);
+  header.IsBig = nrrd.IsBig();
+  const std::string data = nrrd.GetDataFile();
+  header.IsPlain = nrrd.GetField("encoding") == "raw" && data.find('%') == std::string::npos &&
+    data != "LIST" && !FindNrrdSpace(nrrd).IsLeftHanded && nrrd.GetField("line skip").empty();
   header.Data = data.empty() ? name : FindBeside(name, data);
-  header.Skip = NumberOr(text.Numbers({ "byte skip", "byteskip" }), 0.0);
+  header.Skip = NumberOr(nrrd.GetNumbers("byte skip"), 0.0);
   if (data.empty() && header.Skip >= 0.0)
   {
-    // The end of a very long header was not found.
-    header.Skip = text.GetSize() > 0 ? header.Skip + static_cast<double>(text.GetSize()) : -1.0;
+    header.Skip += static_cast<double>(nrrd.Size);
   }
   return header;
 }
@@ -256,9 +230,8 @@ void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
 LargeFile OpenRawHeader(const std::string& name)
 {
   const OpenedFile isThere(name); // throws if the file is missing
-  const HeaderText text(name, IsMetaName(name) ? '=' : ':');
-  const RawHeader header =
-    IsMetaName(name) ? ReadMetaHeader(text, name) : ReadNrrdHeader(text, name);
+  const RawHeader header = IsMetaName(name) ? ReadMetaHeader(HeaderText(name), name)
+                                            : ConvertNrrdHeader(ReadNrrdHeader(name), name);
   if (!IsReadable(header))
   {
     throw std::runtime_error(
