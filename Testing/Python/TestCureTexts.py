@@ -36,7 +36,6 @@ TRIED = {
         "VTK can't run it again after this": "connect a new source",
         "Give the path in pieces, or lower ServoRate": "in pieces",
     },
-    "VTK/Device/RegionTest.cxx": {"Stop() the recorder first": "Stop() the recorder first"},
     "VTK/Device/LifeTest.cxx": {
         f"take it from vtkHapticDevice::{part}(), and keep the device": f"take it from vtkHapticDevice::{part}()"
         for part in ("GetPlayback", "GetRecorder", "GetVirtualHand")
@@ -71,7 +70,10 @@ TRIED = {
         "DrawHaptics() of this style 60 times a second": "Cure: call DrawHaptics()",
     },
     "VTK/Scene/Interaction/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
-    "VTK/Device/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},
+    "VTK/Device/RegionTest.cxx": {
+        "Connect the whole volume to the filter, Publish() it": "can't be recorded",
+        "Stop() the recorder first": "Stop() the recorder first",
+    },
     "VTK/Device/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
     "VTK/Device/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
     "VTK/Device/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},
@@ -80,6 +82,7 @@ TRIED = {
     },
     "Python/TestExplorerCures.py": {"run the program as 'xvfb-run -a": "run the program as"},
     "Python/TestLargeCures.py": {
+        "Close it there; if its writer has ended, run h5clear -s FILE": "run h5clear -s FILE",
         "Convert it with h5repack --high=2 IN OUT": "--high=", "Read a smaller one": "Read a smaller one",
         "bytes. Lower MemoryLimit": "bytes. Lower MemoryLimit",
     },
@@ -259,7 +262,7 @@ OUTSIDE = {
 NONE = (
     "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
     "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
-    ": ….\\n  Cure: ….", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press",
+    ": ….\\n  Cure: ….", "These settings are A", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press",
     "turn the view and keep touching", "turn the tool", "turn it about the line of sight", "propose functions; take them",
 )
 
@@ -364,7 +367,7 @@ def test_names_in_cures_exist():
 # Packages of Debian 12 that texts name, with the programs of them that texts name (checked with `dpkg --contents`), and
 # projects of PyPI (checked with `pip index versions`).
 DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libgdcm-dev": (), "libgdcm-tools": ("gdcmconv", ), "dcmtk": ("dcmdjpeg", ), "dcm2niix": ("dcm2niix", ),
-          "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", ), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
+          "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", "h5clear"), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
           "udev": ("udevadm", )}
 PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}
 # Named by their programs, or without the word.

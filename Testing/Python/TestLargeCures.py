@@ -5,11 +5,14 @@
 Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). The writers are those of TestLargeFiles.py.
 """
 
+import ctypes
 import json
+import shutil
 import struct
 import subprocess
 import sys
 import zlib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -78,8 +81,6 @@ def repacked(told_words, path):
 
 # What makes a file that is converted with a command, and the command as the error has it.
 CONVERTED = {
-    "h5repack -f NONE -l CONTI IN OUT": dict(chunk=(5, 4, 7), version=LATEST, most=(ENDLESS, ENDLESS, 20)),
-    "h5repack IN OUT": dict(version=LATEST, names=tuple(f"array{i}" for i in range(60))),
     "h5repack -f GZIP=1 IN OUT": dict(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)]),
     "h5repack -l CHUNK=64x64x64 IN OUT": dict(chunk=(1024, 1024, 1024), most=(ENDLESS,) * 3, empty=7),
     "array has no samples, or in a place that is not read here. Convert it with h5repack -l CONTI IN OUT":
@@ -104,10 +105,43 @@ def test_h5repack_knows_versions():
     assert "--high=BOUND" in shown
 
 
-@case("or write it without libver='latest'")
+@case("h5repack -l CHUNK=64x64x64 IN OUT", "16777216 chunks")
 def _(folder):
-    yield vtkhdf(folder, **CONVERTED["h5repack -f NONE -l CONTI IN OUT"])
-    yield vtkhdf(folder, chunk=(5, 4, 7), most=(ENDLESS, ENDLESS, 20))
+    yield vtkhdf(folder, array=np.zeros((300, 300, 300), np.uint8), chunk=(1, 1, 1), empty=7,
+                 extent=(0, 299, 0, 299, 0, 299))
+    yield vtkhdf(folder, chunk=(5, 4, 7))
+
+
+class Unclosed(Hdf5):
+    """The file as it is before its writer closes it, or shares it with readers."""
+    swmr = False
+
+    def Fclose(self, file):
+        self.Fflush(file, 1)
+        if self.swmr:
+            self.Fstart_swmr_write(file)
+        name = ctypes.create_string_buffer(4096)
+        self.Fget_name(file, name, len(name))
+        copy = Path(name.value.decode())
+        shutil.copy(copy, copy.with_name("copy.vtkhdf"))
+        self.__getattr__("Fclose")(file)
+
+
+def test_a_file_that_was_never_closed(tmp_path):
+    vtkhdf(tmp_path, h=Unclosed(), version=LATEST, chunk=(5, 4, 7))
+    path = tmp_path / "copy.vtkhdf"
+    assert "never closed. Close it there; if its writer has ended, run h5clear -s FILE" in error_of(path)
+    subprocess.run(["h5clear", "-s", str(path)], check=True, capture_output=True)
+    assert np.array_equal(samples_of(path), ARRAY)
+
+
+def test_a_file_whose_writer_allows_readers_is_read(tmp_path):
+    writer = Unclosed()
+    vtkhdf(tmp_path, h=writer, chunk=(5, 4, 7))  # of the oldest format, which does not say that it is open
+    assert np.array_equal(samples_of(tmp_path / "copy.vtkhdf"), ARRAY)
+    writer.swmr = True
+    vtkhdf(tmp_path, h=writer, version=LATEST, chunk=(5, 4, 7))
+    assert np.array_equal(samples_of(tmp_path / "copy.vtkhdf"), ARRAY)
 
 
 class Shared(Hdf5):
@@ -129,10 +163,8 @@ class Shared(Hdf5):
         self.__getattr__("Fclose")(file)
 
 
-@case("Write it again, each with its own")
-def _(folder):
-    yield vtkhdf(folder, h=Shared())
-    yield vtkhdf(folder)
+def test_a_type_that_the_file_names_is_read(tmp_path):
+    assert np.array_equal(samples_of(vtkhdf(tmp_path, h=Shared())), ARRAY)
 
 
 class Bits(Hdf5):

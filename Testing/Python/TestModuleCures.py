@@ -814,7 +814,8 @@ def planned_paths(_):
 
 @result('for example with Open("virtual")', "Give an id that EnumerateDevices() lists", "with N counting from 0",
         "There is nothing to record: Start() the servo first", "has an unknown ending: name it .vtp or .csv",
-        "No recording is under way: Start() the recorder first", 'to lead: Open("virtual") first',
+        "No recording is under way: Start() the recorder first", "A recording is under way: Stop() it first",
+        'to lead: Open("virtual") first',
         "give the name of an unfinished recording, FILE.part", "Build it from such transforms only")
 def devices(folder):
     device = vtkHapticDevice()
@@ -838,6 +839,8 @@ def devices(folder):
     with told(device, "No recording is under way: Start() the recorder first"):
         assert not device.GetRecorder().Stop()
     assert device.GetRecorder().Start(str(folder / "touch.vtp"))
+    with told(device, "A recording is under way: Stop() it first"):
+        assert not device.GetRecorder().Start(str(folder / "again.vtp"))
     device.GetVirtualHand().SetPosition(5.0, 8.0, 9.0)
     tick = device.GetState().GetTick()
     while device.GetState().GetTick() < tick + 50:

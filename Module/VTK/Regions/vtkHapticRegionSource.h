@@ -194,6 +194,7 @@ public:
    * uncompressed. A NRRD file in the space right-anterior-superior is converted to
    * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
    * read; nothing is changed then. If the file is written again, open it again.
+   * VTKHDF is opened by HDF5's library, which no other thread may use meanwhile.
    *
    * Lengths are turned into millimetres where TIFF or OME-Zarr name their unit.
    */

@@ -2,301 +2,529 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/Hdf5File.h"
 
-#include "VTK/Regions/Formats/Hdf5Trees.h"
+#include "VTK/Regions/Formats/OpenedFile.h"
+
+#include "vtk_hdf5.h"
 
 #include <algorithm>
+#include <cstring>
+#include <new>
+#include <stdexcept>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-/** Limit on the parts of an object's header; real headers have some hundred bytes. */
-constexpr std::size_t MostHeaderParts = 4096;
-constexpr int SpaceMessage = 1;
-constexpr int LinkInfoMessage = 2;
-constexpr int TypeMessage = 3;
-constexpr int FillMessage = 5;
-constexpr int LinkMessage = 6;
-constexpr int ExternalMessage = 7;
-constexpr int LayoutMessage = 8;
-constexpr int FilterMessage = 11;
-constexpr int AttributeMessage = 12;
-constexpr int ContinuationMessage = 16;
-constexpr int GroupMessage = 17;
-constexpr int SharedFlag = 2;
+/** Limit on the bytes that the library reads: a damaged index may lead to them again and again. */
+constexpr std::uint64_t MostIndexBytes = std::uint64_t{ 1 } << 30;
+constexpr double MostChunks = 1 << 24;
+constexpr std::size_t LongestText = 65536;
+
+/** Holds a reference to an object of the library, and throws if there is no object. */
+class Hdf5Id
+{
+public:
+  explicit Hdf5Id(hid_t id)
+    : Id(id)
+  {
+    if (id < 0)
+    {
+      Hdf5File::ThrowDamaged();
+    }
+  }
+  ~Hdf5Id() { H5Idec_ref(this->Id); }
+  Hdf5Id(const Hdf5Id&) = delete;
+  Hdf5Id& operator=(const Hdf5Id&) = delete;
+  operator hid_t() const { return this->Id; }
+
+private:
+  const hid_t Id;
+};
+
+/** While it exists, the library prints no errors. */
+class QuietHdf5
+{
+public:
+  QuietHdf5()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &this->Print, &this->Data);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, this->Print, this->Data); }
+  QuietHdf5(const QuietHdf5&) = delete;
+  QuietHdf5& operator=(const QuietHdf5&) = delete;
+
+private:
+  H5E_auto2_t Print = nullptr;
+  void* Data = nullptr;
+};
+
+/** The file that the library reads. */
+struct Hdf5Bytes
+{
+  explicit Hdf5Bytes(const std::string& name)
+    : Name(name)
+    , File(name)
+    , Size(static_cast<std::uint64_t>(this->File.GetSize()))
+  {
+  }
+
+  const std::string Name;
+  const OpenedFile File;
+  const std::uint64_t Size;
+  std::uint64_t BytesInAll = 0; ///< number of bytes read so far
+  /** Where the library would read samples; while it is set, samples are not read. */
+  Hdf5Chunk* Located = nullptr;
+};
+
+/** A file as the library's file drivers see it. */
+struct DriverFile
+{
+  H5FD_t Public; // first, as the library wants it
+  Hdf5Bytes* Bytes;
+  haddr_t End;
+};
+
+DriverFile& ToDriverFile(H5FD_t* file)
+{
+  return *reinterpret_cast<DriverFile*>(file);
+}
+
+H5FD_t* OpenByDriver(const char* name, unsigned, hid_t access, haddr_t)
+{
+  auto* const* const bytes = static_cast<Hdf5Bytes* const*>(H5Pget_driver_info(access));
+  // Other names are those of links to other files, which are not followed.
+  auto* const file = bytes && (*bytes)->Name == name ? new (std::nothrow) DriverFile{} : nullptr;
+  if (!file)
+  {
+    return nullptr;
+  }
+  file->Bytes = *bytes;
+  return &file->Public;
+}
+
+herr_t CloseByDriver(H5FD_t* file)
+{
+  delete &ToDriverFile(file);
+  return 0;
+}
+
+haddr_t GetEnd(const H5FD_t* file, H5FD_mem_t)
+{
+  return reinterpret_cast<const DriverFile*>(file)->End;
+}
+
+herr_t SetEnd(H5FD_t* file, H5FD_mem_t, haddr_t end)
+{
+  ToDriverFile(file).End = end;
+  return 0;
+}
+
+haddr_t GetFileSize(const H5FD_t* file, H5FD_mem_t)
+{
+  return reinterpret_cast<const DriverFile*>(file)->Bytes->Size;
+}
+
+herr_t ReadByDriver(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t from, std::size_t size, void* to)
+{
+  Hdf5Bytes& bytes = *ToDriverFile(file).Bytes;
+  if (bytes.Located && type == H5FD_MEM_DRAW)
+  {
+    bytes.Located->Address = from;
+    bytes.Located->Size = size;
+    return 0;
+  }
+  constexpr std::uint64_t perCall = 64;
+  bytes.BytesInAll += perCall;
+  if (size > MostIndexBytes - std::min(MostIndexBytes, bytes.BytesInAll))
+  {
+    return -1;
+  }
+  bytes.BytesInAll += size;
+  // Beyond its end, a file counts as zeros.
+  const std::size_t there = from < bytes.Size
+    ? static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.Size - from))
+    : 0;
+  std::memset(static_cast<char*>(to) + there, 0, size - there);
+  try
+  {
+    bytes.File.Read(to, there, static_cast<std::int64_t>(from));
+  }
+  catch (const std::exception&)
+  {
+    return -1;
+  }
+  return 0;
+}
+
+herr_t RefuseToWrite(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const void*)
+{
+  return -1;
+}
+
+/** The library reads files that a writer shares with readers only by drivers that support it. */
+herr_t DescribeDriver(const H5FD_t*, unsigned long* features)
+{
+  *features = H5FD_FEAT_SUPPORTS_SWMR_IO;
+  return 0;
+}
+
+const H5FD_class_t& GetDriver()
+{
+  static const H5FD_class_t driver = []
+  {
+    H5FD_class_t made{};
+#if H5_VERSION_GE(1, 13, 2)
+    made.version = H5FD_CLASS_VERSION;
+    made.value = H5_VFD_RESERVED + 91; // any that is not HDF5's own
+#endif
+    made.name = "volumehaptics";
+    made.maxaddr = (std::uint64_t{ 1 } << 63) - 1;
+    made.fc_degree = H5F_CLOSE_STRONG;
+    made.fapl_size = sizeof(Hdf5Bytes*);
+    made.open = OpenByDriver;
+    made.close = CloseByDriver;
+    made.query = DescribeDriver;
+    made.get_eoa = GetEnd;
+    made.set_eoa = SetEnd;
+    made.get_eof = GetFileSize;
+    made.read = ReadByDriver;
+    made.write = RefuseToWrite;
+    return made;
+  }();
+  return driver;
+}
+
+/** A type of numbers in a file, and VTK's type. */
+struct KnownType
+{
+  hid_t Id;
+  int ScalarType;
+  bool IsBig;
+};
+
+/** Finds a type among those that VTK has; ScalarType is 0 if it is none of them. */
+KnownType FindKnownType(hid_t type)
+{
+  const KnownType all[] = { { H5T_STD_I8LE, VTK_SIGNED_CHAR, false },
+    { H5T_STD_I8BE, VTK_SIGNED_CHAR, true }, { H5T_STD_U8LE, VTK_UNSIGNED_CHAR, false },
+    { H5T_STD_U8BE, VTK_UNSIGNED_CHAR, true }, { H5T_STD_I16LE, VTK_SHORT, false },
+    { H5T_STD_I16BE, VTK_SHORT, true }, { H5T_STD_U16LE, VTK_UNSIGNED_SHORT, false },
+    { H5T_STD_U16BE, VTK_UNSIGNED_SHORT, true }, { H5T_STD_I32LE, VTK_INT, false },
+    { H5T_STD_I32BE, VTK_INT, true }, { H5T_STD_U32LE, VTK_UNSIGNED_INT, false },
+    { H5T_STD_U32BE, VTK_UNSIGNED_INT, true }, { H5T_STD_I64LE, VTK_LONG_LONG, false },
+    { H5T_STD_I64BE, VTK_LONG_LONG, true }, { H5T_STD_U64LE, VTK_UNSIGNED_LONG_LONG, false },
+    { H5T_STD_U64BE, VTK_UNSIGNED_LONG_LONG, true }, { H5T_IEEE_F32LE, VTK_FLOAT, false },
+    { H5T_IEEE_F32BE, VTK_FLOAT, true }, { H5T_IEEE_F64LE, VTK_DOUBLE, false },
+    { H5T_IEEE_F64BE, VTK_DOUBLE, true } };
+  const auto* const found = std::find_if(std::begin(all), std::end(all),
+    [type](const KnownType& known) { return H5Tequal(type, known.Id) > 0; });
+  return found == std::end(all) ? KnownType{ type, 0, false } : *found;
+}
+
+/** Whether the bytes at a place are the beginning of an HDF5 file. Throws if they can't be read. */
+bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
+{
+  constexpr std::size_t size = 12;
+  constexpr char signature[] = "\x89HDF\r\n\x1a\n";
+  constexpr std::size_t versionAt = 8;
+  constexpr std::size_t flagsAt = 11;
+  char head[size] = {};
+  if (bytes.Size - at < size)
+  {
+    return false;
+  }
+  bytes.File.Read(head, size, static_cast<std::int64_t>(at));
+  if (!std::equal(head, head + versionAt, signature))
+  {
+    return false;
+  }
+  constexpr char latest = 3;
+  if (head[versionAt] > latest || head[versionAt] < 0)
+  {
+    throw std::runtime_error("its HDF5 format is newer than what is read here. Convert it with "
+                             "h5repack --high=2 IN OUT.");
+  }
+  constexpr int forWriting = 1;
+  constexpr int forReadersToo = 4;
+  const int flags = head[versionAt] == latest ? head[flagsAt] : 0;
+  isWritten = (flags & forReadersToo) != 0;
+  if ((flags & forWriting) != 0 && !isWritten)
+  {
+    throw std::runtime_error("it is open for writing, or was never closed. Close it there; if its "
+                             "writer has ended, run h5clear -s FILE.");
+  }
+  return true;
+}
+
+/** Returns whether a writer that allows readers has the file open. Throws if it is no HDF5 file. */
+bool CheckBeginning(const Hdf5Bytes& bytes)
+{
+  // Other data may precede the superblock, which begins at 0, 512, 1024, 2048 and so on.
+  for (std::uint64_t at = 0; at < bytes.Size; at = at == 0 ? 512 : 2 * at)
+  {
+    bool isWritten = false;
+    if (IsSuperblock(bytes, at, isWritten))
+    {
+      return isWritten;
+    }
+  }
+  throw std::runtime_error("it is no HDF5 file. Check what it really is.");
+}
 
 } // namespace
 
-std::vector<Hdf5File::Message> Hdf5File::ReadMessages(std::uint64_t address)
+struct Hdf5File::Opened
 {
-  return this->Storage.ReadBlock(address, 4).Begins("OHDR") ? this->ReadNewMessages(address)
-                                                            : this->ReadOldMessages(address);
-}
-
-void Hdf5File::AddMessage(
-  Message message, std::vector<Hdf5Block>& rest, std::vector<Message>& messages)
-{
-  if (message.Type != ContinuationMessage)
+  explicit Opened(const std::string& name)
+    : Bytes(name)
+    , Driver((H5open(), H5FDregister(&GetDriver())))
+    , Access(H5Pcreate(H5P_FILE_ACCESS))
+    , File(this->OpenFile())
   {
-    messages.push_back(std::move(message));
-    return;
   }
-  const std::uint64_t address = this->Storage.Offset(message.Body);
-  const std::uint64_t length = this->Storage.Length(message.Body);
-  if (rest.size() >= MostHeaderParts)
+  hid_t OpenFile()
   {
-    Hdf5Block::ThrowDamaged();
-  }
-  rest.push_back(this->Storage.ReadBlock(address, length));
-}
-
-std::vector<Hdf5File::Message> Hdf5File::ReadOldMessages(std::uint64_t address)
-{
-  Hdf5Block head = this->Storage.ReadBlock(address, 16);
-  if (head.Byte() != 1)
-  {
-    Hdf5Block::ThrowDamaged();
-  }
-  head.Skip(7);
-  std::vector<Hdf5Block> blocks{ this->Storage.ReadBlock(address + 16, head.Number(4)) };
-  std::vector<Message> messages;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    while (blocks[b].GetLeft() >= 8)
+    const bool isWritten = CheckBeginning(this->Bytes);
+    Hdf5Bytes* const bytes = &this->Bytes;
+    // Of a file that a writer shares, a piece may be read half written, and is then read again; a
+    // damaged file must not wait for the library's 100 attempts, between which its pauses double.
+    constexpr unsigned attempts = 10;
+    if (H5Pset_driver(this->Access, this->Driver, &bytes) < 0 ||
+      H5Pset_metadata_read_attempts(this->Access, attempts) < 0)
     {
-      const int type = static_cast<int>(blocks[b].Number(2));
-      const auto size = static_cast<std::size_t>(blocks[b].Number(2));
-      const int flags = blocks[b].Byte();
-      blocks[b].Skip(3);
-      Hdf5Block body = blocks[b].Part(size);
-      this->AddMessage({ type, flags, std::move(body) }, blocks, messages);
+      return -1;
+    }
+    return H5Fopen(this->Bytes.Name.c_str(),
+      isWritten ? H5F_ACC_RDONLY | H5F_ACC_SWMR_READ : H5F_ACC_RDONLY, this->Access);
+  }
+
+  QuietHdf5 Quiet;
+  Hdf5Bytes Bytes;
+  Hdf5Id Driver;
+  Hdf5Id Access;
+  Hdf5Id File;
+};
+
+Hdf5File::Hdf5File(const std::string& name)
+  : Open(std::make_unique<Opened>(name))
+{
+}
+
+Hdf5File::~Hdf5File() = default;
+
+void Hdf5File::ThrowDamaged()
+{
+  throw std::runtime_error("it is damaged: its HDF5 structure ends too early or makes no sense. "
+                           "Copy or write it again.");
+}
+
+bool Hdf5File::Has(const std::string& path) const
+{
+  // All groups of a path have to exist before its end is looked for.
+  for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
+  {
+    if (H5Lexists(this->Open->File, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+    {
+      return false;
     }
   }
-  return messages;
+  return H5Lexists(this->Open->File, path.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::vector<Hdf5File::Message> Hdf5File::ReadNewMessages(std::uint64_t address)
+bool Hdf5File::HasArray(const std::string& path) const
 {
-  constexpr std::uint64_t longest = 4 + 2 + 16 + 4 + 8;
-  const std::uint64_t left = this->Storage.GetFileSize() -
-    std::min(this->Storage.GetFileSize(), address + this->Storage.GetBase());
-  Hdf5Block head = this->Storage.ReadBlock(address, std::min(longest, left));
-  head.Skip(5);
-  const int flags = head.Byte();
-  head.Skip((flags & 32 ? 16 : 0) + (flags & 16 ? 4 : 0));
-  const std::uint64_t size = head.Number(std::size_t{ 1 } << (flags & 3));
-  std::vector<Hdf5Block> blocks{ this->Storage.ReadBlock(address + head.GetPlace(), size) };
-  const std::size_t order = flags & 4 ? 2 : 0;
-  std::vector<Message> messages;
-  for (std::size_t b = 0; b < blocks.size(); ++b)
+  const hid_t array = H5Dopen2(this->Open->File, path.c_str(), H5P_DEFAULT);
+  return array >= 0 && H5Dclose(array) >= 0;
+}
+
+std::vector<std::string> Hdf5File::ListMembers(const std::string& group) const
+{
+  const Hdf5Id opened(H5Gopen2(this->Open->File, group.c_str(), H5P_DEFAULT));
+  H5G_info_t info;
+  if (H5Gget_info(opened, &info) < 0)
   {
-    std::size_t end = 0;
-    if (b > 0) // continuation blocks have a signature and a checksum
+    ThrowDamaged();
+  }
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < info.nlinks; ++i)
+  {
+    const auto get = [&](char* to, std::size_t size) {
+      return H5Lget_name_by_idx(opened, ".", H5_INDEX_NAME, H5_ITER_INC, i, to, size, H5P_DEFAULT);
+    };
+    const auto length = get(nullptr, 0);
+    if (length <= 0 || static_cast<std::size_t>(length) > LongestText)
     {
-      end = 4;
-      if (!blocks[b].Begins("OCHK"))
-      {
-        Hdf5Block::ThrowDamaged();
-      }
+      ThrowDamaged();
     }
-    while (blocks[b].GetLeft() >= 4 + order + end)
+    std::string name(static_cast<std::size_t>(length), '\0');
+    get(&name[0], name.size() + 1);
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string Hdf5File::ReadText(const std::string& group, const std::string& attribute) const
+{
+  const Hdf5Id opened(H5Gopen2(this->Open->File, group.c_str(), H5P_DEFAULT));
+  if (H5Aexists(opened, attribute.c_str()) <= 0)
+  {
+    return {};
+  }
+  const Hdf5Id read(H5Aopen(opened, attribute.c_str(), H5P_DEFAULT));
+  const Hdf5Id space(H5Aget_space(read));
+  const Hdf5Id type(H5Aget_type(read));
+  const std::size_t size = H5Tget_size(type);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size > LongestText ||
+    H5Sget_simple_extent_npoints(space) != 1)
+  {
+    return {};
+  }
+  std::vector<char> text(size + 1, '\0');
+  if (H5Aread(read, type, text.data()) < 0)
+  {
+    ThrowDamaged();
+  }
+  return text.data();
+}
+
+std::vector<double> Hdf5File::ReadNumbers(
+  const std::string& group, const std::string& attribute) const
+{
+  const Hdf5Id opened(H5Gopen2(this->Open->File, group.c_str(), H5P_DEFAULT));
+  if (H5Aexists(opened, attribute.c_str()) <= 0)
+  {
+    return {};
+  }
+  const Hdf5Id read(H5Aopen(opened, attribute.c_str(), H5P_DEFAULT));
+  const Hdf5Id space(H5Aget_space(read));
+  const Hdf5Id type(H5Aget_type(read));
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  // Types of other kinds are not converted: a damaged one would lead beyond the values.
+  if (FindKnownType(type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
+  {
+    return {};
+  }
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  if (count > 0 && H5Aread(read, H5T_NATIVE_DOUBLE, numbers.data()) < 0)
+  {
+    ThrowDamaged();
+  }
+  return numbers;
+}
+
+Hdf5Array Hdf5File::ReadArray(const std::string& path) const
+{
+  const Hdf5Id opened(H5Dopen2(this->Open->File, path.c_str(), H5P_DEFAULT));
+  const Hdf5Id space(H5Dget_space(opened));
+  const Hdf5Id type(H5Dget_type(opened));
+  const Hdf5Id made(H5Dget_create_plist(opened));
+  Hdf5Array array;
+  const KnownType known = FindKnownType(type);
+  array.ScalarType = known.ScalarType;
+  array.IsBig = known.IsBig;
+  array.SampleSize = H5Tget_size(type);
+  hsize_t sizes[H5S_MAX_RANK] = {};
+  const int rank = H5Sget_simple_extent_dims(space, sizes, nullptr);
+  if (rank < 0 || array.SampleSize == 0)
+  {
+    ThrowDamaged();
+  }
+  array.Shape.assign(sizes, sizes + rank);
+  if (array.ScalarType == 0)
+  {
+    return array;
+  }
+  if (H5Pget_external_count(made) > 0)
+  {
+    throw std::runtime_error("its samples lie in other files. Convert it with h5repack -l CONTI "
+                             "IN OUT, or open the raw file itself.");
+  }
+  array.FillValue.resize(array.SampleSize, 0);
+  H5D_fill_value_t fill = H5D_FILL_VALUE_ERROR;
+  if (H5Pfill_value_defined(made, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED &&
+    H5Pget_fill_value(made, type, array.FillValue.data()) < 0)
+  {
+    ThrowDamaged();
+  }
+  const H5D_layout_t layout = H5Pget_layout(made);
+  if (layout == H5D_CONTIGUOUS)
+  {
+    const haddr_t address = H5Dget_offset(opened);
+    array.IsContiguous = address != HADDR_UNDEF;
+    array.Address = address;
+  }
+  else if (layout == H5D_CHUNKED)
+  {
+    if (H5Pget_chunk(made, H5S_MAX_RANK, sizes) != rank || rank == 0 ||
+      std::find(sizes, sizes + rank, 0) != sizes + rank)
     {
-      const int type = blocks[b].Byte();
-      const auto length = static_cast<std::size_t>(blocks[b].Number(2));
-      const int messageFlags = blocks[b].Byte();
-      blocks[b].Skip(order);
-      Hdf5Block body = blocks[b].Part(length);
-      this->AddMessage({ type, messageFlags, std::move(body) }, blocks, messages);
+      ThrowDamaged();
     }
+    array.ChunkShape.assign(sizes, sizes + rank);
   }
-  return messages;
-}
-
-std::vector<std::uint64_t> Hdf5File::ParseSpace(
-  Hdf5Block& body, std::vector<std::uint64_t>* most) const
-{
-  const int version = body.Byte();
-  const int rank = body.Byte();
-  const int flags = body.Byte();
-  body.Skip(version == 1 ? 5 : 1);
-  std::vector<std::uint64_t> shape;
-  for (int d = 0; d < rank; ++d)
+  const int filters = H5Pget_nfilters(made);
+  for (int i = 0; i < filters; ++i)
   {
-    shape.push_back(this->Storage.Length(body));
-  }
-  for (int d = 0; most && d < rank; ++d)
-  {
-    const std::uint64_t length = (flags & 1) != 0 ? this->Storage.Length(body) : shape[d];
-    // A length without limit has all bits set, like an address of nothing.
-    const bool isEndless = length >> (8 * this->Storage.GetLengthSize() - 1) != 0;
-    most->push_back(isEndless ? Hdf5Object::Endless : length);
-  }
-  return shape;
-}
-
-void Hdf5File::ParseAttribute(Hdf5Block& body, Hdf5Object& object) const
-{
-  const int version = body.Byte();
-  const int flags = body.Byte();
-  const auto nameSize = static_cast<std::size_t>(body.Number(2));
-  const auto typeSize = static_cast<std::size_t>(body.Number(2));
-  const auto spaceSize = static_cast<std::size_t>(body.Number(2));
-  body.Skip(version == 3 ? 1 : 0);
-  const auto padded = [&](std::size_t size) { return version == 1 ? (size + 7) / 8 * 8 : size; };
-  std::string name = body.Part(padded(nameSize)).Text();
-  Hdf5Block type = body.Part(padded(typeSize));
-  Hdf5Block space = body.Part(padded(spaceSize));
-  if (version > 1 && (flags & 3) != 0)
-  {
-    return; // its type is stored elsewhere, which image files do not do
-  }
-  Hdf5Attribute attribute;
-  attribute.Type = ParseHdf5Type(type);
-  const std::vector<std::uint64_t> shape = this->ParseSpace(space);
-  std::uint64_t size = attribute.Type.Size;
-  for (const std::uint64_t count : shape)
-  {
-    if (count > Hdf5Storage::MostBytes)
+    unsigned int flags = 0;
+    unsigned int value = 0;
+    std::size_t values = 1;
+    const H5Z_filter_t id = H5Pget_filter2(
+      made, static_cast<unsigned int>(i), &flags, &values, &value, 0, nullptr, nullptr);
+    if (id < 0)
     {
-      return;
+      ThrowDamaged();
     }
-    size = std::min(size * count, Hdf5Storage::MostBytes);
+    array.Filters.push_back({ id, values > 0 ? value : 0 });
   }
-  attribute.Bytes = body.Take(static_cast<std::size_t>(size));
-  object.Attributes[std::move(name)] = std::move(attribute);
+  return array;
 }
 
-void Hdf5File::ParseLink(Hdf5Block& body, Hdf5Object& object) const
+std::unordered_map<std::uint64_t, Hdf5Chunk> Hdf5File::LocateChunks(
+  const std::string& path, const Hdf5Array& array, const std::array<std::uint64_t, 3>& counts) const
 {
-  body.Skip(1);
-  const int flags = body.Byte();
-  const int type = flags & 8 ? body.Byte() : 0;
-  body.Skip((flags & 4 ? 8 : 0) + (flags & 16 ? 1 : 0));
-  const auto length = static_cast<std::size_t>(body.Number(std::size_t{ 1 } << (flags & 3)));
-  const std::vector<char> name = body.Take(length);
-  if (type == 0)
+  if (static_cast<double>(counts[0]) * static_cast<double>(counts[1]) *
+      static_cast<double>(counts[2]) >
+    MostChunks)
   {
-    object.Links[std::string(name.begin(), name.end())] = this->Storage.Offset(body);
+    throw std::runtime_error("its array has more than 16777216 chunks. Convert it with h5repack -l "
+                             "CHUNK=64x64x64 IN OUT.");
   }
-  else
+  const Hdf5Id opened(H5Dopen2(this->Open->File, path.c_str(), H5P_DEFAULT));
+  const std::size_t x = array.Shape.size() - 1;
+  std::vector<hsize_t> first(array.Shape.size(), 0);
+  std::unordered_map<std::uint64_t, Hdf5Chunk> chunks;
+  for (std::uint64_t number = 0; number < counts[0] * counts[1] * counts[2]; ++number)
   {
-    object.HasOtherLinks = true;
-  }
-}
-
-void Hdf5File::ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& index) const
-{
-  constexpr int contiguous = 1;
-  constexpr int chunked = 2;
-  const int version = body.Byte();
-  const int kind = version >= 3 ? body.Byte() : -1;
-  object.Layout = Hdf5Object::Elsewhere;
-  if (kind == contiguous)
-  {
-    object.Layout = Hdf5Object::Contiguous;
-    object.Address = this->Storage.Offset(body);
-    object.IsAllocated = this->Storage.IsAddress(object.Address);
-    object.Address += this->Storage.GetBase();
-  }
-  if (kind != chunked)
-  {
-    return;
-  }
-  object.Layout = Hdf5Object::Chunked;
-  const int flags = version >= 4 ? body.Byte() : 0;
-  const int rank = body.Byte() - 1; // the last number is the size of a sample
-  const auto size = static_cast<std::size_t>(version >= 4 ? body.Byte() : 4);
-  index.Address = version >= 4 ? 0 : this->Storage.Offset(body);
-  for (int d = 0; d < rank; ++d)
-  {
-    object.ChunkShape.push_back(body.Number(size));
-  }
-  body.Skip(size);
-  if (version >= 4)
-  {
-    index.Type = body.Byte();
-    if (index.Type == Hdf5ChunkIndex::Single && (flags & 2) != 0)
+    first[x] = number % counts[0] * array.ChunkShape[x];
+    first[x - 1] = number / counts[0] % counts[1] * array.ChunkShape[x - 1];
+    first[x - 2] = number / counts[0] / counts[1] * array.ChunkShape[x - 2];
+    hsize_t size = 0;
+    if (H5Dget_chunk_storage_size(opened, first.data(), &size) < 0)
     {
-      index.Chunk.Size = this->Storage.Length(body);
-      index.Chunk.Skipped = body.Number(4);
+      ThrowDamaged();
     }
-    // The headers of the arrays repeat these parameters, so they are skipped.
-    const bool isFixed = index.Type == Hdf5ChunkIndex::FixedArray;
-    const bool isExtensible = index.Type == Hdf5ChunkIndex::ExtensibleArray;
-    body.Skip(isFixed ? 1 : isExtensible ? 5 : 0);
-    index.Address = index.Type < Hdf5ChunkIndex::NewTree ? this->Storage.Offset(body) : 0;
-  }
-}
-
-Hdf5Object Hdf5File::ReadObject(std::uint64_t address)
-{
-  Hdf5Object object;
-  Hdf5ChunkIndex index;
-  for (Message& message : this->ReadMessages(address))
-  {
-    Hdf5Block& body = message.Body;
-    if ((message.Flags & SharedFlag) != 0)
+    if (size == 0)
     {
-      if (message.Type == TypeMessage || message.Type == SpaceMessage)
-      {
-        throw std::runtime_error("it has types or shapes that several of its arrays share, which "
-                                 "are not read here. Write it again, each with its own.");
-      }
       continue;
     }
-    switch (message.Type)
+    // The library's own lists of chunks take a time that is quadratic in their number (a minute for
+    // 2048 x 2048 x 2048 samples), so it is asked to read each chunk, and told that it has done so.
+    Hdf5Chunk chunk;
+    std::uint32_t skipped = 0;
+    char nothing = 0;
+    this->Open->Bytes.Located = &chunk;
+    const herr_t done = H5Dread_chunk(opened, H5P_DEFAULT, first.data(), &skipped, &nothing);
+    this->Open->Bytes.Located = nullptr;
+    if (done < 0 || chunk.Size == 0)
     {
-      case SpaceMessage:
-        object.MostShape.clear();
-        object.Shape = this->ParseSpace(body, &object.MostShape);
-        break;
-      case LinkInfoMessage:
-      {
-        body.Skip(1);
-        const int flags = body.Byte();
-        body.Skip(flags & 1 ? 8 : 0);
-        object.HasOtherLinks =
-          object.HasOtherLinks || this->Storage.IsAddress(this->Storage.Offset(body));
-        break;
-      }
-      case TypeMessage:
-        object.Type = ParseHdf5Type(body);
-        break;
-      case FillMessage:
-        object.FillValue = ParseHdf5FillValue(body);
-        break;
-      case LinkMessage:
-        this->ParseLink(body, object);
-        break;
-      case ExternalMessage:
-        throw std::runtime_error(
-          "its samples lie in other files. Convert it with h5repack -l CONTI "
-          "IN OUT, or open the raw file itself.");
-      case LayoutMessage:
-        this->ParseLayout(body, object, index);
-        break;
-      case FilterMessage:
-        object.Filters = ParseHdf5Filters(body);
-        break;
-      case AttributeMessage:
-        this->ParseAttribute(body, object);
-        break;
-      case GroupMessage:
-      {
-        const std::uint64_t tree = this->Storage.Offset(body);
-        Hdf5Trees(this->Storage).ReadLinks(tree, this->Storage.Offset(body), object);
-        break;
-      }
-      default:
-        break;
+      ThrowDamaged();
     }
+    chunk.Skipped = skipped;
+    chunks[number] = chunk;
   }
-  if (object.Layout == Hdf5Object::Chunked)
-  {
-    Hdf5Trees(this->Storage).ReadChunks(index, object);
-  }
-  return object;
+  return chunks;
 }
 
 } // namespace VolumeHaptics

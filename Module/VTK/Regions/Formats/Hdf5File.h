@@ -2,61 +2,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the structure of an HDF5 file: groups, attributes, and where the samples of datasets lie.
+ * Reads by HDF5's library what an HDF5 file holds, and where the samples of its arrays lie.
  */
 #ifndef Hdf5File_h
 #define Hdf5File_h
 
-#include "VTK/Regions/Formats/Hdf5Block.h"
-#include "VTK/Regions/Formats/Hdf5Object.h"
-#include "VTK/Regions/Formats/Hdf5Storage.h"
+#include "vtkType.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace VolumeHaptics
 {
 
-struct Hdf5ChunkIndex;
+/** Position of a chunk's bytes in the file. */
+struct Hdf5Chunk
+{
+  std::uint64_t Address = 0;
+  std::uint64_t Size = 0;    ///< bytes
+  std::uint64_t Skipped = 0; ///< a bit for each filter that was not applied
+};
+
+struct Hdf5Filter
+{
+  static constexpr int Deflate = 1;
+  static constexpr int Shuffle = 2;
+  static constexpr int Checksum = 3;
+
+  int Id = 0;
+  std::size_t SampleSize = 0; ///< for Shuffle
+};
+
+/** An array of at least three dimensions, of which the last three are z, y and x. */
+struct Hdf5Array
+{
+  int ScalarType = 0;         ///< VTK's; 0 if VTK has no such numbers
+  std::size_t SampleSize = 0; ///< bytes
+  bool IsBig = false;         ///< the most significant byte comes first
+  std::vector<std::uint64_t> Shape;
+  std::vector<char> FillValue;           ///< bytes of a sample that was never written
+  bool IsContiguous = false;             ///< the samples lie in one piece
+  std::uint64_t Address = 0;             ///< of that piece, in the file (bytes)
+  std::vector<Hdf5Filter> Filters;       ///< of chunks, in the order in which they were applied
+  std::vector<std::uint64_t> ChunkShape; ///< samples along each dimension; empty if not in chunks
+};
 
 /**
- * Reads HDF5 files by the published "HDF5 File Format Specification Version 3.0", as far as image
- * files need it. HDF5's own library is not used, because it is not made for threads. Every fault is
- * a std::runtime_error with its cure.
+ * An open file. HDF5's library is not made for threads: use it on the owner's thread only, and read
+ * chunks by their positions. It writes no message, and takes no lock on the file. Every fault is a
+ * std::runtime_error with its cure.
  */
 class Hdf5File
 {
 public:
-  explicit Hdf5File(const std::string& name)
-    : Storage(name)
-  {
-  }
+  explicit Hdf5File(const std::string& name);
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
 
-  Hdf5Object ReadRoot() { return this->ReadObject(this->Storage.GetRoot()); }
-  Hdf5Object ReadObject(std::uint64_t address);
+  [[noreturn]] static void ThrowDamaged();
+
+  /** Whether there is a group or an array at a path, such as "VTKHDF/PointData". */
+  bool Has(const std::string& path) const;
+  /** Whether there is an array at a path. */
+  bool HasArray(const std::string& path) const;
+  /** Returns the names of the members of a group, in alphabetical order. */
+  std::vector<std::string> ListMembers(const std::string& group) const;
+  /** Returns an attribute; empty if there is none, or if it is not a text of fixed length. */
+  std::string ReadText(const std::string& group, const std::string& attribute) const;
+  /** Returns an attribute; empty if there is none, or if it has no numbers that VTK knows. */
+  std::vector<double> ReadNumbers(const std::string& group, const std::string& attribute) const;
+  Hdf5Array ReadArray(const std::string& path) const;
+  /**
+   * Locates the chunks of an array whose first index along further dimensions is 0, by their number
+   * among `counts` chunks along x, y and z, x fastest. Chunks that were never written are left out.
+   */
+  std::unordered_map<std::uint64_t, Hdf5Chunk> LocateChunks(const std::string& path,
+    const Hdf5Array& array, const std::array<std::uint64_t, 3>& counts) const;
 
 private:
-  struct Message
-  {
-    int Type;
-    int Flags;
-    Hdf5Block Body;
-  };
-
-  std::vector<Message> ReadMessages(std::uint64_t address);
-  std::vector<Message> ReadOldMessages(std::uint64_t address);
-  std::vector<Message> ReadNewMessages(std::uint64_t address);
-  void AddMessage(Message message, std::vector<Hdf5Block>& rest, std::vector<Message>& messages);
-
-  /** Parses a dataspace. `most` gets the shape to which it may grow. */
-  std::vector<std::uint64_t> ParseSpace(
-    Hdf5Block& body, std::vector<std::uint64_t>* most = nullptr) const;
-  void ParseAttribute(Hdf5Block& body, Hdf5Object& object) const;
-  void ParseLink(Hdf5Block& body, Hdf5Object& object) const;
-  void ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& index) const;
-
-  Hdf5Storage Storage;
+  struct Opened;
+  std::unique_ptr<Opened> Open;
 };
 
 } // namespace VolumeHaptics

@@ -7,6 +7,7 @@
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 #include "VTK/Regions/Formats/ChunkedVolume.h"
 #include "VTK/Regions/Formats/Hdf5File.h"
+#include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
 
 #include <algorithm>
@@ -15,18 +16,19 @@
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
+#include <unordered_map>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
+constexpr const char* const Group = "VTKHDF";
+
 template <std::size_t N, typename T>
-bool TakeNumbers(const Hdf5Object& object, const std::string& name, std::array<T, N>& numbers)
+bool TakeNumbers(const Hdf5File& file, const std::string& name, std::array<T, N>& numbers)
 {
-  const auto found = object.Attributes.find(name);
-  const std::vector<double> values =
-    found == object.Attributes.end() ? std::vector<double>() : found->second.GetNumbers();
+  const std::vector<double> values = file.ReadNumbers(Group, name);
   const auto isUsable = [](double value)
   {
     return std::isfinite(value) &&
@@ -41,39 +43,32 @@ bool TakeNumbers(const Hdf5Object& object, const std::string& name, std::array<T
   return true;
 }
 
-std::string TextOf(const Hdf5Object& object, const std::string& name)
+/** Throws if there is no member at a path. */
+void CheckMember(const Hdf5File& file, const std::string& path)
 {
-  const auto found = object.Attributes.find(name);
-  return found == object.Attributes.end() ? std::string() : found->second.GetText();
-}
-
-Hdf5Object ReadMember(Hdf5File& file, const Hdf5Object& group, const std::string& name)
-{
-  const auto link = group.Links.find(name);
-  if (link == group.Links.end())
+  if (!file.Has(path))
   {
-    throw std::runtime_error("it has no " + name +
-      (group.HasOtherLinks
-          ? ", or stores it in a way that is not read here. Convert it with h5repack IN OUT."
-          : ". Give a VTKHDF file of an image with point data."));
+    throw std::runtime_error("it has no " + Printable(path.substr(path.rfind('/') + 1)) +
+      ". Give a VTKHDF file of an image with point data.");
   }
-  return file.ReadObject(link->second);
 }
 
-/** Reads the active array, or the first one. */
-Hdf5Object ReadArray(Hdf5File& file, const Hdf5Object& group)
+/** Returns the path of the active array, or of the first one. */
+std::string FindArray(const Hdf5File& file)
 {
-  const std::string active = TextOf(group, "Scalars");
+  const std::string group = std::string(Group) + "/PointData";
+  CheckMember(file, group);
+  const std::string active = file.ReadText(group, "Scalars");
   if (!active.empty())
   {
-    return ReadMember(file, group, active);
+    CheckMember(file, group + "/" + active);
+    return group + "/" + active;
   }
-  for (const auto& link : group.Links)
+  for (const std::string& member : file.ListMembers(group))
   {
-    Hdf5Object array = file.ReadObject(link.second);
-    if (array.Layout != Hdf5Object::NoData)
+    if (file.HasArray(group + "/" + member))
     {
-      return array;
+      return group + "/" + member;
     }
   }
   throw std::runtime_error("its PointData has no array. Give a VTKHDF file of an image with point "
@@ -94,7 +89,7 @@ std::string ShapeText(const std::vector<std::uint64_t>& shape)
  * Checks that an array has one component, and z as its slowest axis; if there are several time
  * steps, the first one is read.
  */
-void CheckShape(const Hdf5Object& array, const BoxExtent& extent, bool hasSteps)
+void CheckShape(const Hdf5Array& array, const BoxExtent& extent, bool hasSteps)
 {
   std::vector<std::uint64_t> shape = array.Shape;
   if (hasSteps && shape.size() == 4)
@@ -122,7 +117,8 @@ void CheckShape(const Hdf5Object& array, const BoxExtent& extent, bool hasSteps)
 struct StoredChunks
 {
   std::string Name;
-  Hdf5Object Array;
+  Hdf5Array Array;
+  std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
   std::array<std::uint64_t, 3> Counts{}; ///< number of chunks along x, y and z
 
   bool Load(const ChunkPlace& place, std::vector<char>& bytes) const
@@ -131,8 +127,8 @@ struct StoredChunks
       this->Counts[0] *
         (static_cast<std::uint64_t>(place[1]) +
           this->Counts[1] * static_cast<std::uint64_t>(place[2]));
-    const auto found = this->Array.Chunks.find(number);
-    if (found == this->Array.Chunks.end())
+    const auto found = this->Chunks.find(number);
+    if (found == this->Chunks.end())
     {
       return false;
     }
@@ -140,7 +136,7 @@ struct StoredChunks
     const Hdf5Chunk& chunk = found->second;
     if (chunk.Size > static_cast<std::uint64_t>(file.GetSize()))
     {
-      Hdf5Block::ThrowDamaged();
+      Hdf5File::ThrowDamaged();
     }
     bytes.resize(static_cast<std::size_t>(chunk.Size));
     file.Read(bytes.data(), bytes.size(), static_cast<std::int64_t>(chunk.Address));
@@ -168,7 +164,8 @@ struct StoredChunks
   }
 };
 
-BoxReader MakeChunkReader(const std::string& name, Hdf5Object&& array, LargeFile& file)
+BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const std::string& path,
+  Hdf5Array&& array, LargeFile& file)
 {
   for (const Hdf5Filter& filter : array.Filters)
   {
@@ -183,10 +180,9 @@ BoxReader MakeChunkReader(const std::string& name, Hdf5Object&& array, LargeFile
   }
   ChunkedVolume volume;
   volume.Extent = file.Extent;
-  volume.SampleSize = array.Type.Size;
-  volume.IsSwapped = IsOtherByteOrder(array.Type.IsBig);
+  volume.SampleSize = array.SampleSize;
+  volume.IsSwapped = IsOtherByteOrder(array.IsBig);
   volume.FillValue = array.FillValue;
-  volume.FillValue.resize(volume.SampleSize, 0);
   auto chunks = std::make_shared<StoredChunks>();
   const std::size_t x = array.Shape.size() - 1;
   auto chunkBytes = static_cast<double>(volume.SampleSize);
@@ -204,6 +200,7 @@ BoxReader MakeChunkReader(const std::string& name, Hdf5Object&& array, LargeFile
   }
   file.ChunkSize = volume.ChunkSize;
   chunks->Name = name;
+  chunks->Chunks = hdf5.LocateChunks(path, array, chunks->Counts);
   chunks->Array = std::move(array);
   volume.Load = [chunks](const ChunkPlace& place, std::vector<char>& bytes)
   { return chunks->Load(place, bytes); };
@@ -214,19 +211,20 @@ BoxReader MakeChunkReader(const std::string& name, Hdf5Object&& array, LargeFile
   };
 }
 
-BoxReader MakeReader(const std::string& name, Hdf5Object&& array, LargeFile& file)
+BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::string& path,
+  Hdf5Array&& array, LargeFile& file)
 {
-  if (array.Layout == Hdf5Object::Chunked)
+  if (!array.ChunkShape.empty())
   {
-    return MakeChunkReader(name, std::move(array), file);
+    return MakeChunkReader(name, hdf5, path, std::move(array), file);
   }
-  if (array.Layout != Hdf5Object::Contiguous || !array.IsAllocated)
+  if (!array.IsContiguous)
   {
     throw std::runtime_error("its array has no samples, or in a place that is not read here. "
                              "Convert it with h5repack -l CONTI IN OUT.");
   }
-  const RawVolumeFile raw{ name, file.Extent, array.Type.Size,
-    static_cast<vtkTypeInt64>(array.Address), IsOtherByteOrder(array.Type.IsBig) };
+  const RawVolumeFile raw{ name, file.Extent, array.SampleSize,
+    static_cast<vtkTypeInt64>(array.Address), IsOtherByteOrder(array.IsBig) };
   return [raw](const int box[6], void* samples)
   {
     raw.Read(box, samples);
@@ -238,34 +236,32 @@ BoxReader MakeReader(const std::string& name, Hdf5Object&& array, LargeFile& fil
 
 LargeFile OpenVtkHdf(const std::string& name)
 {
-  Hdf5File file(name);
-  const Hdf5Object root = file.ReadRoot();
-  const Hdf5Object group = ReadMember(file, root, "VTKHDF");
-  const std::string type = TextOf(group, "Type");
+  const Hdf5File file(name);
+  CheckMember(file, Group);
+  const std::string type = file.ReadText(Group, "Type");
   if (type != "ImageData")
   {
     throw std::runtime_error("it holds " + (type.empty() ? "something" : Printable(type)) +
       ", not an image (Type ImageData). Give a VTKHDF file of an image.");
   }
   LargeFile large;
-  if (!TakeNumbers(group, "WholeExtent", large.Extent) ||
-    !TakeNumbers(group, "Origin", large.Origin) || !TakeNumbers(group, "Spacing", large.Spacing))
+  if (!TakeNumbers(file, "WholeExtent", large.Extent) ||
+    !TakeNumbers(file, "Origin", large.Origin) || !TakeNumbers(file, "Spacing", large.Spacing))
   {
     throw std::runtime_error("its WholeExtent, Origin or Spacing is missing, or has other numbers "
                              "than an image needs. Write it again.");
   }
-  TakeNumbers(group, "Direction", large.Direction);
-  Hdf5Object array = ReadArray(file, ReadMember(file, group, "PointData"));
-  CheckShape(array, large.Extent, group.Links.count("Steps") > 0);
-  large.ScalarType =
-    FindScalarType(array.Type.Kind == Hdf5Type::Integer, array.Type.IsSigned, array.Type.Size);
-  const bool isNumber = array.Type.Kind == Hdf5Type::Integer || array.Type.Kind == Hdf5Type::Float;
-  if (!isNumber || large.ScalarType == 0)
+  TakeNumbers(file, "Direction", large.Direction);
+  const std::string path = FindArray(file);
+  Hdf5Array array = file.ReadArray(path);
+  CheckShape(array, large.Extent, file.Has(std::string(Group) + "/Steps"));
+  large.ScalarType = array.ScalarType;
+  if (large.ScalarType == 0)
   {
     throw std::runtime_error("its array is of a type that no volume here has. Write it as integers "
                              "or floating-point numbers of 1 to 8 bytes.");
   }
-  large.Read = MakeReader(MakeAbsolute(name), std::move(array), large);
+  large.Read = MakeReader(MakeAbsolute(name), file, path, std::move(array), large);
   return large;
 }
 

@@ -230,7 +230,8 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3) << "in front of the first one";
+  EXPECT_NEAR(this->Device->GetState()->GetTipPosition()[2], 30.5, 0.3)
+    << "in front of the first one";
   this->Style->TouchModeOff();
   this->Style->SetFeltVolumeToNearest();
   this->Style->TouchModeOn();
