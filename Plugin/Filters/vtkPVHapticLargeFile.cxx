@@ -105,8 +105,8 @@ bool vtkPVHapticLargeFile::Open()
     this->IsOpen = false;
     if (!this->FileName || !*this->FileName)
     {
-      vtkErrorMacro(<< "No file is chosen. Set FileName to a .vtkhdf, .mhd, .nhdr or .nrrd "
-                       "file, or a .zarr folder.");
+      vtkErrorMacro(<< "No file is chosen. Set FileName to a .vtkhdf, .mhd, .mha, .nhdr, .nrrd or "
+                       ".tif file, or a .zarr folder.");
       return false;
     }
     std::string error;

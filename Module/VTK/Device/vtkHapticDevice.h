@@ -215,7 +215,7 @@ public:
    * points of a vtkHapticPointShell. Publish and Start then return true at once, and UpdateState
    * publishes when the work is done; see IsPublished. While a mesh is made, UpdateState publishes
    * the isosurface around the tip, whose force fades where the tip leaves it before the next part
-   * is there (GetResidency). It does not do so while a recording is under way.
+   * is there (vtkHapticState::GetResidency). It does not do so while a recording is under way.
    */
   bool Publish();
   /**
@@ -493,8 +493,9 @@ public:
    * Get how well the servo keeps time, since Start or ResetStatistics: ticks per second; the
    * duration (s) that a percentage p (0 to 100) of ticks, or of the delays of wake-ups, do not
    * exceed, to 1/8 of it; ticks that were left out because the loop was late; ticks whose force was
-   * reduced because data around the tip were missing (GetResidency); and ticks that solver PRECISE
-   * could not finish (a tip that jumps by tens of voxels), which the next ticks finished.
+   * reduced because data around the tip were missing (vtkHapticState::GetResidency); and ticks that
+   * solver PRECISE could not finish (a tip that jumps by tens of voxels), which the next ticks
+   * finished.
    */
   double GetTickRate();
   double GetTickPercentile(double p);
