@@ -515,6 +515,9 @@ def tiff_case(words, **wrong):
 
 
 tiff_case("samples a pixel, as pictures in colours have. Write it with one grey value a pixel", t277=3)
+tiff_case("they are inverted, or numbers of colours. Write it with one grey value a pixel", t262=0)
+tiff_case("pages, and has fewer. Check that its copy is complete",
+          description="ImageJ=1.54\nimages=18\nchannels=2\nslices=18\n")
 tiff_case("Write it with 8, 16, 32 or 64 bits", t258=24, t279=3 * 2 * 120)
 tiff_case("its pages have no size, or a damaged one. Write it again", t256=2**31 + 5)
 tiff_case("Write it uncompressed, or with LZW or Deflate", t259=65000)

@@ -189,12 +189,15 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
 
 
 # Millimetres, of the units of length that OME-NGFF names.
-_UNITS = {"nanometer": 1e-6, "micrometer": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "meter": 1e3, "inch": 25.4}
+_UNITS = {"picometer": 1e-9, "pm": 1e-9, "angstrom": 1e-7, "nanometer": 1e-6, "nm": 1e-6, "micrometer": 1e-3, "um": 1e-3,
+          "\u00b5m": 1e-3, "micron": 1e-3, "millimeter": 1.0, "mm": 1.0, "centimeter": 10.0, "cm": 10.0, "meter": 1e3, "m": 1e3,
+          "inch": 25.4}
 
 
 def _in_millimetres(lengths: Sequence[float], axes: list) -> list[float]:
     """Lengths along the last three axes, which are z, y and x, as x, y and z."""
-    units = [_UNITS.get(one.get("unit"), 1.0) if isinstance(one, dict) else 1.0 for one in axes[-3:]] or [1.0] * 3
+    names = [str(one.get("unit", "")).lower() if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
+    units = [_UNITS.get(name, _UNITS.get(name.rstrip("s"), 1.0)) for name in names]
     return [length * unit for length, unit in zip(lengths[-3:], units)][::-1]
 
 

@@ -214,6 +214,28 @@ def uneven(folder):
     return save_all(folder, sets)
 
 
+@case("dicom-first-gap-is-the-mean", source="places 0, 2, 3, 6 steps", told=("resampled|missing",), tolerance=1100.0)
+def first_gap(folder):
+    sets = slices(Grid(size=(44, 40, 64), spacing=(1.5, 1.6, 1.0)))
+    kept = [data for k, data in enumerate(sets) if k % 6 in (0, 2, 3)]
+    return save_all(folder, kept)
+
+
+@case("dicom-two-stacks-in-a-series", source="neck and pelvis", refused="several volumes in one series")
+def two_stacks(folder):
+    sets = slices(GRID)
+    for data in sets[20:]:
+        x, y, z = data.ImagePositionPatient
+        data.ImagePositionPatient = [x, y, float(z) + 300.0]
+    return save_all(folder, sets)
+
+
+@case("dicom-values-of-a-micro-ct", source="PS3.3 C.8.2.1: rescaled values of a CT may be no HU", scale=10.0, offset=-5000.0,
+      tolerance=8.0, options=("--preset", "histogram"))
+def micro_ct(folder):
+    return save_all(folder, slices(GRID, sampled=10.0 * GRID.sample(float) - 5000.0, intercept=-32768.0))
+
+
 @case("dicom-topogram-in-the-series", source="SlicerRT#272", told=("left out|not part|apart|away",))
 def topogram(folder):
     sets = slices(GRID)

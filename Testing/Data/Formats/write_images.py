@@ -196,6 +196,8 @@ tiff_case("imagej-8", GRAY8 := np.round(UNSIGNED * 0.2).astype(np.uint8), 0.2, 2
 tiff_case("imagej-float", UNSIGNED.astype(np.float32), **IMAGEJ)
 tiff_case("imagej-micrometres", imagej=True, resolution=(0.001 / 1.5, 0.001 / 1.6),
           metadata={"spacing": 1700.0, "unit": "um", "axes": "ZYX"})
+tiff_case("imagej-spacing-of-1", imagej=True, resolution=(1.0 / 1.5, 1.0 / 1.6), metadata={"unit": "mm", "axes": "ZYX"},
+          steps=(1.5, 1.6, 1.0), source="ImageJ's FileSaver leaves out a pixelDepth of 1.0")
 tiff_case("imagej-big-endian", byteorder=">", **IMAGEJ)
 tiff_case("ome", file="stack.ome.tif", ome=True, source="OME-TIFF's PhysicalSize",
           metadata={"axes": "ZYX", "PhysicalSizeX": 1500.0, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": 1600.0,
@@ -276,6 +278,7 @@ zarr_case("0.5", "0.5")
 zarr_case("0.5-sharded", "0.5", shards=(32, 32, 32))
 zarr_case("0.5-micrometres", "0.5", unit="micrometer", per_mm=1000.0)
 zarr_case("0.4-micrometres", "0.4", unit="micrometer", per_mm=1000.0)
+zarr_case("0.4-angstrom", "0.4", unit="angstrom", per_mm=1e7, source="OME-NGFF 0.4 names angstrom")
 zarr_case("0.4-metres", "0.4", unit="meter", per_mm=0.001)
 zarr_case("0.5-channels", "0.5", channel=True, told=("channel|first",))
 zarr_case("0.4-channels", "0.4", channel=True, told=("channel|first",))

@@ -102,7 +102,7 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     return slices;
   }
   constexpr double farSteps = 8.0;
-  constexpr double farPart = 0.1;
+  constexpr std::size_t fewest = 5;                               // slices of a volume
   const double far = std::max(farSteps * FindStep(slices), 10.0); // mm
   std::size_t first = 0, best = 0, size = 0;
   for (std::size_t i = 1; i <= slices.size(); ++i)
@@ -118,7 +118,7 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     }
   }
   const std::size_t others = slices.size() - size;
-  if (others == 0 || static_cast<double>(others) > farPart * static_cast<double>(slices.size()))
+  if (others == 0 || others >= fewest || size < fewest)
   {
     return slices;
   }
@@ -161,7 +161,8 @@ std::vector<double> FindPlaces(
   }
   constexpr double rounding = 0.11; // mm: positions with one digit, and so the ends of the line
   constexpr double smallPart = 0.05;
-  if (off <= std::max(rounding, smallPart * even))
+  constexpr double finest = 0.25; // of a step
+  if (off <= std::max(std::min(rounding, finest * even), smallPart * even))
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -170,6 +171,16 @@ std::vector<double> FindPlaces(
     return along;
   }
   const double step = FindStep(slices);
+  constexpr double closest = 0.2; // of a step
+  constexpr double mostGap = 20.0;
+  if (smallest < closest * step || largest > mostGap * step)
+  {
+    std::ostringstream fault;
+    fault << "has slices " << smallest << " to " << largest
+          << " mm apart: several volumes in one series";
+    throw InputError(path, fault.str(),
+      "put the slices of one volume into a folder of their own; if it moves, each phase");
+  }
   int missing = 0;
   double rest = 0.0;
   for (std::size_t i = 1; i < count; ++i)
@@ -181,8 +192,15 @@ std::vector<double> FindPlaces(
   std::ostringstream note;
   if (missing > 0 && rest < 2.0 * smallPart)
   {
-    note << missing << (missing == 1 ? " slice is" : " slices are")
-         << " missing: the gap is filled from the slices beside it";
+    // Within the rounding of files, the others are at whole steps.
+    const double length = along.back();
+    const double steps = static_cast<double>(count - 1) + missing;
+    for (double& place : along)
+    {
+      place = std::round(place / length * steps) * length / steps;
+    }
+    note << missing << (missing == 1 ? " slice is" : " slices are") << " missing: gaps of up to "
+         << largest << " mm are filled from the slices beside them";
   }
   else
   {
@@ -211,7 +229,7 @@ void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
     off = std::max(off, std::sqrt(distance));
   }
   const double pixel = std::max(first.Spacing[0], first.Spacing[1]);
-  if (off > std::max(0.2, 0.5 * pixel))
+  if (off > std::max(std::min(0.2, 2.0 * pixel), 0.5 * pixel))
   {
     std::ostringstream fault;
     fault << "has slices that are shifted against each other in their planes, by up to " << off
@@ -337,26 +355,28 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
 }
 
 /// Sets what scanners write outside of their field of view, and tell only by its value, to the
-/// least value that a CT measures. Returns the number of pixels.
+/// least value that is measured: one and the same value below all that a CT measures, in more than
+/// a thousandth of the voxels. Returns the number of pixels.
 template <typename Value>
 vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
 {
   constexpr double lowest = -1024.0; // HU
+  constexpr vtkIdType fewestPart = 1000;
   Value least = std::numeric_limits<Value>::max();
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    least = static_cast<double>(values[i]) >= lowest ? std::min(least, values[i]) : least;
-  }
+  const Value outside = *std::min_element(values, values + count);
   vtkIdType replaced = 0;
-  for (vtkIdType i = 0; i < count; ++i)
+  bool isOne = static_cast<double>(outside) < lowest;
+  for (vtkIdType i = 0; i < count && isOne; ++i)
   {
-    if (static_cast<double>(values[i]) < lowest && static_cast<double>(least) < 0.0)
-    {
-      values[i] = least;
-      ++replaced;
-    }
+    replaced += values[i] == outside;
+    least = values[i] == outside ? least : std::min(least, values[i]);
   }
-  return replaced;
+  isOne = isOne && replaced > count / fewestPart && static_cast<double>(least) >= lowest;
+  if (isOne)
+  {
+    std::replace(values, values + count, outside, least);
+  }
+  return isOne ? replaced : 0;
 }
 
 /// Rows and slices in the order of their places.
@@ -402,7 +422,9 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   if (below > 0)
   {
     volume.Notes.push_back(std::to_string(below) +
-      " pixels are below -1024 HU: they are outside of the field of view, with the least value");
+      " pixels have one value below -1024: they are outside of the field of view, and are set to "
+      "the "
+      "least value");
   }
   if (replaced > 0)
   {
@@ -461,7 +483,12 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   CheckLine(path, slices);
   volume.Image = ReadSlices(path, slices, volume);
   const double even = along.back() / std::max<double>(1.0, static_cast<double>(along.size() - 1));
-  if (along.size() > 2 && std::abs(along[1] - even) > 1e-9)
+  bool isEven = true;
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    isEven = isEven && std::abs(along[i] - static_cast<double>(i) * even) <= 1e-9 * along.back();
+  }
+  if (along.size() > 2 && !isEven)
   {
     volume.Image = Explore::SpaceSlicesEvenly(volume.Image, along);
   }

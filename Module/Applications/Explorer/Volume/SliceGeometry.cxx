@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/SliceGeometry.h"
 
+#include "Applications/Explorer/Errors/InputError.h"
 #include "VTK/Base/ArrayMemory.h"
 
 #include "vtkDataArray.h"
@@ -115,7 +116,13 @@ std::string StraightenIfSheared(vtkSmartPointer<vtkImageData>& image, bool areLa
   std::ostringstream note;
   note << "its axes are sheared by " << std::round(10.0 * shear) / 10.0
        << " degrees, as by a tilted gantry: resampled on straight axes";
-  image = StraightenAxes(image, areLabels);
+  const vtkSmartPointer<vtkImageData> straight = StraightenAxes(image, areLabels);
+  if (!straight)
+  {
+    throw InputError("The volume", "has a direction matrix whose axes are nearly in one plane",
+      "correct it in the file's header");
+  }
+  image = straight;
   return note.str();
 }
 
@@ -160,6 +167,16 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
       low[a] = std::min(low[a], place);
       high[a] = std::max(high[a], place);
     }
+  }
+  double voxels = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    voxels *= std::ceil((high[a] - low[a]) / spacing[a]) + 1.0;
+  }
+  constexpr double most = 8.0;
+  if (!(voxels <= most * static_cast<double>(image->GetNumberOfPoints())))
+  {
+    return nullptr;
   }
   auto straight = vtkSmartPointer<vtkImageData>::New();
   int size[3];

@@ -22,13 +22,14 @@ vtkSmartPointer<vtkImageData> SpaceSlicesEvenly(
 double MeasureShear(vtkImageData* image);
 
 /// Straightens an image where its axes are sheared. Returns a note for the user; empty if it did
-/// nothing.
+/// nothing. Throws InputError if the axes are nearly in one plane.
 std::string StraightenIfSheared(vtkSmartPointer<vtkImageData>& image, bool areLabels);
 
 /// The image on straight axes, from one whose direction matrix is no rotation, such as a CT with a
 /// tilted gantry: the first axis stays, and so does the plane of the slices. The box holds all of
 /// the former one; what lies outside of the slices has the least value. Samples are interpolated
-/// cubically, or taken from the nearest voxel if they are labels.
+/// cubically, or taken from the nearest voxel if they are labels. Null if the box would have more
+/// than eight times the voxels.
 vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels);
 } // namespace Explore
 

@@ -495,18 +495,23 @@ bool IsTiff(const std::string& path)
   const auto hasEnding = [](const std::string& name)
   {
     const std::string ending = Files::LowerCase(Files::GetFilenameLastExtension(name));
-    return ending == ".tif" || ending == ".tiff";
+    return (ending == ".tif" || ending == ".tiff") && Files::GetFilenameName(name)[0] != '.';
   };
-  vtksys::Directory folder;
-  const bool isFolder = Files::FileIsDirectory(path) && folder.Load(path);
-  for (unsigned long i = 0; isFolder && i < folder.GetNumberOfFiles(); ++i)
+  if (!Files::FileIsDirectory(path))
   {
-    if (hasEnding(folder.GetFile(i)))
-    {
-      return true;
-    }
+    return hasEnding(path);
   }
-  return !isFolder && hasEnding(path);
+  // Beside slices of DICOM, pictures may lie that were made of them.
+  vtksys::Directory folder;
+  folder.Load(path);
+  int pages = 0, others = 0;
+  for (unsigned long i = 0; i < folder.GetNumberOfFiles(); ++i)
+  {
+    const std::string name = folder.GetFile(i);
+    ++(hasEnding(name) ? pages : others);
+  }
+  constexpr int links = 2; // the folder itself, and the one above
+  return pages > others - links;
 }
 
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume)
@@ -549,6 +554,15 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
   volume.Name = vtksys::SystemTools::GetFilenameName(folder);
   return volume;
+}
+
+int CountNiftiTimes(const std::string& path)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  const MessageCapture capture; // the volume's reader reports the fault
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  return std::max(1, reader->GetTimeDimension());
 }
 
 double FindNiftiSpacing(const std::string& path, double unknown)

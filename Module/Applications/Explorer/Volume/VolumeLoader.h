@@ -59,6 +59,9 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int 
 /// it. 0 for any other file.
 double FindNiftiSpacing(const std::string& path, double unknown);
 
+/// How many volumes a NIfTI file has along its fourth axis.
+int CountNiftiTimes(const std::string& path);
+
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or one
 /// of them. If an array is named, its values, or the magnitude of its vectors, are shown and felt.
 /// Throws InputError for anything else, with the fault and the cure.

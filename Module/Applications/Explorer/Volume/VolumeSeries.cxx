@@ -276,7 +276,9 @@ Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
-  const int count = all->GetNumberOfScalarComponents();
+  // Each time has all of its values, such as colours, of which the first is felt.
+  const int count = Explore::CountNiftiTimes(path);
+  const int step = std::max(1, all->GetNumberOfScalarComponents() / count);
   if (chosen > count)
   {
     throw InputError(path,
@@ -285,7 +287,7 @@ Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
       "take --series 1 to " + std::to_string(count));
   }
   CheckMemory(path, all, 1);
-  volume.Image = ExtractFrame(all, std::max(0, chosen - 1));
+  volume.Image = ExtractFrame(all, std::max(0, chosen - 1) * step);
   Explore::CheckVolume(path, volume);
   const std::string note = Explore::StraightenIfSheared(volume.Image, false);
   volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
@@ -300,7 +302,7 @@ Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
   AddFrame(volume, path, volume.Image, 0.0);
   for (int i = 1; i < count; ++i)
   {
-    vtkSmartPointer<vtkImageData> frame = ExtractFrame(all, i);
+    vtkSmartPointer<vtkImageData> frame = ExtractFrame(all, i * step);
     Explore::StraightenIfSheared(frame, false);
     AddFrame(volume, path, Explore::AlignToAxes(frame), i * spacing);
   }

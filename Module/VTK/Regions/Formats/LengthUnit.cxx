@@ -10,6 +10,8 @@ namespace VolumeHaptics
 namespace
 {
 
+constexpr double Pico = 1e-9;
+constexpr double Angstrom = 1e-7;
 constexpr double Nano = 1e-6;
 constexpr double Micro = 1e-3;
 constexpr double Centi = 10.0;
@@ -17,7 +19,8 @@ constexpr double Metre = 1000.0;
 constexpr double Inch = 25.4;
 
 // The micro sign and the Greek letter, in UTF-8 and in Latin 1; ImageJ escapes the former.
-const std::map<std::string, double> Units = { { "nm", Nano }, { "nanometer", Nano },
+const std::map<std::string, double> Units = { { "pm", Pico }, { "picometer", Pico },
+  { "angstrom", Angstrom }, { "\xc3\x85", Angstrom }, { "nm", Nano }, { "nanometer", Nano },
   { "nanometre", Nano }, { "um", Micro }, { "\xc2\xb5m", Micro }, { "\xce\xbcm", Micro },
   { "\xb5m", Micro }, { "\\u00b5m", Micro }, { "micron", Micro }, { "micrometer", Micro },
   { "micrometre", Micro }, { "mm", 1.0 }, { "millimeter", 1.0 }, { "millimetre", 1.0 },

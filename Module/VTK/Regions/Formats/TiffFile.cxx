@@ -77,9 +77,10 @@ struct TiffText
   std::size_t Slices = 0;                ///< 0: not given
   std::size_t Channels = 1;
   std::size_t Times = 1;
-  std::size_t Step = 1;  ///< pages from a slice to the next one
-  double PerUnit = 0.0;  ///< mm for each unit of ImageJ's resolution
-  std::size_t Whole = 0; ///< images that follow the first one without a directory of their own
+  std::size_t Step = 1;      ///< pages from a slice to the next one
+  double PerUnit = 0.0;      ///< mm for each unit of ImageJ's resolution
+  bool IsCalibrated = false; ///< whether ImageJ shows other values than those stored
+  std::size_t Whole = 0;     ///< images that follow the first one without a directory of their own
 };
 
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -131,10 +132,16 @@ TiffLayout ReadLayout(TIFF* tiff)
   const auto bits = Tag<uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
   const auto samples = Tag<uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
   const auto format = Tag<uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+  const auto meaning = Tag<uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (samples != 1)
   {
     throw std::runtime_error("its pages have " + std::to_string(samples) +
       " samples a pixel, as pictures in colours have. Write it with one grey value a pixel.");
+  }
+  if (meaning != PHOTOMETRIC_MINISBLACK)
+  {
+    throw std::runtime_error("its values are not brightness from black on: they are inverted, or "
+                             "numbers of colours. Write it with one grey value a pixel.");
   }
   const bool isInteger = format != SAMPLEFORMAT_IEEEFP;
   layout.ScalarType = bits % 8 != 0 || format > SAMPLEFORMAT_IEEEFP
@@ -178,17 +185,24 @@ void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t mo
     TIFFGetField(tiff, isTiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, &offsets) == 1 &&
     TIFFGetField(tiff, isTiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, &counts) == 1 &&
     offsets && counts;
-  bool isWhole = isThere && pieces > 0;
+  constexpr uint32_t largestTile = 65536;
+  bool isWhole = isThere && pieces > 0 &&
+    (!isTiled ||
+      (Tag<uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0) <= largestTile &&
+        Tag<uint32_t>(tiff, TIFFTAG_TILELENGTH, 0) <= largestTile));
   double held = 0.0;
   for (uint32_t piece = 0; isWhole && piece < pieces; ++piece)
   {
     held += static_cast<double>(counts[piece]);
     isWhole = static_cast<double>(offsets[piece]) + static_cast<double>(counts[piece]) <= size;
   }
-  // Deflate makes zeros at most 1032 times smaller, LZMA 7000 times.
+  // Deflate makes zeros at most 1032 times smaller, LZMA 7000 times, Zstandard 32000 times.
+  constexpr double smallest = 40000.0;
+  const double piece = static_cast<double>(isTiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff));
   const bool isPlain =
     Tag<uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE;
-  isWhole = isWhole && CountPageBytes(layout) <= held * (isPlain ? 1.0 : 10000.0);
+  isWhole = isWhole && CountPageBytes(layout) <= held * (isPlain ? 1.0 : smallest) &&
+    piece <= held * smallest;
   if (isWhole && more > 0)
   {
     isWhole = isPlain && !isTiled &&
@@ -222,6 +236,7 @@ TiffText ReadImageJ(const std::string& description)
 {
   TiffText text;
   text.IsImageJ = true;
+  text.Spacing[2] = 1.0; // units, which ImageJ leaves out
   std::istringstream lines(description);
   std::size_t images = 1;
   for (std::string line; std::getline(lines, line);)
@@ -247,7 +262,13 @@ TiffText ReadImageJ(const std::string& description)
     }
     else if (key == "spacing")
     {
-      text.Spacing[2] = std::abs(NumberOr(value.c_str(), 0.0));
+      const double spacing = std::abs(NumberOr(value.c_str(), 0.0));
+      text.Spacing[2] = spacing > 0.0 ? spacing : 1.0;
+    }
+    else if (key == "c0" || key == "c1")
+    {
+      text.IsCalibrated =
+        text.IsCalibrated || NumberOr(value.c_str(), 0.0) != (key == "c1" ? 1.0 : 0.0);
     }
     else if (key == "unit")
     {
@@ -449,6 +470,11 @@ std::size_t AddPages(std::size_t file, TiffStack& stack)
 void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>& notes)
 {
   const std::size_t slices = text.Slices > 0 ? text.Slices : stack.Pages.size();
+  if (text.Step == 0 || slices > stack.Pages.size())
+  {
+    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices, and has " +
+      std::to_string(stack.Pages.size()) + ". Check that its copy is complete.");
+  }
   std::vector<TiffPage> kept;
   for (std::size_t k = 0; k < slices && k * text.Step < stack.Pages.size(); ++k)
   {
@@ -456,8 +482,8 @@ void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>&
   }
   if (kept.size() < slices)
   {
-    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices, and has " +
-      std::to_string(kept.size()) + ". Check that its copy is complete.");
+    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices of " +
+      std::to_string(text.Step) + " pages, and has fewer. Check that its copy is complete.");
   }
   const auto tell = [&](std::size_t count, const char* what)
   {
@@ -468,6 +494,11 @@ void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>&
   };
   tell(text.Channels, "channels");
   tell(text.Times, "times");
+  if (slices * text.Step < stack.Pages.size() && text.Channels * text.Times == 1)
+  {
+    notes.push_back(
+      std::to_string(stack.Pages.size() - slices) + " further TIFF pages are left out");
+  }
   stack.Pages = std::move(kept);
 }
 
@@ -625,6 +656,10 @@ LargeFile OpenTiff(const std::string& name)
   std::vector<std::string> notes;
   TiffText text = ReadText(Describe(tiff.get()));
   AddResolution(tiff.get(), text, notes);
+  if (text.IsCalibrated)
+  {
+    notes.emplace_back("ImageJ's calibration of values is not applied: the stored ones are felt");
+  }
   LargeFile file;
   const bool isHeadless =
     !isFolder && text.IsImageJ && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;

@@ -109,12 +109,18 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
   }
 }
 
-/** Returns the length (mm) of an axis' unit; 1, as if it were mm, if it names no known unit. */
-double ReadUnit(const Json::Value& axes, std::size_t axis)
+/** Returns the name of an axis' unit; empty if it has none. */
+std::string NameUnit(const Json::Value& axes, std::size_t axis)
 {
   const Json::Value& entry =
     axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
-  const double unit = entry.isObject() ? MillimetresPerUnit(entry["unit"].asString()) : 0.0;
+  return entry.isObject() ? entry["unit"].asString() : std::string();
+}
+
+/** Returns the length (mm) of an axis' unit; 1, as if it were mm, if it names no known unit. */
+double ReadUnit(const Json::Value& axes, std::size_t axis)
+{
+  const double unit = MillimetresPerUnit(NameUnit(axes, axis));
   return unit > 0.0 ? unit : 1.0;
 }
 
@@ -161,11 +167,12 @@ LargeFile OpenDataset(
     const double unit = ReadUnit(scales["axes"], rank - 1 - a);
     file.Spacing[a] = axis.Scale * unit;
     file.Origin[a] = axis.Translation * unit;
-    if (unit != 1.0 && a == 0)
+    const std::string name = a == 0 ? NameUnit(scales["axes"], rank - 1) : std::string();
+    if (!name.empty() && name != "millimeter")
     {
-      file.Notes.push_back("lengths turned from " +
-        scales["axes"][static_cast<Json::ArrayIndex>(rank - 1)]["unit"].asString() +
-        "s into millimetres");
+      file.Notes.push_back(MillimetresPerUnit(name) > 0.0
+          ? "lengths turned from the unit " + Printable(name) + " into millimetres"
+          : "the unit " + Printable(name) + " is not known: lengths are taken for millimetres");
     }
   }
   return file;
