@@ -7,8 +7,8 @@ They come from a newer Debian's VTK of the same VERSION, taken with apt-get into
 is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with
 the Python that the wheel is for, and what it makes stays on that machine.
 
-If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp, lz4 and
-hdf5. Exits with 3 if that is not possible, for example if Debian no longer has VERSION.
+If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp, lz4,
+hdf5 and tiff. Exits with 3 if that is not possible, for example if Debian no longer has VERSION.
 """
 import pathlib
 import re
@@ -21,11 +21,12 @@ import zipfile
 ARCHITECTURE = "x86_64-linux-gnu"
 SUITES = ("forky", "sid", "trixie")
 # Their headers are those of the libraries in VTK 9.6, whose names VTK begins with its own: the namespace of jsoncpp, the
-# functions of lz4 and hdf5. The third text is what Debian's VTK links instead.
+# functions of lz4, hdf5 and tiff. The third text is what Debian's VTK links instead.
 JSONCPP = ("libjsoncpp-dev", "1.9.6", "JsonCpp::JsonCpp")
 LZ4 = ("liblz4-dev", "1.10.0", "LZ4::LZ4")
 HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel's may be a later 1.14
-BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5}
+TIFF = ("libtiff-dev", "4.7.0", "TIFF::TIFF") # the wheel's may be a 4.6; what is called is in both
+BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5, "tiff": TIFF}
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
 
 APT_OPTIONS = """\
@@ -124,20 +125,26 @@ def replace(path, *pairs):
 
 def name_as_vtk(header, library, prefix):
     """Begins a header with macros that give the functions of a library of the wheel the names that they have there."""
-    names = re.findall(rf"\b{prefix}(\w+)$", run("nm", "-D", "--defined-only", str(library)), flags=re.MULTILINE)
+    names = re.findall(rf"\b{prefix}(\w+)(?:@+\S+)?$", run("nm", "-D", "--defined-only", str(library)), flags=re.MULTILINE)
     # The headers define macros of these names themselves.
     macros = "".join(f"#define {name} {prefix}{name}\n" for name in names if not name.endswith("_async"))
     header.write_text(macros + header.read_text())
 
 
 def place_headers(include, headers, libraries):
-    """The headers of lz4 and hdf5, below `headers`, beside VTK's own."""
-    for name in ("lz4", "hdf5"):
+    """The headers of lz4, hdf5 and tiff, below `headers`, beside VTK's own."""
+    for name in ("lz4", "hdf5", "tiff"):
         replace(include / f"vtk_{name}.h", (rf"^(#define VTK_MODULE_USE_EXTERNAL_vtk{name}) 1", r"\1 0"))
     lz4 = include / "vtklz4" / "lib" / "lz4.h"
     lz4.parent.mkdir(parents=True)
     shutil.copy(headers / "usr/include/lz4.h", lz4)
     name_as_vtk(lz4, libraries / "libvtklz4.so", "vtklz4_")
+
+    tiff = include / "vtktiff" / "libtiff"
+    tiff.mkdir(parents=True)
+    for header in (headers / "usr/include" / ARCHITECTURE).glob("tiff*.h"):
+        shutil.copy(header, tiff)
+    name_as_vtk(tiff / "tiffio.h", libraries / "libvtktiff.so", "vtktiff_")
 
     library = libraries / "libvtkhdf5.so"
     version = re.search(rb"HDF5 library version: (\d+\.\d+)\.(\d+)", library.read_bytes())
@@ -283,7 +290,7 @@ def main(version, folder):
     vtk = next(folder.glob("vtk-*.whl"))
     with zipfile.ZipFile(vtk) as archive:
         libraries = set(re.findall(r"vtkmodules/lib([\w.]+)\.so\b", "\n".join(archive.namelist())))
-        for name in ("lz4", "hdf5"):
+        for name in ("lz4", "hdf5", "tiff"):
             archive.extract(f"vtkmodules/libvtk{name}.so", folder / "headers")
 
     short = f"vtk-{'.'.join(version.split('.')[:2])}"
