@@ -53,7 +53,7 @@ enum class ModeKind : std::uint8_t
   Surface
 };
 
-/** What a kind of mode reads. */
+/** The field that a kind of mode reads. */
 enum class ModeInput : std::uint8_t
 {
   Vectors,
@@ -63,7 +63,7 @@ enum class ModeInput : std::uint8_t
   Surface  ///< ModeDescription::GuideSurface
 };
 
-/** What the kinds of modes differ in, but for the primitives themselves (ModePrimitives.cxx). */
+/** Facts of a kind of mode; ModePrimitives.cxx has its primitives. */
 struct ModeFacts
 {
   ModeInput Input;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a method is to a tick, to regions and to the safety stage: one interface, with one row a
- * method in Methods/Methods.cxx.
+ * The interface of a method for ticks, regions and the safety stage. Methods/Methods.cxx has one
+ * row a method.
  */
 #ifndef Method_h
 #define Method_h
@@ -38,7 +38,7 @@ struct ReadBox
   }
 };
 
-/** What a tick gives to a method beside model, state and record. */
+/** Further input of a method, beside model, state and record. */
 struct MethodInput
 {
   const LocalSurfaceResult& Result; ///< of the slow loop

@@ -131,6 +131,12 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
   return { begin, begin + static_cast<std::ptrdiff_t>(size) };
 }
 
+[[noreturn]] void ThrowSeveral(const std::string& path, const std::string& fault)
+{
+  throw InputError(path, fault + ": several volumes in one series",
+    "put the slices of one volume into a folder of their own; if it moves, each phase");
+}
+
 /// The positions (mm) of slices along their normal, from the first one on: even if they are so
 /// within the rounding of files. Throws if two slices are at the same place.
 std::vector<double> FindPlaces(
@@ -150,8 +156,7 @@ std::vector<double> FindPlaces(
   }
   if (count > 1 && smallest < 1e-4)
   {
-    throw InputError(path, "has two slices at the same place: several volumes in one series",
-      "put the slices of one volume into a folder of their own; if it moves, each phase");
+    ThrowSeveral(path, "has two slices at the same place");
   }
   const double even = count > 1 ? along.back() / static_cast<double>(count - 1) : 0.0;
   double off = 0.0;
@@ -176,10 +181,8 @@ std::vector<double> FindPlaces(
   if (smallest < closest * step || largest > mostGap * step)
   {
     std::ostringstream fault;
-    fault << "has slices " << smallest << " to " << largest
-          << " mm apart: several volumes in one series";
-    throw InputError(path, fault.str(),
-      "put the slices of one volume into a folder of their own; if it moves, each phase");
+    fault << "has slices " << smallest << " to " << largest << " mm apart";
+    ThrowSeveral(path, fault.str());
   }
   int missing = 0;
   double rest = 0.0;

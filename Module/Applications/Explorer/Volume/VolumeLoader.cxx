@@ -292,43 +292,32 @@ bool IsKnownToVTK(const std::string& path)
   return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
 }
 
-/// Reads what VTK's reader can't: samples of 64 bits, MetaIO's long, and more than three axes.
-vtkSmartPointer<vtkImageData> ReadRawMetaImage(const std::string& path)
-{
-  vtkNew<vtkHapticRegionSource> source;
-  std::string error;
-  const vtkSmartPointer<vtkImageData> image =
-    source->OpenFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
-  if (!image)
-  {
-    throw InputError(path, "cannot be read as MetaImage (" + error + ")",
-      "do what stands there, or write it with samples of 8, 16 or 32 bits");
-  }
-  return image;
-}
-
-Volume ReadTiff(const std::string& path)
+/// Reads a whole file as regions of it are read, with what is noted on the way.
+Volume ReadAsRegions(const std::string& path, const char* format, const char* cure)
 {
   vtkNew<vtkHapticRegionSource> source;
   std::string error;
   Volume volume;
-  volume.Format = "TIFF";
+  volume.Format = format;
   volume.Image =
     source->OpenFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
   if (!volume.Image)
   {
-    throw InputError(path, "cannot be read as TIFF (" + error + ")", "do what stands there");
+    throw InputError(path, std::string("cannot be read as ") + format + " (" + error + ")", cure);
   }
   Explore::AddFileNotes(source, volume);
   return volume;
 }
 
+/// Reads also what VTK's reader can't: samples of 64 bits, MetaIO's long, and more than three axes.
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
   const bool isRaw = reader->CanReadFile(path.c_str()) && !IsKnownToVTK(path);
-  Volume volume{ isRaw ? ReadRawMetaImage(path) : Run(reader.Get(), path, "MetaImage"), {},
-    "MetaImage", {}, {}, {} };
+  Volume volume = isRaw
+    ? ReadAsRegions(
+        path, "MetaImage", "do what stands there, or write it with samples of 8, 16 or 32 bits")
+    : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
   volume.Axes = Explore::FindMetaImageAxes(path);
   return volume;
@@ -446,7 +435,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   }
   if (Explore::IsTiff(path))
   {
-    return ReadTiff(path);
+    return ReadAsRegions(path, "TIFF", "do what stands there");
   }
   if (Explore::IsGrid(path))
   {
@@ -533,7 +522,8 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   Volume volume;
   if (vtksys::SystemTools::FileIsDirectory(path))
   {
-    volume = Explore::IsTiff(path) ? ReadTiff(path) : ReadDicomFolder(path, series);
+    volume = Explore::IsTiff(path) ? ReadAsRegions(path, "TIFF", "do what stands there")
+                                   : ReadDicomFolder(path, series);
   }
   else
   {
@@ -556,35 +546,33 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   return volume;
 }
 
-int CountNiftiTimes(const std::string& path)
+void AlignVolume(Volume& volume)
 {
-  vtkNew<vtkNIFTIImageReader> reader;
-  const MessageCapture capture; // the volume's reader reports the fault
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  return std::max(1, reader->GetTimeDimension());
+  const std::string note = StraightenIfSheared(volume.Image, volume.MayBeLabels);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
+  volume.Image = AlignToAxes(volume.Image);
 }
 
-double FindNiftiSpacing(const std::string& path, double unknown)
+NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
 {
   vtkNew<vtkNIFTIImageReader> reader;
   const MessageCapture capture; // the volume's reader reports the fault
   if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !reader->CanReadFile(path.c_str()))
   {
-    return 0.0;
+    return {};
   }
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   if (reader->GetTimeDimension() < 2)
   {
-    return 0.0;
+    return {};
   }
   constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // in the NIfTI header
   const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
   const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
   const double spacing = scale * reader->GetTimeSpacing();
   const bool isKnown = (unit == 0 || unit == seconds || scale < 1.0) && spacing > 0.0;
-  return isKnown && std::isfinite(spacing) ? spacing : unknown;
+  return { reader->GetTimeDimension(), isKnown && std::isfinite(spacing) ? spacing : unknown };
 }
 
 namespace
@@ -610,9 +598,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   }
   CheckVolume(path, volume);
   judge(volume);
-  const std::string note = StraightenIfSheared(volume.Image, volume.MayBeLabels);
-  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
-  volume.Image = AlignToAxes(volume.Image);
+  AlignVolume(volume);
   fields.GiveTo(volume.Image);
   return volume;
 }

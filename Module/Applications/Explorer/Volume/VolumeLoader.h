@@ -55,12 +55,19 @@ struct Volume
 /// one is read. From a DICOM folder, the series with a number is read, or for 0 the largest one.
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
-/// The time (s) between the volumes of a NIfTI file that has several; `unknown` if it does not give
-/// it. 0 for any other file.
-double FindNiftiSpacing(const std::string& path, double unknown);
+/// The volumes along the fourth axis of a NIfTI file.
+struct NiftiTimes
+{
+  int Count = 1;
+  double Spacing = 0.0; // s; 0 if there is one volume
+};
 
-/// How many volumes a NIfTI file has along its fourth axis.
-int CountNiftiTimes(const std::string& path);
+/// Reads them from the header. `unknown` is the spacing if it does not give it. One volume for any
+/// other file.
+NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
+
+/// Places the image along the axes of the world, straightened if its axes are sheared, with a note.
+void AlignVolume(Volume& volume);
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or one
 /// of them. If an array is named, its values, or the magnitude of its vectors, are shown and felt.

@@ -8,6 +8,7 @@
 #include "Applications/Explorer/Volume/SliceGeometry.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "VTK/Base/NameOrder.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageExtractComponents.h"
@@ -22,7 +23,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -41,41 +41,6 @@ struct FramePath
   std::string Path;
   double Time;
 };
-
-/// The next character of a name, or the number that begins there: "T2" comes before "T10".
-long NextPart(const std::string& name, std::size_t& at)
-{
-  if (at >= name.size())
-  {
-    return -1;
-  }
-  const auto isDigit = [&] { return std::isdigit(static_cast<unsigned char>(name[at])) != 0; };
-  if (!isDigit())
-  {
-    constexpr long afterNumbers = 1L << 40;
-    return afterNumbers + static_cast<unsigned char>(name[at++]);
-  }
-  long number = 0;
-  for (int digits = 0; at < name.size() && isDigit() && digits < 9; ++digits)
-  {
-    number = 10 * number + (name[at++] - '0');
-  }
-  return number;
-}
-
-bool IsBefore(const std::string& a, const std::string& b)
-{
-  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();)
-  {
-    const long first = NextPart(a, i);
-    const long second = NextPart(b, j);
-    if (first != second)
-    {
-      return first < second;
-    }
-  }
-  return a < b;
-}
 
 bool IsVolumeFile(const std::string& path)
 {
@@ -129,7 +94,7 @@ std::vector<FramePath> ListFolder(const std::string& folder)
     }
   }
   std::vector<std::string>& found = hasFiles ? volumes : folders;
-  std::sort(found.begin(), found.end(), IsBefore);
+  std::sort(found.begin(), found.end(), VolumeHaptics::IsNamedBefore);
   const bool areFrames = found.size() > 1 && (hasFiles || Explore::ArePhases(found));
   return areFrames ? MakeFrames(found) : std::vector<FramePath>();
 }
@@ -272,12 +237,12 @@ vtkSmartPointer<vtkImageData> ExtractFrame(vtkImageData* image, int component)
 
 /// One of the volumes along the fourth axis of a NIfTI file, or all of them as frames. `chosen` is
 /// the number of the one, from 1 on; 0 for all.
-Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
+Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
   // Each time has all of its values, such as colours, of which the first is felt.
-  const int count = Explore::CountNiftiTimes(path);
+  const int count = times.Count;
   const int step = std::max(1, all->GetNumberOfScalarComponents() / count);
   if (chosen > count)
   {
@@ -289,9 +254,7 @@ Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
   CheckMemory(path, all, 1);
   volume.Image = ExtractFrame(all, std::max(0, chosen - 1) * step);
   Explore::CheckVolume(path, volume);
-  const std::string note = Explore::StraightenIfSheared(volume.Image, false);
-  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
-  volume.Image = Explore::AlignToAxes(volume.Image);
+  Explore::AlignVolume(volume);
   if (chosen > 0)
   {
     volume.Notes.push_back("volume " + std::to_string(chosen) + " of " + std::to_string(count) +
@@ -304,7 +267,7 @@ Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
   {
     vtkSmartPointer<vtkImageData> frame = ExtractFrame(all, i * step);
     Explore::StraightenIfSheared(frame, false);
-    AddFrame(volume, path, Explore::AlignToAxes(frame), i * spacing);
+    AddFrame(volume, path, Explore::AlignToAxes(frame), i * times.Spacing);
   }
   Finish(volume);
   volume.Notes.emplace_back(
@@ -344,9 +307,9 @@ Volume LoadVolumes(
     return frames.size() > 1 ? LoadFrames(path, frames, array)
                              : LoadVolume(frames.front().Path, 0, array);
   }
-  const double spacing = isThere ? FindNiftiSpacing(path, 1.0 / FRAMES_PER_SECOND) : 0.0;
-  return spacing > 0.0 ? LoadNiftiSeries(path, spacing, dicomSeries)
-                       : LoadVolume(path, dicomSeries, array);
+  const NiftiTimes times = isThere ? ReadNiftiTimes(path, 1.0 / FRAMES_PER_SECOND) : NiftiTimes();
+  return times.Count > 1 ? LoadNiftiSeries(path, times, dicomSeries)
+                         : LoadVolume(path, dicomSeries, array);
 }
 
 void UseDisplacements(Volume& volume, const std::string& array)

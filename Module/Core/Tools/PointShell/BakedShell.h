@@ -31,7 +31,7 @@ struct ShellDescription
   ShellSettings Touch;
 };
 
-/** What tools that touch with the points of a shell have in common. */
+/** The base of tools that touch with the points of a shell. */
 class ShapedTool : public BakedTool
 {
 public:

@@ -196,6 +196,23 @@ const H5FD_class_t& GetDriver()
   return driver;
 }
 
+/** An attribute that is there, with its type and its number of values. */
+struct Hdf5Attribute
+{
+  Hdf5Attribute(hid_t owner, const std::string& name)
+    : Id(H5Aopen(owner, name.c_str(), H5P_DEFAULT))
+    , Type(H5Aget_type(this->Id))
+    , Space(H5Aget_space(this->Id))
+    , Values(H5Sget_simple_extent_npoints(this->Space))
+  {
+  }
+
+  const Hdf5Id Id;
+  const Hdf5Id Type;
+  const Hdf5Id Space;
+  const hssize_t Values;
+};
+
 /** A type of numbers in a file, and VTK's type. */
 struct KnownType
 {
@@ -372,17 +389,15 @@ std::string Hdf5File::ReadText(const std::string& group, const std::string& attr
   {
     return {};
   }
-  const Hdf5Id read(H5Aopen(opened, attribute.c_str(), H5P_DEFAULT));
-  const Hdf5Id space(H5Aget_space(read));
-  const Hdf5Id type(H5Aget_type(read));
-  const std::size_t size = H5Tget_size(type);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size > LongestText ||
-    H5Sget_simple_extent_npoints(space) != 1)
+  const Hdf5Attribute found(opened, attribute);
+  const std::size_t size = H5Tget_size(found.Type);
+  if (H5Tget_class(found.Type) != H5T_STRING || H5Tis_variable_str(found.Type) != 0 ||
+    size > LongestText || found.Values != 1)
   {
     return {};
   }
   std::vector<char> text(size + 1, '\0');
-  if (H5Aread(read, type, text.data()) < 0)
+  if (H5Aread(found.Id, found.Type, text.data()) < 0)
   {
     ThrowDamaged();
   }
@@ -397,17 +412,15 @@ std::vector<double> Hdf5File::ReadNumbers(
   {
     return {};
   }
-  const Hdf5Id read(H5Aopen(opened, attribute.c_str(), H5P_DEFAULT));
-  const Hdf5Id space(H5Aget_space(read));
-  const Hdf5Id type(H5Aget_type(read));
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const Hdf5Attribute found(opened, attribute);
+  const hssize_t count = found.Values;
   // Types of other kinds are not converted: a damaged one would lead beyond the values.
-  if (FindKnownType(type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
+  if (FindKnownType(found.Type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
   {
     return {};
   }
   std::vector<double> numbers(static_cast<std::size_t>(count));
-  if (count > 0 && H5Aread(read, H5T_NATIVE_DOUBLE, numbers.data()) < 0)
+  if (count > 0 && H5Aread(found.Id, H5T_NATIVE_DOUBLE, numbers.data()) < 0)
   {
     ThrowDamaged();
   }

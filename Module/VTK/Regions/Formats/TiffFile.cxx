@@ -4,6 +4,7 @@
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/NameOrder.h"
 #include "VTK/Regions/Formats/LengthUnit.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
@@ -19,7 +20,6 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -376,49 +376,7 @@ std::vector<std::string> ListFiles(const std::string& folder)
       names.push_back(name);
     }
   }
-  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  const auto comesBefore = [&](const std::string& a, const std::string& b)
-  {
-    // Numbers in names count as numbers.
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() && j < b.size())
-    {
-      if (isDigit(a[i]) && isDigit(b[j]))
-      {
-        const std::size_t first[2] = { std::min(a.find_first_not_of('0', i), a.size()),
-          std::min(b.find_first_not_of('0', j), b.size()) };
-        std::size_t end[2] = { first[0], first[1] };
-        while (end[0] < a.size() && isDigit(a[end[0]]))
-        {
-          ++end[0];
-        }
-        while (end[1] < b.size() && isDigit(b[end[1]]))
-        {
-          ++end[1];
-        }
-        const std::string one = a.substr(first[0], end[0] - first[0]);
-        const std::string other = b.substr(first[1], end[1] - first[1]);
-        if (one != other)
-        {
-          return one.size() != other.size() ? one.size() < other.size() : one < other;
-        }
-        i = end[0];
-        j = end[1];
-      }
-      else if (a[i] != b[j])
-      {
-        return a[i] < b[j];
-      }
-      else
-      {
-        ++i;
-        ++j;
-      }
-    }
-    return a.size() - i < b.size() - j;
-  };
-  std::sort(names.begin(), names.end(), comesBefore);
+  std::sort(names.begin(), names.end(), IsNamedBefore);
   for (std::string& name : names)
   {
     name.insert(0, folder + "/");

@@ -109,11 +109,16 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
   }
 }
 
+/** Returns what is told of an axis: null, a name, or an object with more. */
+const Json::Value& GetAxis(const Json::Value& axes, std::size_t axis)
+{
+  return axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
+}
+
 /** Returns the name of an axis' unit; empty if it has none. */
 std::string NameUnit(const Json::Value& axes, std::size_t axis)
 {
-  const Json::Value& entry =
-    axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
+  const Json::Value& entry = GetAxis(axes, axis);
   return entry.isObject() ? entry["unit"].asString() : std::string();
 }
 
@@ -132,8 +137,7 @@ void AddFurtherAxes(
   {
     if (shape[a] > 1)
     {
-      const Json::Value& axis =
-        axes.isArray() ? axes[static_cast<Json::ArrayIndex>(a)] : Json::Value::nullSingleton();
+      const Json::Value& axis = GetAxis(axes, a);
       const std::string name =
         Printable(axis.isObject() ? axis["name"].asString() : axis.asString());
       notes.push_back("of " + std::to_string(shape[a]) +
