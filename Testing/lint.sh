@@ -107,14 +107,15 @@ run_clang_tidy()
       2> /dev/null' _ '{}' "$checks"
 }
 
-# Eight sources at a time, as a unity build has them: their headers are read once. Not the kernels, which are compiled
-# with other options.
+# The sources of a folder at a time, as a unity build may have them: their headers are read once, and a name that two of
+# them define is found, whatever stands in other folders. Not the kernels, which are compiled with other options.
 check_tidy()
 {
   local folder status=0
   folder=$(mktemp -d)
   find Module/Core -name '*.cxx' ! -name '*Kernels*' | sort |
-    awk -v folder="$folder" '{ print "#include \"" $0 "\"" > (folder "/Unity" int((NR - 1) / 8) ".cxx") }'
+    awk -v folder="$folder" '{ name = $0; sub("/[^/]*$", "", name); gsub("/", "-", name)
+      print "#include \"" $0 "\"" > (folder "/" name ".cxx") }'
   run_clang_tidy '-clang-analyzer-*,-bugprone-suspicious-include' "$folder"/*.cxx \
     Module/Core/Field/Kernels/*.cxx || status=$?
   rm -r "$folder"

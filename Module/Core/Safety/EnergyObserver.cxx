@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Safety/EnergyObserver.h"
 
+#include "Core/Safety/UnseenMotion.h"
+
 #include <algorithm>
 
 namespace VolumeHaptics
@@ -15,10 +17,6 @@ constexpr double Turn = 0.2;
 constexpr double StepWay = 1e-4;
 /** The most that one cycle counts: given / taken. */
 constexpr double MostGain = 2.0;
-/** A tip that was not measured for this long (s) has moved unseen. */
-constexpr double UnseenTime = 0.03;
-/** A faster tip (m/s) was not moved by a hand: it leaps. */
-constexpr double LeapSpeed = 5.0;
 
 } // namespace
 
@@ -50,7 +48,7 @@ bool EnergyObserver::Observe(const Vector3& tip, double time) noexcept
   this->SentCount = 0.0;
   this->Time += time;
   this->Tip = tip;
-  if (!this->HasTip || time > UnseenTime || Norm(motion) > LeapSpeed * time)
+  if (!this->HasTip || IsUnseenMotion(motion, time))
   {
     this->HasTip = true;
     this->Excuse();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Safety/PortObserver.h"
 
+#include "Core/Safety/UnseenMotion.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,10 +18,6 @@ constexpr double VelocityTime = 4e-3;
  * A tip that has not moved for this long (s) rests; sooner, its device may just not have reported.
  */
 constexpr double RestTime = 10e-3;
-/** A tip that was not measured for this long (s) has moved unseen. */
-constexpr double GapTime = 30e-3;
-/** A tip that is faster (m/s) was not moved by a hand: it leaps. */
-constexpr double LeapSpeed = 5.0;
 /** A hand withstands a force for this long (s) after the force has fallen. */
 constexpr double HandTime = 0.3;
 /** A force rises if it is above its mean of this time (s). */
@@ -80,8 +78,7 @@ bool PortObserver::Observe(const Vector3& tip, double time) noexcept
 {
   this->Time += time;
   const double since = this->Count > 0 ? this->Time - this->Last().Time : 0.0;
-  const bool isLeap = this->Count > 0 && Norm(tip - this->Last().Tip) > LeapSpeed * since;
-  if (this->Count == 0 || since > GapTime || isLeap)
+  if (this->Count == 0 || IsUnseenMotion(tip - this->Last().Tip, since))
   {
     this->BeginAt(tip);
     return false;

@@ -11,7 +11,7 @@ namespace
 {
 
 /** The time (s) in which a push rises, and the time after which it ends. */
-constexpr double RiseTime = 0.15;
+constexpr double PushRiseTime = 0.15;
 constexpr double PushTime = 0.2;
 /**
  * The number of force levels; the lowest level as a fraction of the highest, and its limit in
@@ -113,7 +113,7 @@ double SignCheck::GetForce(double time) const noexcept
   const double first = std::min(FirstShare * this->Most, FirstForce);
   const double rise = static_cast<double>(this->Tally[this->Axis].Level) / (Levels - 1);
   const double level = first * std::pow(this->Most / first, rise);
-  return this->GetDirection() * level * std::clamp(time / RiseTime, 0.0, 1.0);
+  return this->GetDirection() * level * std::clamp(time / PushRiseTime, 0.0, 1.0);
 }
 
 void SignCheck::Rest() noexcept
