@@ -4,7 +4,6 @@
 
 #include "HapticErrorCatcher.h"
 #include "HapticPipeline.h"
-#include "HapticVolumeLook.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticViewLink.h"

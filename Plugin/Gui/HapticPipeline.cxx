@@ -2,19 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticPipeline.h"
 
+#include "VTK/Scene/Volumes/CTLook.h"
+
 #include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMHapticDeviceProxy.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 #include "vtkType.h"
 
 #include <QList>
+#include <QString>
+#include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -165,3 +180,119 @@ pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source)
 }
 
 } // namespace HapticPipeline
+
+namespace
+{
+
+pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
+{
+  pqOutputPort* const port = volume && view ? volume->getOutputPort(0) : nullptr;
+  return port ? port->getRepresentation(view) : nullptr;
+}
+
+/**
+ * The given name, if the source has it, or the first point array's name; empty if there is none.
+ */
+std::string FindArray(pqPipelineSource* volume, const QString& wanted)
+{
+  vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
+  vtkPVDataSetAttributesInformation* const points =
+    data ? data->GetPointDataInformation() : nullptr;
+  if (!points || points->GetNumberOfArrays() == 0)
+  {
+    return {};
+  }
+  const std::string name = wanted.toStdString();
+  return points->GetArrayInformation(name.c_str()) ? name
+                                                   : points->GetArrayInformation(0)->GetName();
+}
+
+/** The shortest edge of an image's voxel; for other data, a fraction of the longest edge of all. */
+double FindVoxel(pqPipelineSource* volume)
+{
+  constexpr double parts = 128.0;
+  vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
+  double bounds[6];
+  int extent[6];
+  data->GetBounds(bounds);
+  data->GetExtent(extent);
+  double voxel = 0.0;
+  double longest = 0.0;
+  for (int a = 0; a < 6; a += 2)
+  {
+    const double length = bounds[a + 1] - bounds[a];
+    const int steps = extent[a + 1] - extent[a];
+    const double edge = steps > 0 ? length / steps : 0.0;
+    longest = std::max(longest, length);
+    voxel = edge > 0.0 && (voxel == 0.0 || edge < voxel) ? edge : voxel;
+  }
+  return voxel > 0.0 ? voxel : longest > 0.0 ? longest / parts : 1.0;
+}
+
+template <typename ElementType>
+void SetTraced(vtkSMProxy* proxy, const char* property, const ElementType& elements)
+{
+  if (proxy && proxy->GetProperty(property))
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+    vtkSMPropertyHelper(proxy, property)
+      .Set(elements.data(), static_cast<unsigned int>(elements.size()));
+    proxy->UpdateVTKObjects();
+  }
+}
+
+} // namespace
+
+namespace HapticVolumeLook
+{
+
+//------------------------------------------------------------------------------
+bool IsShown(pqPipelineSource* volume, pqView* view)
+{
+  pqDataRepresentation* const shown = FindShown(volume, view);
+  return shown && shown->isVisible() && shown->getProxy()->GetProperty("Representation") &&
+    QString(vtkSMPropertyHelper(shown->getProxy(), "Representation", true).GetAsString()) ==
+    "Volume";
+}
+
+//------------------------------------------------------------------------------
+bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
+{
+  const std::string name = FindArray(volume, array);
+  if (name.empty())
+  {
+    return false;
+  }
+  BEGIN_UNDO_SET("Show as CT volume");
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  vtkSMProxy* const shown = controller->Show(vtkSMSourceProxy::SafeDownCast(volume->getProxy()), 0,
+    vtkSMViewProxy::SafeDownCast(view->getProxy()));
+  const bool isVolume = shown &&
+    vtkSMPVRepresentationProxy::SetScalarColoring(
+      shown, name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS) &&
+    vtkSMRepresentationProxy::SetRepresentationType(shown, "Volume");
+  if (isVolume)
+  {
+    std::vector<double> colors;
+    std::vector<double> opacities;
+    for (const VolumeHaptics::LookStop& stop : VolumeHaptics::CTLook)
+    {
+      colors.insert(colors.end(), { stop.Value, stop.Color[0], stop.Color[1], stop.Color[2] });
+      opacities.insert(opacities.end(), { stop.Value, stop.Opacity, 0.5, 0.0 });
+    }
+    vtkSMProxy* const table = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy();
+    constexpr int never = -1; // rescaled to the range of the data
+    SetTraced(table, "AutomaticRescaleRangeMode", std::vector<int>{ never });
+    SetTraced(table, "RGBPoints", colors);
+    SetTraced(
+      vtkSMPropertyHelper(shown, "ScalarOpacityFunction").GetAsProxy(), "Points", opacities);
+    SetTraced(shown, "ScalarOpacityUnitDistance",
+      std::vector<double>{ VolumeHaptics::LookLayer * FindVoxel(volume) });
+    SetTraced(shown, "Shade", std::vector<int>{ 1 });
+  }
+  END_UNDO_SET();
+  view->render();
+  return isVolume;
+}
+
+} // namespace HapticVolumeLook

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds or makes the device that feels the active object of the pipeline browser.
+ * Finds or makes the device that feels the active object of the pipeline browser, and sets the look
+ * of the felt data in a view.
  */
 #ifndef HapticPipeline_h
 #define HapticPipeline_h
 
+class QString;
 class pqPipelineSource;
+class pqView;
 class vtkSMHapticDeviceProxy;
 
 namespace HapticPipeline
@@ -44,5 +47,20 @@ pqPipelineSource* GetVolume(pqPipelineSource* touch);
 pqPipelineSource* FindTouch(pqPipelineSource* source);
 
 } // namespace HapticPipeline
+
+namespace HapticVolumeLook
+{
+
+/** Whether the view renders a source visibly as a volume. */
+bool IsShown(pqPipelineSource* volume, pqView* view);
+
+/**
+ * Renders a source as a volume that is opaque from the skin on, where a hand meets it. Colours are
+ * those of skin and bone by Hounsfield units (CTLook), as in the explorer. `array` is the point
+ * array; if it is empty, the first one. False if there is none.
+ */
+bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array);
+
+} // namespace HapticVolumeLook
 
 #endif

@@ -2,23 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gives data of this process' own pipeline to a filter in the client: shared, not copied.
+ * Gives data of this process' own pipeline to a filter in the client: shared, not copied. Also
+ * large files, the part to which ParaView crops a volume, and the opacity with which it shows it.
  */
 #ifndef HapticImageLink_h
 #define HapticImageLink_h
 
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkHapticDevice;
+class vtkHapticRegionSource;
+class vtkPVHapticLargeFile;
+class vtkSMProxy;
 class vtkSMSourceProxy;
 class vtkVolumeHapticsFilter;
 
 namespace VolumeHapticsLive
 {
+
 class HapticFrameLink;
 
 /**
@@ -56,6 +64,65 @@ private:
   vtkMTimeType SeenTime = 0;
   vtkMTimeType PipelineTime = 0; // frames: last change of the pipeline
   bool IsInPlace = false;        // frames: the pipeline writes each one to the same arrays
+};
+
+/**
+ * Connects a filter in the client with a large file of this process' own pipeline.
+ *
+ * The hand has a vtkHapticRegionSource of its own, which the device follows.
+ */
+class HapticLargeLink
+{
+public:
+  /**
+   * If an output comes from a large file, connects the filter with its samples, unless it already
+   * is connected. False for other outputs.
+   */
+  bool Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
+
+private:
+  vtkSmartPointer<vtkHapticRegionSource> Regions; ///< null if the file can't be opened
+  vtkWeakPointer<vtkPVHapticLargeFile> File;
+  vtkWeakPointer<vtkVolumeHapticsFilter> Filter;
+  vtkMTimeType OpenTime = 0;
+};
+
+/** Limits a filter to the part of a volume to which a representation of ParaView crops it. */
+class HapticCropLink
+{
+public:
+  /**
+   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, as far as
+   * it has them. Without a representation, or without its cropping, all is felt.
+   */
+  void Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
+
+private:
+  bool HasCropped = false;
+};
+
+/** Finds the opacity with which ParaView shows a volume, because only visible voxels are felt. */
+class HapticOpacityLink
+{
+public:
+  /**
+   * The opacity function of a source's volume rendering, in the active view, or else in any view:
+   * as a volume property with ParaView's own function. Null if the source is not volume-rendered,
+   * if the shown array or component is not the touched one, or if opacity does not depend on that
+   * array's value alone.
+   */
+  vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
+
+  /** The view where the opacity was found; null if there is none. */
+  vtkSMProxy* GetView() const { return this->View; }
+
+  /** The representation; null if there is none. */
+  vtkSMProxy* GetRepresentation() const { return this->Representation; }
+
+private:
+  vtkNew<vtkVolumeProperty> Property;
+  vtkWeakPointer<vtkSMProxy> Representation;
+  vtkWeakPointer<vtkSMProxy> View;
 };
 
 } // namespace VolumeHapticsLive

@@ -5,21 +5,145 @@
 #include "HapticDataLink.h"
 #include "HapticOrderLink.h"
 #include "HapticReport.h"
-#include "HapticSessionWatch.h"
 #include "HapticUndoExclusion.h"
 
+#include "vtkCommand.h"
 #include "vtkHapticDevice.h"
 #include "vtkNew.h"
+#include "vtkObject.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVSessionBase.h"
 #include "vtkPVXMLElement.h"
+#include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
 #include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkVolumeHapticsFilter.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <utility>
+#include <vector>
+
+class vtkSMProxy;
+
+namespace VolumeHapticsLive
+{
+namespace
+{
+
+/**
+ * Reports that a proxy has to release the hand: an object that it needs is removed from the
+ * pipeline, the session is closed, or the server is lost.
+ *
+ * A proxy that is no longer registered counts as deleted: a variable in a script keeps it alive,
+ * so destructors come too late.
+ */
+class HapticSessionWatch
+{
+public:
+  struct Calls
+  {
+    std::function<void(vtkSMProxy*)> Unregistered; ///< any proxy of the session
+    std::function<void()> Closed;                  ///< the session is about to end
+    std::function<void()> Lost;                    ///< the server does not answer any more
+  };
+
+  explicit HapticSessionWatch(Calls calls);
+  ~HapticSessionWatch();
+  HapticSessionWatch(const HapticSessionWatch&) = delete;
+  void operator=(const HapticSessionWatch&) = delete;
+
+  /** Watch this session only. */
+  void Watch(vtkSMSession* session);
+
+private:
+  void NoteUnregistered(vtkObject*, unsigned long, void* data);
+  void NoteClosed(vtkObject*, unsigned long, void* data);
+  void NoteLost();
+  void LetGo();
+
+  Calls Call;
+  vtkWeakPointer<vtkObject> Session;
+  std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
+};
+
+HapticSessionWatch::HapticSessionWatch(Calls calls)
+  : Call(std::move(calls))
+{
+}
+
+HapticSessionWatch::~HapticSessionWatch()
+{
+  this->LetGo();
+}
+
+void HapticSessionWatch::LetGo()
+{
+  for (const auto& [object, tag] : this->Observers)
+  {
+    if (object)
+    {
+      object->RemoveObserver(tag);
+    }
+  }
+  this->Observers.clear();
+}
+
+void HapticSessionWatch::Watch(vtkSMSession* session)
+{
+  if (session == this->Session)
+  {
+    return;
+  }
+  this->LetGo();
+  this->Session = session;
+  const auto observe = [this](vtkObject* object, unsigned long event, auto method)
+  {
+    if (object)
+    {
+      this->Observers.emplace_back(object, object->AddObserver(event, this, method));
+    }
+  };
+  if (session)
+  {
+    observe(session->GetSessionProxyManager(), vtkCommand::UnRegisterEvent,
+      &HapticSessionWatch::NoteUnregistered);
+    observe(vtkProcessModule::GetProcessModule(), vtkCommand::ConnectionClosedEvent,
+      &HapticSessionWatch::NoteClosed);
+    observe(session, vtkPVSessionBase::ConnectionLost, &HapticSessionWatch::NoteLost);
+  }
+}
+
+void HapticSessionWatch::NoteUnregistered(vtkObject*, unsigned long, void* data)
+{
+  const auto* const information = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+  if (information && information->Proxy)
+  {
+    this->Call.Unregistered(information->Proxy);
+  }
+}
+
+void HapticSessionWatch::NoteClosed(vtkObject*, unsigned long, void* data)
+{
+  vtkProcessModule* const module = vtkProcessModule::GetProcessModule();
+  if (data && module && module->GetSession(*static_cast<vtkIdType*>(data)) == this->Session)
+  {
+    this->Call.Closed();
+  }
+}
+
+void HapticSessionWatch::NoteLost()
+{
+  this->Call.Lost();
+}
+
+} // namespace
+} // namespace VolumeHapticsLive
 
 vtkStandardNewMacro(vtkSMHapticDeviceProxy);
 

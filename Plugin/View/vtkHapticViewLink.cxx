@@ -2,23 +2,96 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticViewLink.h"
 
-#include "HapticViewProps.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRepresentation.h"
 #include "vtkHapticViewStyle.h"
-
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkSMHapticDeviceProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkVolumeHapticsFilter.h"
 #include "vtkWeakPointer.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/**
+ * The props of a touch in a view: the hand with its forces, and the figures.
+ *
+ * Adds props to a renderer, and removes them when this object is destroyed.
+ */
+class HapticViewProps
+{
+public:
+  /** The size of the hand follows the filter's image, if there is one. */
+  HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
+  ~HapticViewProps();
+  HapticViewProps(const HapticViewProps&) = delete;
+  HapticViewProps& operator=(const HapticViewProps&) = delete;
+
+  vtkHapticHeadUpDisplay* GetDisplay() { return this->Display; }
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkNew<vtkHapticRepresentation> Representation;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+
+/// The proxy's radius and the arrow of one newton, as fractions of the volume's diagonal.
+constexpr double RadiusPart = 0.006;
+constexpr double NewtonPart = 0.05;
+
+/// The largest of 1, 2 or 5 times a power of ten that is not above a length.
+double RoundLength(double length)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  const double part = length / power;
+  return power * (part < 2.0 ? 1.0 : part < 5.0 ? 2.0 : 5.0);
+}
+
+HapticViewProps::HapticViewProps(
+  vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter)
+  : Renderer(renderer)
+{
+  this->Representation->SetDevice(device);
+  this->Display->SetDevice(device);
+  renderer->AddViewProp(this->Representation);
+  renderer->AddViewProp(this->Display);
+  auto* const image = filter && filter->GetNumberOfInputConnections(0) > 0
+    ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0))
+    : nullptr;
+  if (image && image->GetLength() > 0.0)
+  {
+    this->Representation->SetRadius(RadiusPart * image->GetLength());
+    this->Representation->SetForceScale(1.0 / RoundLength(NewtonPart * image->GetLength()));
+    const double unit = filter->GetMetersPerWorldUnit();
+    this->Representation->SetWorldUnitName(unit == 0.001 ? "mm" : unit == 1.0 ? "m" : "units");
+  }
+}
+
+HapticViewProps::~HapticViewProps()
+{
+  this->Renderer->RemoveViewProp(this->Representation);
+  this->Renderer->RemoveViewProp(this->Display);
+}
+
+} // namespace
+} // namespace VolumeHaptics
 
 vtkStandardNewMacro(vtkHapticViewLink);
 

@@ -2,22 +2,117 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticViewStyle.h"
 
-#include "HapticSlices.h"
 #include "HapticUndoExclusion.h"
 #include "HapticVolumeFrames.h"
-#include "vtkHapticDevice.h"
 
 #include "vtkCommand.h"
+#include "vtkHapticDevice.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMHapticDeviceProxy.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSession.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
+#include "vtkTimerLog.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
+#include <cstring>
 #include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Makes the slices of ParaView's Orthographic Slice Views follow the tip of a device.
+ *
+ * Sets the property SlicePosition of all such views of a session when the tip has moved, and draws
+ * the views: in a fifth of the time at most, so that they never delay the view with the hand.
+ * While the tip rests, the user may move the slices.
+ */
+class HapticSlices
+{
+public:
+  /** Call it often. Positions outside the filter's image become the nearest ones in it. */
+  void Follow(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
+
+private:
+  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the tip that the slices have followed
+  bool IsKnown = false;
+  double NextTime = 0.0; ///< s
+};
+
+namespace
+{
+
+constexpr double ShortestPause = 0.05; // s
+constexpr double PauseShare = 4.0;     // multiples of the time that drawing took
+
+std::vector<vtkSMViewProxy*> FindSliceViews(vtkSMSession* session)
+{
+  std::vector<vtkSMViewProxy*> views;
+  vtkNew<vtkSMProxyIterator> proxies;
+  proxies->SetSession(session);
+  proxies->SetModeToOneGroup();
+  for (proxies->Begin("views"); !proxies->IsAtEnd(); proxies->Next())
+  {
+    auto* const view = vtkSMViewProxy::SafeDownCast(proxies->GetProxy());
+    if (view && std::strcmp(view->GetXMLName(), "OrthographicSliceView") == 0)
+    {
+      views.push_back(view);
+    }
+  }
+  return views;
+}
+
+} // namespace
+
+void HapticSlices::Follow(
+  vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3])
+{
+  const double now = vtkTimerLog::GetUniversalTime();
+  if (std::equal(tip, tip + 3, this->Last) || now < this->NextTime)
+  {
+    return;
+  }
+  const bool isFirst = !this->IsKnown;
+  std::copy(tip, tip + 3, this->Last);
+  this->IsKnown = true;
+  if (isFirst)
+  {
+    return; // a device's first position is no motion
+  }
+  double position[3];
+  std::copy(tip, tip + 3, position);
+  if (vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr)
+  {
+    const double* const bounds = image->GetBounds();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      position[axis] = std::min(std::max(position[axis], bounds[2 * axis]), bounds[2 * axis + 1]);
+    }
+  }
+  for (vtkSMViewProxy* const view : FindSliceViews(session))
+  {
+    vtkSMPropertyHelper(view, "SlicePosition").Set(position, 3);
+    view->UpdateVTKObjects();
+    if (vtkSMPropertyHelper(view, "EnableRenderOnInteraction", true).GetAsInt() == 1)
+    {
+      view->StillRender();
+    }
+  }
+  const double end = vtkTimerLog::GetUniversalTime();
+  this->NextTime = end + std::max(ShortestPause, PauseShare * (end - now));
+}
+
+} // namespace VolumeHaptics
 
 vtkStandardNewMacro(vtkHapticViewStyle);
 

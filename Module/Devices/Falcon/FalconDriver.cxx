@@ -4,20 +4,368 @@
 
 #include "Core/Math/NumberText.h"
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconController.h"
-#include "Devices/Falcon/FalconFirmware.h"
-#include "Devices/Falcon/FalconRounds.h"
 #include "Devices/Falcon/FalconSerial.h"
+#include "Devices/Falcon/FalconStream.h"
+#include "Devices/Falcon/FalconTurns.h"
+#include "Devices/Transport/Usb/UsbEvents.h"
+#include "Devices/Transport/Usb/UsbTransfer.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+///@{
+/**
+ * The smallest and the largest image (bytes); the device holds some 30 KiB.
+ */
+constexpr std::size_t FalconSmallestFirmware = 1024;
+constexpr std::size_t FalconLargestFirmware = 128 * 1024;
+///@}
+
+constexpr const char* Cure =
+  " Set the path of the image that came with the device's own software, with "
+  "vtkHapticDevice::SetFirmwareFile() or --firmware of volumehaptics-device.";
+
+std::string SizeText(std::uintmax_t size)
+{
+  return "has " + std::to_string(size) + " bytes; an image has " +
+    std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
+}
+
+/** Empty if the image was read. */
+std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
+{
+  std::error_code trouble;
+  const std::filesystem::file_status status = std::filesystem::status(file, trouble);
+  if (!std::filesystem::exists(status))
+  {
+    return "does not exist";
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    return std::filesystem::is_directory(status) ? "is a folder" : "is no regular file";
+  }
+  const std::uintmax_t size = std::filesystem::file_size(file, trouble);
+  if (!trouble && (size < FalconSmallestFirmware || size > FalconLargestFirmware))
+  {
+    return SizeText(size);
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  image.resize(trouble ? 0 : static_cast<std::size_t>(size));
+  stream.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
+  if (trouble || !stream || image.empty())
+  {
+    return std::string("can't be read (") + std::strerror(errno) + ")";
+  }
+  return "";
+}
+
+/**
+ * Reads an image. False, with the file, the fault and the cure, if there is no such file, if it
+ * can't be read, or if its size can't be that of an image. An empty name means that there is no
+ * file.
+ */
+bool ReadFalconFirmware(
+  const std::string& file, std::vector<std::uint8_t>& image, std::string& error)
+{
+  image.clear();
+  if (file.empty())
+  {
+    error =
+      std::string("The Falcon's firmware does not run yet. It may not be distributed, for legal "
+                  "reasons, so that it is not a part of this software.") +
+      Cure;
+    return false;
+  }
+  const std::string trouble = Read(file, image);
+  if (!trouble.empty())
+  {
+    image.clear();
+    error = "The Falcon's firmware \"" + file + "\" " + trouble + "." + Cure;
+    return false;
+  }
+  return true;
+}
+
+/**
+ * The exchange of run packets with a Novint Falcon, at the servo's pace.
+ *
+ * A packet is sent as soon as the servo gives a force, but only when it is the host's turn
+ * (FalconTurns.h). Without a force, one is sent every 2 ms, so that homing goes on and zero is
+ * renewed. Receiving transfers are always posted. Everything is allocated before the first round.
+ */
+class FalconRounds final : public UsbTransferOwner
+{
+public:
+  /** The longest time (ns) without a packet. */
+  static constexpr std::int64_t IdleTime = 2000000;
+
+  /** Both must outlive this object. */
+  FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
+  /**
+   * If the device is connected, sends zero commands and waits until they are sent, for a fraction
+   * of a second at most.
+   */
+  ~FalconRounds();
+
+  /** Waits until something has happened or is due. */
+  void Wait() noexcept;
+
+  ///@{
+  /** The event that ended the last Wait. */
+  bool HasReport() const noexcept { return this->Reported; }
+  const FalconReport& GetReport() const noexcept { return this->Report; }
+  /** Whether a packet was not answered in time; GetGarbage says why, or is nullptr. */
+  bool HasMissed() const noexcept { return this->Missed; }
+  const char* GetGarbage() const noexcept;
+  /**
+   * The worst result of a transfer during the last Wait, or of submitting one since the Wait
+   * before.
+   */
+  UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
+  ///@}
+
+  /** Whether a packet should be sent now. */
+  bool IsDue() noexcept;
+  void Send(const FalconOrder& order) noexcept;
+
+private:
+  struct Transfers
+  {
+    Transfers(UsbInterface& usb, UsbTransferOwner& owner);
+    bool AreFlying() const noexcept;
+
+    UsbTransfer Out;
+    UsbTransfer First;
+    UsbTransfer Second;
+  };
+
+  void TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept override;
+  bool Submit(UsbTransfer& transfer, std::size_t size) noexcept;
+  void PostReceivers() noexcept;
+  void Note(UsbOutcome outcome) noexcept;
+  bool IsPending() noexcept;
+  template <typename F>
+  void WaitWhile(F&& holds, std::int64_t time) noexcept;
+  void Finish() noexcept;
+
+  UsbInterface& Usb;
+  HardwareExchange& Exchange;
+  UsbEvents Events;
+  std::unique_ptr<Transfers> Flight;
+  FalconStream Stream;
+  FalconReport Report;
+  std::uint32_t DroppedBefore = 0; ///< GetDropped at the last report
+  FalconTurns Turns;
+  std::int64_t SentAt = 0;
+  bool Woken = false;
+  bool Reported = false;
+  bool Missed = false;
+  UsbOutcome TroubleSoFar = UsbOutcome::Done;
+  UsbOutcome Trouble = UsbOutcome::Done;
+  bool OutStalled = false;
+  bool InStalled = false;
+};
+
+// ns
+constexpr std::int64_t LastPacketTime = 100 * ServoClock::Millisecond;
+constexpr std::int64_t CancelTime = 500 * ServoClock::Millisecond;
+
+FalconRounds::Transfers::Transfers(UsbInterface& usb, UsbTransferOwner& owner)
+  : Out(usb, FalconOut, owner)
+  , First(usb, FalconIn, owner)
+  , Second(usb, FalconIn, owner)
+{
+}
+
+bool FalconRounds::Transfers::AreFlying() const noexcept
+{
+  return this->Out.IsFlying() || this->First.IsFlying() || this->Second.IsFlying();
+}
+
+FalconRounds::FalconRounds(UsbInterface& usb, HardwareExchange& exchange)
+  : Usb(usb)
+  , Exchange(exchange)
+  , Events(usb, exchange)
+  , Flight(std::make_unique<Transfers>(usb, *this))
+{
+  this->Submit(this->Flight->First, UsbTransfer::Capacity);
+  this->Submit(this->Flight->Second, UsbTransfer::Capacity);
+}
+
+FalconRounds::~FalconRounds()
+{
+  this->Finish();
+  if (this->Flight->AreFlying())
+  {
+    // The system still uses them: only closing the device releases them.
+    static_cast<void>(this->Flight.release());
+  }
+}
+
+void FalconRounds::Wait() noexcept
+{
+  this->Reported = false;
+  this->Missed = false;
+  const std::int64_t end = this->IsPending() ? this->Turns.GetDeadline() : this->SentAt + IdleTime;
+  this->Woken = this->Events.Wait(this->IsDue() ? 0 : end - ServoClock::Now()) || this->Woken;
+  if (this->Reported)
+  {
+    this->DroppedBefore = this->Stream.GetDropped();
+  }
+  else if (this->Turns.CheckMissed(ServoClock::Now(), this->Flight->Out.IsFlying()))
+  {
+    this->Missed = true;
+    this->Flight->Out.Cancel();
+  }
+  this->Trouble = this->TroubleSoFar;
+  this->TroubleSoFar = UsbOutcome::Done;
+}
+
+const char* FalconRounds::GetGarbage() const noexcept
+{
+  return this->Stream.GetDropped() != this->DroppedBefore ? FalconFlawText(this->Stream.GetFlaw())
+                                                          : nullptr;
+}
+
+bool FalconRounds::IsPending() noexcept
+{
+  return !this->Turns.MaySend(ServoClock::Now()) || this->Flight->Out.IsFlying();
+}
+
+bool FalconRounds::IsDue() noexcept
+{
+  return !this->IsPending() && (this->Woken || ServoClock::Now() - this->SentAt >= IdleTime);
+}
+
+void FalconRounds::Send(const FalconOrder& order) noexcept
+{
+  if (this->OutStalled)
+  {
+    this->Usb.ClearHalt(FalconOut);
+  }
+  if (!this->InStalled)
+  {
+    this->PostReceivers();
+  }
+  const FalconPacket packet = FalconRunPacket(order);
+  std::copy(packet.begin(), packet.end(), this->Flight->Out.GetBytes());
+  this->Woken = false;
+  this->SentAt = ServoClock::Now();
+  if (this->Submit(this->Flight->Out, packet.size()))
+  {
+    this->Turns.Sent(this->SentAt);
+  }
+  // Only once zero is on its way: a faulty device may take seconds to answer.
+  if (this->InStalled)
+  {
+    this->Usb.ClearHalt(FalconIn);
+    this->PostReceivers();
+  }
+  this->OutStalled = this->InStalled = false;
+}
+
+void FalconRounds::PostReceivers() noexcept
+{
+  for (UsbTransfer* const in : { &this->Flight->First, &this->Flight->Second })
+  {
+    if (!in->IsFlying())
+    {
+      this->Submit(*in, UsbTransfer::Capacity);
+    }
+  }
+}
+
+bool FalconRounds::Submit(UsbTransfer& transfer, std::size_t size) noexcept
+{
+  this->Note(transfer.Submit(size));
+  return transfer.IsFlying();
+}
+
+void FalconRounds::Note(UsbOutcome outcome) noexcept
+{
+  this->TroubleSoFar = std::max(this->TroubleSoFar, outcome);
+}
+
+void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept
+{
+  const bool isOut = transfer.GetEndpoint() == FalconOut;
+  this->Note(outcome);
+  this->OutStalled = this->OutStalled || (isOut && outcome == UsbOutcome::Stalled);
+  this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
+  if (outcome > UsbOutcome::Cancelled)
+  {
+    // No answer is expected: zero goes out at once.
+    this->Turns.Abandon();
+  }
+  if (isOut && outcome == UsbOutcome::Done)
+  {
+    this->Exchange.NoteTaken();
+  }
+  if (isOut || outcome != UsbOutcome::Done)
+  {
+    return;
+  }
+  const int reports = this->Stream.Take(transfer.GetBytes(), transfer.GetSize(), this->Report);
+  if (reports > 0)
+  {
+    this->Reported = true;
+    this->Turns.Answered(ServoClock::Now(), reports);
+  }
+  this->Submit(transfer, UsbTransfer::Capacity);
+}
+
+template <typename F>
+void FalconRounds::WaitWhile(F&& holds, std::int64_t time) noexcept
+{
+  const std::int64_t end = ServoClock::Now() + time;
+  while (holds() && this->TroubleSoFar != UsbOutcome::Gone && ServoClock::Now() < end)
+  {
+    this->Events.WaitForTransfers(ServoClock::Millisecond);
+  }
+}
+
+void FalconRounds::Finish() noexcept
+{
+  const auto isPending = [this] { return this->IsPending(); };
+  this->WaitWhile(isPending, FalconTurns::AnswerTime);
+  this->Flight->Out.Cancel();
+  const auto isOutFlying = [this] { return this->Flight->Out.IsFlying(); };
+  this->WaitWhile(isOutFlying, LastPacketTime);
+  if (this->Trouble != UsbOutcome::Gone && this->TroubleSoFar != UsbOutcome::Gone &&
+    !this->Flight->Out.IsFlying())
+  {
+    this->Send(FalconOrder{});
+    this->WaitWhile(isPending, LastPacketTime);
+  }
+  for (UsbTransfer* const transfer :
+    { &this->Flight->Out, &this->Flight->First, &this->Flight->Second })
+  {
+    transfer->Cancel();
+  }
+  const std::int64_t end = ServoClock::Now() + CancelTime;
+  while (this->Flight->AreFlying() && ServoClock::Now() < end)
+  {
+    this->Events.WaitForTransfers(ServoClock::Millisecond);
+  }
+}
 
 /** Packets, 50 ms each. If none is answered, the device has no firmware. */
 constexpr int ProbePackets = 5;

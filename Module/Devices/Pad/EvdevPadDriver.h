@@ -13,13 +13,39 @@
 
 #include "Devices/Common/HardwareDevice.h"
 #include "Devices/Common/RateTip.h"
-#include "Devices/Pad/EvdevPads.h"
 #include "Devices/Pad/EvdevReader.h"
 #include "Devices/Pad/EvdevRumble.h"
 #include "Devices/Pad/PadLimits.h"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace VolumeHaptics
 {
+
+/** The gamepads for which Linux has drivers, as sysfs lists them. */
+struct EvdevPad
+{
+  std::string Path; ///< its node, such as /dev/input/event5
+  std::string Name; ///< the product's
+  std::uint16_t Vendor = 0;
+  std::uint16_t Product = 0;
+  bool Vibrates = false; ///< its driver supports FF_RUMBLE
+
+  /** Name and path, as shown to the user. */
+  std::string GetLabel() const;
+  /** "available", "in use", or the obstacle and its cure. */
+  std::string GetState() const;
+  /** The obstacle for an error of open() or EVIOCGRAB. */
+  static std::string Explain(int fault);
+};
+
+/** In the order of their numbers: all pads with a first button and a stick of two axes. */
+std::vector<EvdevPad> FindEvdevPads();
+
+/** The obstacle and its cure for a pad whose driver can't make it vibrate. */
+extern const char* const NoRumbleText;
 
 class EvdevPadDriver final : public HardwareDriver
 {

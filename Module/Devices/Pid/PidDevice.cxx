@@ -11,6 +11,7 @@ namespace VolumeHaptics
 {
 namespace
 {
+
 constexpr std::uint16_t OrdinalPage = 0x0A;
 constexpr HidUsage AxisUsages[] = { MakeHidUsage(0x01, 0x30), MakeHidUsage(0x01, 0x31) };
 
@@ -29,6 +30,7 @@ std::int64_t ToLogical(const HidField& field, double quantity, double unitWithou
   constexpr double most = 4294967295.0;
   return std::llround(std::max(0.0, std::min(value, most)));
 }
+
 } // namespace
 
 bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)

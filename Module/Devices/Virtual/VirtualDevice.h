@@ -64,7 +64,6 @@ public:
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
   /** Call it only while the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
-  const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
   /** The limits of another device. Call it only while the loop does not run. */
   void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}

@@ -7,14 +7,36 @@
 #ifndef HapticSetupNode_h
 #define HapticSetupNode_h
 
+#include "VTK/Base/HapticSetting.h"
+#include "VTK/Base/JsonText.h"
+
+#include "vtkType.h"
 #include "vtk_jsoncpp.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace VolumeHaptics
 {
+
+/** JSON files that state their format and its version. */
+struct SetupFileKind
+{
+  const char* Format; ///< the value of the key "Format"
+  int Version;        ///< version that is written; this and earlier ones are read
+  const char* Noun;   ///< such as "setup"
+  const char* Cure;   ///< where such files come from: "that vtkHapticSetup saved"
+  const char* Again;  ///< what else helps: "save the setup again"
+};
+
+/** Begins a file of a kind. */
+Json::Value NewSetupFile(const SetupFileKind& kind);
+
+/** Parses a file. False, with the fault and the cure, if the text is no file of the kind. */
+bool ParseSetupFile(
+  const std::string& text, const SetupFileKind& kind, Json::Value& root, std::string& error);
 
 /** The result of a pass over the settings: the changes to make, unless there is an error. */
 struct SetupPass
@@ -105,6 +127,61 @@ private:
   Json::Value* Json;
   std::string Path;
 };
+
+/** Passes a setting of an owner, which must live until the changes are made. */
+template <typename Owner>
+void PassSetting(SetupNode& node, Owner* owner, const HapticSetting<Owner>& setting)
+{
+  const auto get = [owner, get = setting.Get] { return get(owner); };
+  const auto set = [owner, set = setting.Set](double value) { set(owner, value); };
+  switch (setting.Kind)
+  {
+    case SettingKind::Number:
+      node.Number(setting.Name,
+        { setting.Minimum,
+          setting.Maximum < VTK_DOUBLE_MAX ? setting.Maximum : NotNegative().Maximum },
+        get, set);
+      break;
+    case SettingKind::Integer:
+      node.Integer(setting.Name, static_cast<int>(setting.Minimum),
+        static_cast<int>(setting.Maximum), get, set);
+      break;
+    case SettingKind::Flag:
+      node.Flag(setting.Name, get, set);
+      break;
+    case SettingKind::Choice:
+      std::vector<const char*> names;
+      for (int i = 0; i <= static_cast<int>(setting.Maximum); ++i)
+      {
+        names.push_back(setting.Choices[i].Name);
+      }
+      node.Choice(setting.Name, names, get, set);
+      break;
+  }
+}
+
+///@{
+/** Passes one key for each setting of an owner, which must live until the changes are made. */
+template <typename Owner, std::size_t Size>
+void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
+{
+  for (const HapticSetting<Owner>& setting : settings)
+  {
+    PassSetting(node, owner, setting);
+  }
+}
+
+template <typename Owner, std::size_t Size>
+void PassSettings(SetupNode& node, Owner* owner, const HapticTextSetting<Owner> (&settings)[Size])
+{
+  for (const HapticTextSetting<Owner>& setting : settings)
+  {
+    node.Text(
+      setting.Name, [=] { return setting.Get(owner); },
+      [=](const std::string& text) { setting.Set(owner, text); }, setting.Check);
+  }
+}
+///@}
 
 } // namespace VolumeHaptics
 

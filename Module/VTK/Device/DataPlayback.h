@@ -30,8 +30,7 @@
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Device/DeviceSession.h"
 #include "VTK/Device/Playback/FrameMesher.h"
-#include "VTK/Device/Playback/FrameOrigin.h"
-#include "VTK/Device/Playback/PastWindows.h"
+#include "VTK/Device/Playback/StreamedWindow.h"
 #include "VTK/Device/Playback/TimeSteps.h"
 #include "VTK/Device/Playback/WindowPreparation.h"
 

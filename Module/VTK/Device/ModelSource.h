@@ -9,7 +9,7 @@
 
 #include "VTK/Device/DataPlayback.h"
 #include "VTK/Device/DeviceSession.h"
-#include "VTK/Device/Playback/FrameImage.h"
+#include "VTK/Device/Playback/FrameMesher.h"
 #include "VTK/Device/Playback/RegionMesher.h"
 
 #include "vtkMatrix4x4.h"

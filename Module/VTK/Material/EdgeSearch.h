@@ -21,9 +21,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Runs work on many voxels, on all cores at once or in the background.
- *
- * A part of a search: the caller waits for it (no monitor), or it runs in the background.
+ * A part of a search in many voxels: the caller waits for it (no monitor), on all cores at once, or
+ * it runs in the background.
  */
 struct SearchPart
 {

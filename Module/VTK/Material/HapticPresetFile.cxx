@@ -4,7 +4,7 @@
 
 #include "VTK/Base/FileReplacement.h"
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Base/SetupFile.h"
+#include "VTK/Base/HapticSetupNode.h"
 #include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticSetupMaterials.h"
 

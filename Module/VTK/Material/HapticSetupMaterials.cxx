@@ -2,17 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/HapticSetupMaterials.h"
 
-#include "VTK/Base/PassSettings.h"
+#include "VTK/Base/HapticSetupNode.h"
 #include "VTK/Material/HapticPropertySettings.h"
-#include "VTK/Material/HapticSetupFunctions.h"
 #include "VTK/Material/HapticTissues.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkHapticProperty.h"
+#include "vtkPiecewiseFunction.h"
 
 namespace VolumeHaptics
 {
 namespace
 {
+
+template <typename F>
+std::vector<NumberRow> GetNodes(F* function, int size, std::size_t columns)
+{
+  std::vector<NumberRow> rows(size, NumberRow(columns));
+  for (int i = 0; i < size; ++i)
+  {
+    function->GetNodeValue(i, rows[i].data());
+  }
+  return rows;
+}
+
+/** Fills a function in place, with all nodes even if two of them are at one position. */
+template <typename F, typename A>
+void SetNodes(F* function, const std::vector<NumberRow>& rows, A&& add)
+{
+  const vtkTypeBool allow = function->GetAllowDuplicateScalars();
+  function->SetAllowDuplicateScalars(1);
+  function->RemoveAllPoints();
+  for (const NumberRow& row : rows)
+  {
+    add(row);
+  }
+  function->SetAllowDuplicateScalars(allow);
+}
+
+template <typename G>
+void PassDuplicates(SetupNode& node, const G& get)
+{
+  node.Flag(
+    "AllowDuplicateScalars", [get] { return get()->GetAllowDuplicateScalars() != 0; },
+    [get](bool on) { get()->SetAllowDuplicateScalars(on); });
+  node.Flag(
+    "Clamping", [get] { return get()->GetClamping() != 0; },
+    [get](bool on) { get()->SetClamping(on); });
+}
+
+constexpr NumberRange Share{ 0.0, 1.0 };
 
 /** Passes an object with a range for each tissue's name. */
 void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>& get)
@@ -56,6 +95,50 @@ void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+void PassFunction(
+  SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get)
+{
+  PassDuplicates(node, get);
+  node.Flag(
+    "UseLogScale", [get] { return get()->GetUseLogScale(); },
+    [get](bool on) { get()->SetUseLogScale(on); });
+  node.Table(
+    "Nodes", { AnyNumber(), values, Share, Share },
+    [get] { return GetNodes(get(), get()->GetSize(), 4); },
+    [get](const std::vector<NumberRow>& rows)
+    {
+      vtkPiecewiseFunction* const function = get();
+      SetNodes(function, rows,
+        [function](const NumberRow& r) { function->AddPoint(r[0], r[1], r[2], r[3]); });
+    });
+}
+
+//------------------------------------------------------------------------------
+void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get)
+{
+  PassDuplicates(node, get);
+  node.Choice(
+    "ColorSpace", { "RGB", "HSV", "Lab", "Diverging", "LabCIEDE2000", "Step" },
+    [get] { return get()->GetColorSpace(); }, [get](int space) { get()->SetColorSpace(space); });
+  node.Flag(
+    "HSVWrap", [get] { return get()->GetHSVWrap() != 0; },
+    [get](bool on) { get()->SetHSVWrap(on); });
+  node.Choice(
+    "Scale", { "Linear", "Log10" }, [get] { return get()->GetScale(); },
+    [get](int scale) { get()->SetScale(scale); });
+  node.Table(
+    "Nodes", { AnyNumber(), Share, Share, Share, Share, Share },
+    [get] { return GetNodes(get(), get()->GetSize(), 6); },
+    [get](const std::vector<NumberRow>& rows)
+    {
+      vtkColorTransferFunction* const function = get();
+      SetNodes(function, rows,
+        [function](const NumberRow& r)
+        { function->AddRGBPoint(r[0], r[1], r[2], r[3], r[4], r[5]); });
+    });
+}
 
 //------------------------------------------------------------------------------
 void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get)

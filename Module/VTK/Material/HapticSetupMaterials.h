@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads the materials of a vtkHapticProperty in setups and presets.
+ * Writes and reads transfer functions, and the materials of a vtkHapticProperty, in setups and
+ * presets.
  */
 #ifndef HapticSetupMaterials_h
 #define HapticSetupMaterials_h
@@ -11,10 +12,19 @@
 
 #include <functional>
 
+class vtkColorTransferFunction;
 class vtkHapticProperty;
+class vtkPiecewiseFunction;
 
 namespace VolumeHaptics
 {
+
+///@{
+/** Passes a function in its own node; the getter may create the function. */
+void PassFunction(
+  SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get);
+void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get);
+///@}
 
 /**
  * Passes functions, settings and tissues. The getter is called again for each change of functions

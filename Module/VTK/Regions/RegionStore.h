@@ -9,7 +9,7 @@
 #define RegionStore_h
 
 #include "VTK/Base/BackgroundWork.h"
-#include "VTK/Regions/CoarseLevel.h"
+#include "VTK/Regions/CoarseImage.h"
 #include "VTK/Regions/Formats/LargeVolume.h"
 #include "VTK/Regions/RegionReader.h"
 #include "VTK/Regions/VolumeSurvey.h"

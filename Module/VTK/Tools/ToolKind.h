@@ -11,7 +11,7 @@
 #define ToolKind_h
 
 #include "Core/Model/HapticModel.h"
-#include "VTK/Base/PassSettings.h"
+#include "VTK/Base/HapticSetupNode.h"
 #include "VTK/Tools/HapticToolSettings.h"
 
 #include "vtkHapticShapedTool.h"

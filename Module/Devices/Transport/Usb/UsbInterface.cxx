@@ -2,8 +2,144 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Transport/Usb/UsbInterface.h"
 
+#include "Devices/Common/DeviceTexts.h"
+
+#include <algorithm>
+
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** The bus, and the ports from it. */
+std::vector<int> PathOf(libusb_device* device)
+{
+  std::uint8_t ports[7]; // the deepest that USB allows
+  const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
+  std::vector<int> path{ libusb_get_bus_number(device) };
+  path.insert(path.end(), ports, ports + std::max(count, 0));
+  // Two emulated devices may both have no ports.
+  path.push_back(libusb_get_device_address(device));
+  return path;
+}
+
+} // namespace
+
+UsbContext MakeUsbContext(std::string& error)
+{
+  libusb_context* context = nullptr;
+  const int result = libusb_init(&context);
+  if (result != LIBUSB_SUCCESS)
+  {
+    error = std::string("The system's USB can't be reached: ") + libusb_strerror(result) + ".";
+    return nullptr;
+  }
+  return UsbContext(context);
+}
+
+std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product)
+{
+  std::vector<UsbDevice> found;
+  libusb_device** list = nullptr;
+  const ssize_t count = libusb_get_device_list(context, &list);
+  for (ssize_t i = 0; i < count; ++i)
+  {
+    libusb_device_descriptor descriptor{};
+    if (libusb_get_device_descriptor(list[i], &descriptor) == LIBUSB_SUCCESS &&
+      descriptor.idVendor == product.Vendor && descriptor.idProduct == product.Product)
+    {
+      found.emplace_back(libusb_ref_device(list[i]));
+    }
+  }
+  if (count >= 0)
+  {
+    libusb_free_device_list(list, 1);
+  }
+  std::sort(found.begin(), found.end(),
+    [](const UsbDevice& a, const UsbDevice& b) { return PathOf(a.get()) < PathOf(b.get()); });
+  return found;
+}
+
+std::string UsbNameOf(libusb_device* device, const UsbProduct& product)
+{
+  const std::vector<int> path = PathOf(device);
+  std::string name = product.Name + std::string(" (USB bus ") + std::to_string(path.front());
+  for (std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    name += (i == 1 ? ", port " : ".") + std::to_string(path[i]);
+  }
+  return name + ")";
+}
+
+std::string UsbIdentityOf(libusb_device* device, const char* kind)
+{
+  libusb_device_descriptor descriptor{};
+  libusb_device_handle* handle = nullptr;
+  std::string number;
+  if (libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS &&
+    descriptor.iSerialNumber != 0 && libusb_open(device, &handle) == LIBUSB_SUCCESS)
+  {
+    unsigned char serial[128];
+    const int size =
+      libusb_get_string_descriptor_ascii(handle, descriptor.iSerialNumber, serial, sizeof(serial));
+    if (size > 0)
+    {
+      number = std::string(serial, serial + size);
+    }
+    libusb_close(handle);
+  }
+  if (number.empty())
+  {
+    const std::vector<int> path = PathOf(device);
+    number = "port:" + std::to_string(path.front());
+    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+    {
+      number += (i == 1 ? "-" : ".") + std::to_string(path[i]);
+    }
+  }
+  return kind + (":" + number);
+}
+
+std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
+{
+  libusb_device_handle* handle = nullptr;
+  int result = libusb_open(device, &handle);
+  if (result != LIBUSB_SUCCESS)
+  {
+    return UsbTroubleText(result, product);
+  }
+  // Opening the device detaches a driver of the kernel.
+  if (libusb_kernel_driver_active(handle, 0) != 1)
+  {
+    result = libusb_claim_interface(handle, 0);
+    if (result == LIBUSB_SUCCESS)
+    {
+      libusb_release_interface(handle, 0);
+    }
+  }
+  libusb_close(handle);
+  return result == LIBUSB_SUCCESS ? "available"
+    : result == LIBUSB_ERROR_BUSY ? "in use"
+                                  : UsbTroubleText(result, product);
+}
+
+std::string UsbTroubleText(int error, const UsbProduct& product)
+{
+  switch (error)
+  {
+    case LIBUSB_ERROR_ACCESS:
+      return PermissionCure("usb", product.Vendor, product.Product);
+    case LIBUSB_ERROR_NO_DEVICE:
+    case LIBUSB_ERROR_NOT_FOUND:
+      return "it is not plugged in any more. Plug it in again.";
+    case LIBUSB_ERROR_BUSY:
+      return "it is in use by another program, or opened a second time by this one. Close it "
+             "there.";
+    default:
+      return std::string("the system refuses it (libusb: ") + libusb_strerror(error) +
+        "). Unplug it, plug it in again, and look into the system's log.";
+  }
+}
 
 UsbInterface::~UsbInterface()
 {

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Meshes frames of a volume that moves in the background, for SURFACE_PROXY.
+ * The frames of a volume that moves, as images, and as meshes for SURFACE_PROXY.
  */
 #ifndef FrameMesher_h
 #define FrameMesher_h
 
 #include "Core/Model/HapticModelDescription.h"
+#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Base/BackgroundWork.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 
 #include <memory>
 #include <tuple>
@@ -17,7 +22,28 @@
 namespace VolumeHaptics
 {
 
-/** Meshes frames on a worker. Call it from the owner's thread. */
+/** The frame of a moving volume that is shown, as an image. */
+class FrameImage
+{
+public:
+  /**
+   * Makes an image of a frame's array, with the shape of another image. The samples are copied only
+   * if the frames are components of one array with several components. Returns the last image again
+   * if the frame is unchanged.
+   */
+  vtkImageData* Show(const HapticFrame& frame, bool isComponent, vtkImageData* shape);
+  void Clear();
+  /** Returns the array of the frame; null without one. */
+  vtkDataArray* GetArray() const { return this->Array; }
+
+private:
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkDataArray> Array; ///< array that is shown
+  vtkMTimeType Changed = 0;            ///< change time of Array
+  int Component = 0;
+};
+
+/** Meshes frames in the background. Call it from the owner's thread. */
 class FrameMesher
 {
 public:

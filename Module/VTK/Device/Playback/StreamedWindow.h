@@ -8,13 +8,58 @@
 #define StreamedWindow_h
 
 #include "Core/Model/BakedVolume.h"
+#include "VTK/Device/Playback/HapticChangeTime.h"
+
+#include "vtkType.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
 {
+
+/**
+ * Identifies the source of a filter's time steps. While it is unchanged, samples that were read
+ * can be kept: only settings have changed.
+ */
+struct FrameOrigin
+{
+  const void* Connection = nullptr; ///< connection to the source; not dereferenced
+  vtkMTimeType Time = 0;            ///< last change of the source, or of what it reads
+  std::string Displacements;        ///< name of the displacements' array
+
+  bool operator==(const FrameOrigin& other) const
+  {
+    return this->Connection == other.Connection && this->Time == other.Time &&
+      this->Displacements == other.Displacements;
+  }
+};
+
+inline FrameOrigin FindOrigin(vtkVolumeHapticsFilter* filter)
+{
+  return { filter->GetInputConnection(0, 0), FindPipelineTime(filter->GetInputAlgorithm(0, 0)),
+    filter->GetDisplacementArrayName() };
+}
+
+/**
+ * Earlier windows of a volume that moves. While the servo uses one of them, the frames that were
+ * released with it are still in memory.
+ */
+class PastWindows
+{
+public:
+  void Note(const std::shared_ptr<const BakedVolume>& window);
+  /** Whether no earlier window is in use any more, or a reader of states holds one for too long. */
+  bool AreGone() const;
+
+private:
+  std::vector<std::weak_ptr<const BakedVolume>> Windows;
+  std::int64_t Since = 0; ///< time when the last window was added (ns)
+};
 
 /** Returns a frame of a window for use in another window. */
 VolumeFrame KeepFrame(const BakedVolume& window, std::size_t number);

@@ -3,8 +3,7 @@
 #include "VTK/Device/Recording/JournalReader.h"
 
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Device/Recording/BlockCompressor.h"
-#include "VTK/Device/Recording/HapticJournalChunks.h"
+#include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Device/Recording/JournalWriter.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/RecordingNames.h"

@@ -3,7 +3,7 @@
 #include "VTK/Device/Recording/JournalWriter.h"
 
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Device/Recording/HapticJournalChunks.h"
+#include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include <algorithm>

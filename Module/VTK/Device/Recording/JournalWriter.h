@@ -7,7 +7,6 @@
 #ifndef JournalWriter_h
 #define JournalWriter_h
 
-#include "VTK/Device/Recording/BlockCompressor.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 
 #include <cstdint>

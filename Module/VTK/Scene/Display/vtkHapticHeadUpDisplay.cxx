@@ -59,9 +59,6 @@ namespace
 class HapticOverlayPicture
 {
 public:
-  HapticOverlayPicture();
-  ~HapticOverlayPicture();
-
   /**
    * Shows the prop. Redraws its picture if it is stale, if the viewport has changed, or if there is
    * none yet. Shows the lower left corner of the picture, up to an extent (pixels). If the window
@@ -78,9 +75,6 @@ private:
   int Size[2] = { 0, 0 };      ///< pixels
   int Origin[2] = { 0, 0 };    ///< origin of the viewport, pixels
 };
-
-HapticOverlayPicture::HapticOverlayPicture() = default;
-HapticOverlayPicture::~HapticOverlayPicture() = default;
 
 int HapticOverlayPicture::Render(
   vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale)
