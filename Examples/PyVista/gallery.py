@@ -157,7 +157,7 @@ class Scene:
         end = time.monotonic() + seconds
         while time.monotonic() < end and not self.haptics.closed:
             self.haptics.update()
-            if self.haptics.device.GetPlayback().HasFrames() and see():
+            if self.haptics.device.GetPlayback().HasTimeSteps() and see():
                 break
             time.sleep(0.005) if self.hidden else self.plotter.update()
 

@@ -49,7 +49,7 @@ public:
     }
     else if (watched == this->parent() && (type == QEvent::Show || type == QEvent::ParentChange))
     {
-      this->FollowWindow();
+      this->WatchWindow();
     }
     return QObject::eventFilter(watched, event);
   }
@@ -60,10 +60,10 @@ private:
     , Style(style)
   {
     widget->installEventFilter(this);
-    this->FollowWindow();
+    this->WatchWindow();
   }
 
-  void FollowWindow()
+  void WatchWindow()
   {
     QWidget* const window = static_cast<QWidget*>(this->parent())->window();
     if (this->Window && this->Window != window && this->Window != this->parent())

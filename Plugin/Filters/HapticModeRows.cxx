@@ -154,7 +154,7 @@ std::string FindArray(vtkDataObject* data, vtkHapticMode* mode)
 } // namespace
 
 //------------------------------------------------------------------------------
-bool HapticModeRows::Seen::Note(vtkDataObject* data)
+bool HapticModeRows::Seen::Record(vtkDataObject* data)
 {
   const vtkMTimeType time = data ? data->GetMTime() : 0;
   const bool isOther = data != this->Data || time != this->Time;
@@ -203,8 +203,8 @@ std::string HapticModeRows::Fill(vtkVolumeHapticsFilter* filter)
     return filter->GetNumberOfInputConnections(port) > 0 ? filter->GetInputDataObject(port, 0)
                                                          : nullptr;
   };
-  const bool hasData = this->Preset != "None" && this->Input.Note(dataOf(0));
-  const bool hasGuide = this->HasGuide() && this->Guide.Note(dataOf(2));
+  const bool hasData = this->Preset != "None" && this->Input.Record(dataOf(0));
+  const bool hasGuide = this->HasGuide() && this->Guide.Record(dataOf(2));
   if (!this->IsDirty && !hasData && !hasGuide)
   {
     return {};

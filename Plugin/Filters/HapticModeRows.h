@@ -52,7 +52,7 @@ private:
     vtkMTimeType Time = 0;
 
     /** Whether the data have changed. */
-    bool Note(vtkDataObject* data);
+    bool Record(vtkDataObject* data);
   };
 
   bool HasGuide() const;

@@ -41,7 +41,7 @@ public:
   ///@}
 
   /** Call after a setting has changed. */
-  void Note() { this->IsDirty = true; }
+  void Record() { this->IsDirty = true; }
 
   /** Makes the filter's tool if needed; returns the errors of a tool that can't be made. */
   std::string Fill(vtkVolumeHapticsFilter* filter);

@@ -442,7 +442,7 @@ void vtkPVVolumeHapticsFilter::ChooseTool(T& setting, const T& value)
   if (!(setting == value))
   {
     setting = value;
-    this->Tools.Note();
+    this->Tools.Record();
     this->Modified();
   }
 }

@@ -337,7 +337,7 @@ void HapticController::loadPreset(const QString& file)
   errors.Catch(read);
   if (!read->ReadPreset(file.toLocal8Bit().data()))
   {
-    Q_EMIT this->told(QString::fromStdString(errors.Take()));
+    Q_EMIT this->told(QString::fromStdString(errors.Drain()));
     return;
   }
   SetOfFilter(touch, "Preset", file.toLocal8Bit().data());
@@ -360,7 +360,7 @@ void HapticController::savePreset(const QString& file)
   VolumeHapticsLive::HapticErrorCatcher errors;
   errors.Catch(felt->GetProperty());
   const bool isWritten = felt->GetProperty()->WritePreset(file.toLocal8Bit().data());
-  Q_EMIT this->told(isWritten ? tr("Saved: %1").arg(file) : QString::fromStdString(errors.Take()));
+  Q_EMIT this->told(isWritten ? tr("Saved: %1").arg(file) : QString::fromStdString(errors.Drain()));
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ constexpr int Period = 100;    ///< ms between looks at the device
 constexpr int BarSteps = 1000; ///< of the bar, from 0 to the largest force
 
 /** The pointer by the window system, which knows of motions whose events are still to come. */
-void FindPointer(int position[2])
+void PollPointer(int position[2])
 {
   const QPoint place = QCursor::pos();
   position[0] = place.x();
@@ -50,7 +50,7 @@ HapticDock::HapticDock(QWidget* parent)
   : Superclass(tr("Volume Haptics"), parent)
   , Controller(new HapticController(this))
 {
-  vtkHapticViewStyle::SetPointerQuery(FindPointer);
+  vtkHapticViewStyle::SetPointerQuery(PollPointer);
   auto* const panel = new QWidget(this);
   panel->setObjectName("HapticPanel");
   auto* const grid = new QGridLayout;

@@ -208,7 +208,7 @@ std::string FindArray(pqPipelineSource* volume, const QString& wanted)
 }
 
 /** The shortest edge of an image's voxel; for other data, a fraction of the longest edge of all. */
-double FindVoxel(pqPipelineSource* volume)
+double ComputeVoxel(pqPipelineSource* volume)
 {
   constexpr double parts = 128.0;
   vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
@@ -287,7 +287,7 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
     SetTraced(
       vtkSMPropertyHelper(shown, "ScalarOpacityFunction").GetAsProxy(), "Points", opacities);
     SetTraced(shown, "ScalarOpacityUnitDistance",
-      std::vector<double>{ VolumeHaptics::LookLayer * FindVoxel(volume) });
+      std::vector<double>{ VolumeHaptics::LookLayer * ComputeVoxel(volume) });
     SetTraced(shown, "Shade", std::vector<int>{ 1 });
   }
   END_UNDO_SET();

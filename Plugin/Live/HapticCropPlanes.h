@@ -27,7 +27,7 @@ constexpr CropBase ChooseCropBase(int major, int minor)
  * The planes in the coordinates of the data, as
  * vtkImageVolumeRepresentation::UpdateMapperParameters() sets them on its mapper.
  */
-inline void FindCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
+inline void ComputeCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
   const double origin[3], const double scale[3], double planes[6])
 {
   for (int i = 0; i < 6; ++i)

@@ -46,7 +46,7 @@ void HapticTouchLink::LetGo()
   this->Twin = nullptr;
 }
 
-void HapticTouchLink::Follow(vtkSMProxy* touch)
+void HapticTouchLink::Watch(vtkSMProxy* touch)
 {
   if (touch != this->Touch || !touch)
   {
@@ -57,7 +57,7 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
     }
     this->Touch = touch;
     this->Observer =
-      touch->AddObserver(vtkCommand::PropertyModifiedEvent, this, &HapticTouchLink::NoteChange);
+      touch->AddObserver(vtkCommand::PropertyModifiedEvent, this, &HapticTouchLink::RecordChange);
     this->CommandObserver =
       touch->AddObserver(vtkCommand::UpdatePropertyEvent, this, &HapticTouchLink::PassCommand);
     this->Twin.TakeReference(
@@ -102,7 +102,7 @@ void HapticTouchLink::CopySettings()
 
 void HapticTouchLink::ShareRemoval()
 {
-  vtkVolumeHapticsFilter* const touched = this->FindTouched();
+  vtkVolumeHapticsFilter* const touched = this->GetTouched();
   vtkVolumeHapticsFilter* const filter = this->GetFilter();
   if (touched && filter)
   {
@@ -115,13 +115,13 @@ void HapticTouchLink::PassCommand(vtkObject*, unsigned long, void* name)
   const auto* const command = static_cast<const char*>(name);
   const auto is = [command](const char* text) { return command && !std::strcmp(command, text); };
   const bool isOfRemoval = is("UndoRemoval") || is("RedoRemoval") || is("RestoreTissue");
-  if (isOfRemoval && this->Twin && !this->FindTouched())
+  if (isOfRemoval && this->Twin && !this->GetTouched())
   {
     this->Twin->InvokeCommand(command);
   }
 }
 
-vtkVolumeHapticsFilter* HapticTouchLink::FindTouched() const
+vtkVolumeHapticsFilter* HapticTouchLink::GetTouched() const
 {
   return this->Touch ? vtkVolumeHapticsFilter::SafeDownCast(this->Touch->GetClientSideObject())
                      : nullptr;
@@ -171,10 +171,10 @@ bool HapticDataLink::Uses(vtkSMProxy* proxy) const
     proxy == this->Opacity.GetView();
 }
 
-void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report)
+void HapticDataLink::Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report)
 {
   vtkSMProxy* const touch = vtkSMPropertyHelper(proxy, "Touch").GetAsProxy();
-  this->Touch.Follow(touch);
+  this->Touch.Watch(touch);
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   if (!filter)
   {
@@ -192,16 +192,16 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   vtkSMSourceProxy* const surface = this->Touch.GetInput("Surface", surfacePort);
   unsigned int labelPort = 0;
   vtkSMSourceProxy* const labels = this->Touch.GetInput("Labels", labelPort);
-  this->FollowTime(proxy, volume);
+  this->UpdateTime(proxy, volume);
   if (IsLocal(proxy))
   {
-    this->FollowImage(volume, port, device, report);
-    this->Surface.Follow(surface, surfacePort, filter, 2);
-    this->Labels.Follow(labels, labelPort, filter, 3);
+    this->UpdateImage(volume, port, device, report);
+    this->Surface.Update(surface, surfacePort, filter, 2);
+    this->Labels.Update(labels, labelPort, filter, 3);
   }
   else if (vtkSMPropertyHelper(proxy, "Running").GetAsInt())
   {
-    this->FollowRegion(proxy, volume, port, device, report);
+    this->PollRegion(proxy, volume, port, device, report);
     if (surface && !report.HasProblem())
     {
       report.SetProblem("A Surface on a server is not touched; the isosurface at IsoValue is. To "
@@ -209,7 +209,7 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
     }
     const char* const displacements =
       vtkSMPropertyHelper(this->Touch.GetTouch(), "DisplacementArrayName").GetAsString();
-    if (displacements && *displacements && HapticFrameLink::IsMoving(volume, port, filter) &&
+    if (displacements && *displacements && HapticTimeStepLink::IsMoving(volume, port, filter) &&
       !report.HasProblem())
     {
       report.SetProblem("Displacements on a server are not felt; the time steps are blended in "
@@ -224,11 +224,11 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   vtkVolumeProperty* const seen = vtkSMPropertyHelper(proxy, "FollowOpacity").GetAsInt()
     ? this->Opacity.Find(volume, filter)
     : nullptr;
-  this->Crop.Follow(seen ? this->Opacity.GetRepresentation() : nullptr, filter);
+  this->Crop.Update(seen ? this->Opacity.GetRepresentation() : nullptr, filter);
   filter->GetProperty()->SetVisibilityFrom(this->Visibility ? this->Visibility.Get() : seen);
 }
 
-void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
+void HapticDataLink::UpdateTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
   // Its name differs between versions of ParaView; exactly one name exists.
   vtkNew<vtkCollection> keepers;
@@ -242,7 +242,7 @@ void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
   }
 }
 
-void HapticDataLink::FollowImage(
+void HapticDataLink::UpdateImage(
   vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device, HapticReport& report)
 {
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
@@ -250,11 +250,11 @@ void HapticDataLink::FollowImage(
   {
     volume->UpdatePipeline(); // also reports whether the volume has times
   }
-  if (HapticFrameLink::IsMoving(volume, port, filter))
+  if (HapticTimeStepLink::IsMoving(volume, port, filter))
   {
     try
     {
-      this->Image.FollowFrames(volume, port, this->ViewTime, filter, device, this->Frames);
+      this->Image.PollTimeSteps(volume, port, this->ViewTime, filter, device, this->TimeSteps);
     }
     catch (const std::bad_alloc&) // tried again later
     {
@@ -263,26 +263,26 @@ void HapticDataLink::FollowImage(
     }
     return;
   }
-  if (this->Frames.HasBegun(filter))
+  if (this->TimeSteps.HasBegun(filter))
   {
-    this->Frames.Clear();
+    this->TimeSteps.Clear();
     this->Image.Forget();
   }
-  if (this->Large.Follow(HapticImageLink::FindOutput(volume, port), filter))
+  if (this->Large.Update(HapticImageLink::GetUpdatedOutput(volume, port), filter))
   {
     this->Image.Forget();
     return;
   }
-  this->Image.Follow(volume, port, filter, 0);
+  this->Image.Update(volume, port, filter, 0);
 }
 
-void HapticDataLink::FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
+void HapticDataLink::PollRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
   vtkHapticDevice* device, HapticReport& report)
 {
   this->Region.SetMaximumVoxels(vtkSMPropertyHelper(proxy, "MaximumRegionVoxels").GetAsIdType());
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   filter->SetDisplacementArrayName(""); // regions have the touched array only
-  switch (this->Region.Poll(volume, port, this->ViewTime, filter, device, this->Frames))
+  switch (this->Region.Poll(volume, port, this->ViewTime, filter, device, this->TimeSteps))
   {
     case HapticRegionLink::Answer::Lost:
       this->Lost();

@@ -7,9 +7,9 @@
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
 
-#include "HapticFrameLink.h"
 #include "HapticImageLink.h"
 #include "HapticRegionLink.h"
+#include "HapticTimeStepLink.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -48,7 +48,7 @@ public:
   void operator=(const HapticTouchLink&) = delete;
 
   /** Follow the changes of the proxy's settings; nullptr ends that. */
-  void Follow(vtkSMProxy* touch);
+  void Update(vtkSMProxy* touch);
 
   /** Null without a proxy, or if it is no vtkVolumeHapticsFilter. */
   vtkVolumeHapticsFilter* GetFilter() const;
@@ -60,12 +60,12 @@ public:
   vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
 
 private:
-  void NoteChange() { this->IsDirty = true; }
+  void RecordChange() { this->IsDirty = true; }
   /** Called with the name of a chosen command. */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
   void ShareRemoval();
   /** The followed filter, if it is in this process; else null. */
-  vtkVolumeHapticsFilter* FindTouched() const;
+  vtkVolumeHapticsFilter* GetTouched() const;
   void LetGo();
   void CopySettings();
 
@@ -86,7 +86,7 @@ public:
    * Follow changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of the
    * pipeline, and of its time. Problems go to the report.
    */
-  void Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
+  void Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
   /** The filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter() const { return this->Touch.GetFilter(); }
@@ -107,17 +107,17 @@ public:
   static bool IsLocal(vtkSMProxy* proxy);
 
 private:
-  void FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume);
-  void FollowImage(
+  void UpdateTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume);
+  void UpdateImage(
     vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device, HapticReport& report);
-  void FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
+  void PollRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
     vtkHapticDevice* device, HapticReport& report);
 
   const std::function<void()> Lost;
   HapticTouchLink Touch;
   HapticImageLink Image;
-  HapticLargeLink Large;  // if the volume is larger than memory
-  HapticFrameLink Frames; // if the volume has times
+  HapticLargeLink Large;        // if the volume is larger than memory
+  HapticTimeStepLink TimeSteps; // if the volume has times
   HapticImageLink Surface;
   HapticImageLink Labels;
   HapticRegionLink Region; // if the data are on a server

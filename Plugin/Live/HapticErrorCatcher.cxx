@@ -29,17 +29,17 @@ void HapticErrorCatcher::Catch(vtkObject* object)
   if (object && std::none_of(objects.begin(), objects.end(), isThis))
   {
     const unsigned long tag =
-      object->AddObserver(vtkCommand::ErrorEvent, this, &HapticErrorCatcher::Note);
+      object->AddObserver(vtkCommand::ErrorEvent, this, &HapticErrorCatcher::Record);
     objects.emplace_back(object, tag);
   }
 }
 
-std::string HapticErrorCatcher::Take()
+std::string HapticErrorCatcher::Drain()
 {
   return std::exchange(this->Text, std::string());
 }
 
-void HapticErrorCatcher::Note(vtkObject*, unsigned long, void* data)
+void HapticErrorCatcher::Record(vtkObject*, unsigned long, void* data)
 {
   // "ERROR: In <file>, line <n>\n<class> (<address>): <text>\n\n"
   std::string text = data ? static_cast<const char*>(data) : "";

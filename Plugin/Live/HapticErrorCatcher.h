@@ -33,10 +33,10 @@ public:
   /**
    * The errors since the last call, without files and addresses; empty if there were none.
    */
-  std::string Take();
+  std::string Drain();
 
 private:
-  void Note(vtkObject* object, unsigned long event, void* data);
+  void Record(vtkObject* object, unsigned long event, void* data);
 
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Objects;
   std::string Text;

@@ -3,7 +3,7 @@
 #include "HapticImageLink.h"
 
 #include "HapticCropPlanes.h"
-#include "HapticFrameLink.h"
+#include "HapticTimeStepLink.h"
 #include "VTK/Base/ArrayMemory.h"
 
 #include "vtkAlgorithm.h"
@@ -174,7 +174,7 @@ vtkPiecewiseFunction* GetOpacity(vtkSMProxy* representation)
 
 } // namespace
 
-vtkAlgorithmOutput* HapticImageLink::FindOutput(vtkSMSourceProxy* source, unsigned int port)
+vtkAlgorithmOutput* HapticImageLink::GetUpdatedOutput(vtkSMSourceProxy* source, unsigned int port)
 {
   if (!source || !source->GetSession())
   {
@@ -204,10 +204,10 @@ void HapticImageLink::Forget()
   this->SeenFilter = nullptr;
 }
 
-void HapticImageLink::Follow(
+void HapticImageLink::Update(
   vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort)
 {
-  vtkDataObject* const data = DataOf(FindOutput(source, port));
+  vtkDataObject* const data = DataOf(GetUpdatedOutput(source, port));
   if (this->IsSeen(data, filter))
   {
     return;
@@ -222,25 +222,25 @@ void HapticImageLink::Follow(
   filter->SetInputDataObject(filterPort, copy);
 }
 
-void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
-  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
+void HapticImageLink::PollTimeSteps(vtkSMSourceProxy* source, unsigned int port, double time,
+  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
-  vtkAlgorithmOutput* const output = FindOutput(source, port);
+  vtkAlgorithmOutput* const output = GetUpdatedOutput(source, port);
   auto* const image = vtkImageData::SafeDownCast(DataOf(output));
   if (!image)
   {
-    frames.Clear();
-    this->Follow(source, port, filter, 0);
+    timeSteps.Clear();
+    this->Update(source, port, filter, 0);
     return;
   }
   const vtkMTimeType pipelineTime = PipelineTimeOf(output);
-  const bool isBegun = frames.HasBegun(filter) && pipelineTime == this->PipelineTime &&
-    HasGeometryOf(image, frames.GetImage());
-  if (isBegun && (this->IsSeen(image, filter) || !frames.IsThere(device)))
+  const bool isBegun = timeSteps.HasBegun(filter) && pipelineTime == this->PipelineTime &&
+    HasGeometryOf(image, timeSteps.GetImage());
+  if (isBegun && (this->IsSeen(image, filter) || !timeSteps.IsThere(device)))
   {
     return; // the new image comes when the servo is ready for it
   }
-  const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, frames.GetImage()));
+  const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, timeSteps.GetImage()));
   vtkNew<vtkImageData> copy;
   isInPlace ? VolumeHaptics::CopyData(image, copy) : copy->ShallowCopy(image);
   this->See(image, filter);
@@ -248,18 +248,18 @@ void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, 
   this->IsInPlace = isInPlace;
   // Displacements lead only to the next step.
   const bool isStep =
-    filter->GetDisplacementArrayName().empty() || AreNeighbours(output, frames.GetTime(), time);
-  if (isBegun && time != frames.GetTime() && isStep)
+    filter->GetDisplacementArrayName().empty() || AreNeighbours(output, timeSteps.GetTime(), time);
+  if (isBegun && time != timeSteps.GetTime() && isStep)
   {
-    frames.Go(frames.GetImage(), copy, time, device);
+    timeSteps.Go(timeSteps.GetImage(), copy, time, device);
   }
   else
   {
-    frames.Begin(copy, time, filter, device);
+    timeSteps.Begin(copy, time, filter, device);
   }
 }
 
-bool HapticLargeLink::Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter)
+bool HapticLargeLink::Update(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter)
 {
   vtkPVHapticLargeFile* const file = vtkPVHapticLargeFile::Find(output);
   if (!file)
@@ -279,7 +279,7 @@ bool HapticLargeLink::Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter*
   return true;
 }
 
-void HapticCropLink::Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter)
+void HapticCropLink::Update(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter)
 {
   vtkSMSourceProxy* volume = nullptr;
   unsigned int port = 0;
@@ -303,8 +303,8 @@ void HapticCropLink::Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* 
   vtkSMPropertyHelper(representation, "CroppingScale").Get(scale, 3);
   vtkPVDataInformation* const data = volume->GetDataInformation(port);
   double planes[6];
-  FindCropPlanes(ChooseCropBase(PARAVIEW_VERSION_MAJOR, PARAVIEW_VERSION_MINOR), data->GetBounds(),
-    data->GetExtent(), origin, scale, planes);
+  ComputeCropPlanes(ChooseCropBase(PARAVIEW_VERSION_MAJOR, PARAVIEW_VERSION_MINOR),
+    data->GetBounds(), data->GetExtent(), origin, scale, planes);
   filter->SetCroppingRegionPlanes(planes);
   filter->CroppingOn();
   this->HasCropped = true;

@@ -27,7 +27,7 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHapticsLive
 {
 
-class HapticFrameLink;
+class HapticTimeStepLink;
 
 /**
  * The filter is not connected to the pipeline, because a view must not execute a filter whose data
@@ -40,19 +40,19 @@ public:
   /**
    * Update the source, and give its output to an input port of the filter if it is new.
    */
-  void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
+  void Update(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
-   * Gives an image that has times to the filter, as frames of input port 0. Its source was updated
-   * at `time`. A new pipeline, or new settings in it, begin a new volume. Throws std::bad_alloc if
-   * there is no memory for a frame that has to be copied.
+   * Gives an image that has times to the filter, as time steps of input port 0. Its source was
+   * updated at `time`. A new pipeline, or new settings in it, begin a new volume. Throws
+   * std::bad_alloc if there is no memory for a time step that has to be copied.
    */
-  void FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
-    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
+  void PollTimeSteps(vtkSMSourceProxy* source, unsigned int port, double time,
+    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
   /** Makes the next Follow give the output, even if it has not changed. */
   void Forget();
 
   /** The updated output of a source of this process; null without a source. */
-  static vtkAlgorithmOutput* FindOutput(vtkSMSourceProxy* source, unsigned int port);
+  static vtkAlgorithmOutput* GetUpdatedOutput(vtkSMSourceProxy* source, unsigned int port);
 
 private:
   bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;
@@ -62,8 +62,8 @@ private:
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
-  vtkMTimeType PipelineTime = 0; // frames: last change of the pipeline
-  bool IsInPlace = false;        // frames: the pipeline writes each one to the same arrays
+  vtkMTimeType PipelineTime = 0; // time steps: last change of the pipeline
+  bool IsInPlace = false;        // time steps: the pipeline writes each one to the same arrays
 };
 
 /**
@@ -78,7 +78,7 @@ public:
    * If an output comes from a large file, connects the filter with its samples, unless it already
    * is connected. False for other outputs.
    */
-  bool Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
+  bool Update(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
 
 private:
   vtkSmartPointer<vtkHapticRegionSource> Regions; ///< null if the file can't be opened
@@ -95,7 +95,7 @@ public:
    * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, as far as
    * it has them. Without a representation, or without its cropping, all is felt.
    */
-  void Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
+  void Update(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
 
 private:
   bool HasCropped = false;

@@ -26,7 +26,7 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<HapticOrderLink*>(self)->FollowDisarm(); });
+    { static_cast<HapticOrderLink*>(self)->ApplyDisarm(); });
   // Observe after the other observers, which may disarm the device during a clutch.
   device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
 }
@@ -36,7 +36,7 @@ void HapticOrderLink::Leave()
   this->Device->RemoveObserver(this->DisarmObserver);
 }
 
-void HapticOrderLink::FollowDisarm()
+void HapticOrderLink::ApplyDisarm()
 {
   // While the device does not run, Armed may be an order for its start: keep it.
   if (this->Device->IsRunning() && !this->Device->IsArmOrdered())
@@ -55,7 +55,7 @@ void HapticOrderLink::Reset(const char* name)
   vtkSMPropertyHelper(this->Proxy, name).Set(0);
 }
 
-void HapticOrderLink::TakeLimits()
+void HapticOrderLink::ApplyLimits()
 {
   const double force = vtkSMPropertyHelper(this->Proxy, "MaximumForce").GetAsDouble();
   if (force != this->MaximumForce)
@@ -67,7 +67,7 @@ void HapticOrderLink::TakeLimits()
     vtkSMPropertyHelper(this->Proxy, "MaximumForceRate").GetAsDouble());
 }
 
-void HapticOrderLink::TakeTip()
+void HapticOrderLink::ApplyTip()
 {
   std::array<double, 3> tip;
   vtkSMPropertyHelper(this->Proxy, "VirtualTip").Get(tip.data(), 3);
@@ -78,7 +78,7 @@ void HapticOrderLink::TakeTip()
   }
 }
 
-void HapticOrderLink::Take()
+void HapticOrderLink::Apply()
 {
   if (!this->Device->IsRunning())
   {
@@ -95,11 +95,11 @@ void HapticOrderLink::Take()
   {
     this->Device->Disarm();
   }
-  this->TakeLimits();
-  this->TakeTip();
+  this->ApplyLimits();
+  this->ApplyTip();
   if (record != this->Recording.IsOn())
   {
-    this->TakeRecording(record);
+    this->ApplyRecording(record);
   }
   if (!arm || this->Device->IsArmOrdered())
   {
@@ -115,7 +115,7 @@ void HapticOrderLink::Take()
   }
 }
 
-void HapticOrderLink::TakeCuts()
+void HapticOrderLink::ApplyCuts()
 {
   if (this->Device->IsArmOrdered() && (!this->GetInt("Armed") || !this->GetInt("Running")))
   {
@@ -123,7 +123,7 @@ void HapticOrderLink::TakeCuts()
   }
 }
 
-void HapticOrderLink::TakeRecording(bool record)
+void HapticOrderLink::ApplyRecording(bool record)
 {
   const char* const file = vtkSMPropertyHelper(this->Proxy, "RecordingFile").GetAsString();
   std::string error;
@@ -139,7 +139,7 @@ void HapticOrderLink::TakeRecording(bool record)
   }
 }
 
-void HapticOrderLink::FollowFault(bool isServerLost)
+void HapticOrderLink::HandleFault(bool isServerLost)
 {
   const int status = this->Device->GetStatus();
   const bool isFault = status == vtkHapticDevice::FAULT;
@@ -154,7 +154,7 @@ void HapticOrderLink::FollowFault(bool isServerLost)
   }
 }
 
-void HapticOrderLink::FollowRunning(vtkVolumeHapticsFilter* filter)
+void HapticOrderLink::ApplyRunning(vtkVolumeHapticsFilter* filter)
 {
   const std::string id = vtkSMPropertyHelper(this->Proxy, "Device").GetAsString();
   if (this->Device->IsOpen() && this->Device->GetDeviceId() != id)
@@ -189,8 +189,8 @@ void HapticOrderLink::FollowRunning(vtkVolumeHapticsFilter* filter)
   }
   if (this->Device->IsOpen())
   {
-    this->TakeLimits();
-    this->TakeTip();
+    this->ApplyLimits();
+    this->ApplyTip();
   }
   if (!this->Device->IsOpen() || !this->Device->Start())
   {

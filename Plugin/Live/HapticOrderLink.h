@@ -50,15 +50,15 @@ public:
   void Leave();
 
   /** Open and start the device if Running is 1 and it does not run. */
-  void FollowRunning(vtkVolumeHapticsFilter* filter);
+  void ApplyRunning(vtkVolumeHapticsFilter* filter);
   /** Pass the filter to the servo, if it has changed. */
   void Publish(vtkVolumeHapticsFilter* filter);
   /** Arm, disarm, record or stop, and take over limits and tip. */
-  void Take();
+  void Apply();
   /** Disarm only, for an order that comes while the proxy is busy. */
-  void TakeCuts();
+  void ApplyCuts();
   /** Disarms the device after a fault; stops it if the server is lost. */
-  void FollowFault(bool isServerLost);
+  void HandleFault(bool isServerLost);
   /** Write the device's new states to a log. */
   void Continue() { this->Recording.Continue(this->Device); }
 
@@ -68,10 +68,10 @@ public:
 private:
   int GetInt(const char* name) const;
   void Reset(const char* name);
-  void FollowDisarm();
-  void TakeLimits();
-  void TakeTip();
-  void TakeRecording(bool record);
+  void ApplyDisarm();
+  void ApplyLimits();
+  void ApplyTip();
+  void ApplyRecording(bool record);
   void EndForce();
 
   vtkSMHapticDeviceProxy* const Proxy;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticRegionLink.h"
 
-#include "HapticFrameLink.h"
+#include "HapticTimeStepLink.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkImageData.h"
@@ -41,7 +41,7 @@ void HapticRegionLink::Clear()
   this->Problem.clear();
 }
 
-bool HapticRegionLink::Follow(
+bool HapticRegionLink::Update(
   vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter)
 {
   if (volume != this->Volume || port != this->Port || filter != this->Filter || !volume)
@@ -99,7 +99,7 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
 
 /** Fetches a corner for the survey, or the first region after it. */
 HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], double time,
-  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
+  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   vtkNew<vtkImageData> image;
@@ -115,31 +115,31 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   }
   else
   {
-    this->NoteLatency(start);
+    this->RecordLatency(start);
     image->GetExtent(this->Resident.data());
   }
   // While a previous region is felt, a corner would interrupt it.
   if (this->Resident != Empty || !this->HasImage)
   {
-    this->IsMoving ? frames.Begin(image, time, filter, device)
+    this->IsMoving ? timeSteps.Begin(image, time, filter, device)
                    : filter->SetInputDataObject(0, image);
     this->HasImage = true;
-    this->HasFrames = this->IsMoving;
+    this->HasTimeSteps = this->IsMoving;
   }
   return Answer::Region;
 }
 
 /** Fetches a region at the time, and at the previous time if the servo is moving from there. */
-HapticRegionLink::Answer HapticRegionLink::FetchFrames(
-  const int region[6], double time, vtkHapticDevice* device, HapticFrameLink& frames)
+HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
+  const int region[6], double time, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  const bool isNext = time != frames.GetTime();
-  const double before = isNext ? frames.GetTime() : frames.GetTimeBefore();
+  const bool isNext = time != timeSteps.GetTime();
+  const double before = isNext ? timeSteps.GetTime() : timeSteps.GetTimeBefore();
   const bool isElsewhere = !std::equal(region, region + 6, this->Resident.begin());
-  const bool isBetween = !frames.IsFirst() && !frames.IsThere(device);
+  const bool isBetween = !timeSteps.IsFirst() && !timeSteps.IsThere(device);
   vtkNew<vtkImageData> image;
-  vtkSmartPointer<vtkImageData> last = isNext ? frames.GetImage() : image.Get();
+  vtkSmartPointer<vtkImageData> last = isNext ? timeSteps.GetImage() : image.Get();
   if (isElsewhere && (isNext || isBetween))
   {
     last = vtkSmartPointer<vtkImageData>::New();
@@ -163,15 +163,15 @@ HapticRegionLink::Answer HapticRegionLink::FetchFrames(
   }
   if (isElsewhere)
   {
-    this->NoteLatency(start);
+    this->RecordLatency(start);
     image->GetExtent(this->Resident.data());
   }
-  isNext ? frames.Go(last, image, time, device) : frames.Replace(last, image);
+  isNext ? timeSteps.Go(last, image, time, device) : timeSteps.Replace(last, image);
   return Answer::Region;
 }
 
 /** The region may have been wanted ever since the last look. */
-void HapticRegionLink::NoteLatency(double start)
+void HapticRegionLink::RecordLatency(double start)
 {
   this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
   this->HasLatency = true;
@@ -195,7 +195,8 @@ void HapticRegionLink::MeasureVelocity(vtkHapticDevice* device)
 }
 
 HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsigned int port,
-  double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
+  double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device,
+  HapticTimeStepLink& timeSteps)
 {
   const double now = vtkTimerLog::GetUniversalTime();
   this->Interval = std::clamp(now - this->PollTime, 0.0, LongestInterval);
@@ -205,20 +206,20 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
     volume->UpdatePipeline(); // otherwise the filter's next change would not be reported
   }
   const bool wasMoving =
-    std::exchange(this->IsMoving, HapticFrameLink::IsMoving(volume, port, filter));
+    std::exchange(this->IsMoving, HapticTimeStepLink::IsMoving(volume, port, filter));
   if (this->Proxy && (wasMoving != this->IsMoving || (!this->IsMoving && time != this->ViewTime)))
   {
     this->Proxy->SetStale(true);
   }
   this->ViewTime = time;
-  if (!this->Follow(volume, port, filter))
+  if (!this->Update(volume, port, filter))
   {
     return volume ? Answer::Refused : Answer::Nothing;
   }
   if (!this->IsSurveyed)
   {
-    this->HasFrames = false;
-    return this->FetchFirst(Empty.data(), time, filter, device, frames);
+    this->HasTimeSteps = false;
+    return this->FetchFirst(Empty.data(), time, filter, device, timeSteps);
   }
   this->MeasureVelocity(device);
   if (!device->IsRunning() || device->GetState()->GetTime() == 0.0)
@@ -233,17 +234,18 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   int wanted[6];
   const bool isElsewhere = this->Planner->Plan(
     device->GetState()->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted);
-  if (!this->HasFrames)
+  if (!this->HasTimeSteps)
   {
-    return isElsewhere ? this->FetchFirst(wanted, time, filter, device, frames) : Answer::Nothing;
+    return isElsewhere ? this->FetchFirst(wanted, time, filter, device, timeSteps)
+                       : Answer::Nothing;
   }
-  const bool isNext = time != frames.GetTime() && frames.IsThere(device);
+  const bool isNext = time != timeSteps.GetTime() && timeSteps.IsThere(device);
   if (!isElsewhere && (!isNext || this->Resident == Empty))
   {
     return Answer::Nothing;
   }
-  return this->FetchFrames(
-    isElsewhere ? wanted : this->Resident.data(), isNext ? time : frames.GetTime(), device, frames);
+  return this->FetchTimeSteps(isElsewhere ? wanted : this->Resident.data(),
+    isNext ? time : timeSteps.GetTime(), device, timeSteps);
 }
 
 } // namespace VolumeHapticsLive

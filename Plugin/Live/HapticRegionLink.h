@@ -23,7 +23,7 @@ class vtkVolumeHapticsFilter;
 
 namespace VolumeHapticsLive
 {
-class HapticFrameLink;
+class HapticTimeStepLink;
 
 /**
  * Asks first for the position of the volume. The answer is a corner of it, with which the servo can
@@ -48,7 +48,7 @@ public:
    * both are fetched.
    */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
-    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
+    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
 
   /** The time (s) from wanting a region to having it; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
@@ -65,13 +65,13 @@ public:
   void Clear();
 
 private:
-  bool Follow(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
+  bool Update(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
   Answer Fetch(const int region[6], double time, vtkImageData* image);
   Answer FetchFirst(const int region[6], double time, vtkVolumeHapticsFilter* filter,
-    vtkHapticDevice* device, HapticFrameLink& frames);
-  Answer FetchFrames(
-    const int region[6], double time, vtkHapticDevice* device, HapticFrameLink& frames);
-  void NoteLatency(double start);
+    vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
+  Answer FetchTimeSteps(
+    const int region[6], double time, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
+  void RecordLatency(double start);
   void MeasureVelocity(vtkHapticDevice* device);
 
   vtkNew<vtkHapticRegionPlanner> Planner;
@@ -92,9 +92,9 @@ private:
   bool HasImage = false;
   bool HasLatency = false;
   bool IsRefused = false;
-  bool IsMoving = false;  // the volume has times
-  bool HasFrames = false; // whether frames have begun since the last survey
-  double ViewTime = 0.0;  // the view's time of the volume on the server
+  bool IsMoving = false;     // the volume has times
+  bool HasTimeSteps = false; // whether time steps have begun since the last survey
+  double ViewTime = 0.0;     // the view's time of the volume on the server
 };
 
 } // namespace VolumeHapticsLive

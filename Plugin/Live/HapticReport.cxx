@@ -11,9 +11,9 @@
 namespace VolumeHapticsLive
 {
 
-std::string HapticReport::TakeNewError()
+std::string HapticReport::DrainNewError()
 {
-  const std::string error = this->Errors.Take();
+  const std::string error = this->Errors.Drain();
   const bool isNew = error != this->Reported;
   if (!error.empty())
   {
@@ -23,7 +23,7 @@ std::string HapticReport::TakeNewError()
   return isNew ? error : std::string();
 }
 
-void HapticReport::TellState(vtkSMProxy* proxy, vtkHapticDevice* device)
+void HapticReport::ReportState(vtkSMProxy* proxy, vtkHapticDevice* device)
 {
   vtkHapticState* const latest = device->GetState();
   double state[vtkPVHapticStateSource::Length] = { 1.0 };
@@ -46,7 +46,8 @@ void HapticReport::TellState(vtkSMProxy* proxy, vtkHapticDevice* device)
   vtkSMPropertyHelper(proxy, "State").Set(state, vtkPVHapticStateSource::Length);
 }
 
-void HapticReport::TellInformation(vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const
+void HapticReport::ReportInformation(
+  vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const
 {
   const std::string wrong = this->Problem.empty() ? this->Notice : this->Problem;
   const std::string text = wrong.empty() ? device->GetStatusText() : wrong;

@@ -24,7 +24,7 @@ public:
   /** Turns errors of this object into problems, instead of showing them. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
   /** Makes the errors since the last call the problem; returns the text if it is new, else "". */
-  std::string TakeNewError();
+  std::string DrainNewError();
 
   ///@{
   /** The present problem; empty if there is none. */
@@ -39,13 +39,13 @@ public:
   ///@}
 
   /** Set the proxy's information properties to the device's latest state; the latency is in s. */
-  void TellInformation(vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const;
+  void ReportInformation(vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const;
 
   /**
    * Set the proxy's property State to the device's latest state, for vtkPVHapticStateSource. The
    * caller sends it to the server.
    */
-  static void TellState(vtkSMProxy* proxy, vtkHapticDevice* device);
+  static void ReportState(vtkSMProxy* proxy, vtkHapticDevice* device);
 
 private:
   HapticErrorCatcher Errors;

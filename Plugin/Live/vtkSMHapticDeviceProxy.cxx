@@ -62,9 +62,9 @@ public:
   void Watch(vtkSMSession* session);
 
 private:
-  void NoteUnregistered(vtkObject*, unsigned long, void* data);
-  void NoteClosed(vtkObject*, unsigned long, void* data);
-  void NoteLost();
+  void RecordUnregistered(vtkObject*, unsigned long, void* data);
+  void RecordClosed(vtkObject*, unsigned long, void* data);
+  void RecordLost();
   void LetGo();
 
   Calls Call;
@@ -112,14 +112,14 @@ void HapticSessionWatch::Watch(vtkSMSession* session)
   if (session)
   {
     observe(session->GetSessionProxyManager(), vtkCommand::UnRegisterEvent,
-      &HapticSessionWatch::NoteUnregistered);
+      &HapticSessionWatch::RecordUnregistered);
     observe(vtkProcessModule::GetProcessModule(), vtkCommand::ConnectionClosedEvent,
-      &HapticSessionWatch::NoteClosed);
-    observe(session, vtkPVSessionBase::ConnectionLost, &HapticSessionWatch::NoteLost);
+      &HapticSessionWatch::RecordClosed);
+    observe(session, vtkPVSessionBase::ConnectionLost, &HapticSessionWatch::RecordLost);
   }
 }
 
-void HapticSessionWatch::NoteUnregistered(vtkObject*, unsigned long, void* data)
+void HapticSessionWatch::RecordUnregistered(vtkObject*, unsigned long, void* data)
 {
   const auto* const information = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
   if (information && information->Proxy)
@@ -128,7 +128,7 @@ void HapticSessionWatch::NoteUnregistered(vtkObject*, unsigned long, void* data)
   }
 }
 
-void HapticSessionWatch::NoteClosed(vtkObject*, unsigned long, void* data)
+void HapticSessionWatch::RecordClosed(vtkObject*, unsigned long, void* data)
 {
   vtkProcessModule* const module = vtkProcessModule::GetProcessModule();
   if (data && module && module->GetSession(*static_cast<vtkIdType*>(data)) == this->Session)
@@ -137,7 +137,7 @@ void HapticSessionWatch::NoteClosed(vtkObject*, unsigned long, void* data)
   }
 }
 
-void HapticSessionWatch::NoteLost()
+void HapticSessionWatch::RecordLost()
 {
   this->Call.Lost();
 }
@@ -270,11 +270,11 @@ void vtkSMHapticDeviceProxy::UpdateVTKObjects()
   if (this->ObjectsCreated && d.IsBusy)
   {
     // Do the rest after Poll has ended.
-    d.Orders.TakeCuts();
+    d.Orders.ApplyCuts();
   }
   else if (this->ObjectsCreated)
   {
-    d.Orders.Take();
+    d.Orders.Apply();
   }
   if (this->CanReachServer())
   {
@@ -298,11 +298,11 @@ bool vtkSMHapticDeviceProxy::Poll()
     d.Watch.Watch(this->Session);
     d.Report.Catch(d.Device);
     d.Report.SetProblem("");
-    d.Data.Follow(this, d.Device, d.Report);
-    d.Orders.FollowRunning(d.Data.GetFilter());
+    d.Data.Update(this, d.Device, d.Report);
+    d.Orders.ApplyRunning(d.Data.GetFilter());
     d.Orders.Publish(d.Data.GetFilter());
-    d.Orders.Take();
-    const std::string error = d.Report.TakeNewError();
+    d.Orders.Apply();
+    const std::string error = d.Report.DrainNewError();
     if (!error.empty())
     {
       vtkErrorMacro(<< error);
@@ -310,12 +310,12 @@ bool vtkSMHapticDeviceProxy::Poll()
   }
   const bool isNew = d.Device->UpdateState();
   d.Orders.Continue();
-  d.Orders.FollowFault(d.IsLost);
-  d.Report.TellInformation(this, d.Device, d.Data.GetLatency());
+  d.Orders.HandleFault(d.IsLost);
+  d.Report.ReportInformation(this, d.Device, d.Data.GetLatency());
   d.IsBusy = false;
   if (isNew && this->CanReachServer())
   {
-    HapticReport::TellState(this, d.Device);
+    HapticReport::ReportState(this, d.Device);
     this->Superclass::UpdateVTKObjects();
   }
   return isNew;
@@ -349,7 +349,7 @@ void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
   if (this->ObjectsCreated && !d.IsBusy)
   {
     d.Device->UpdateState();
-    d.Report.TellInformation(this, d.Device, d.Data.GetLatency());
+    d.Report.ReportInformation(this, d.Device, d.Data.GetLatency());
   }
 }
 

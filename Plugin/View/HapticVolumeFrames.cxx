@@ -105,7 +105,7 @@ void HapticVolumeFrames::SetPointerQuery(PointerQuery query)
 }
 
 //------------------------------------------------------------------------------
-void HapticVolumeFrames::Rate::Follow(double time, double longest)
+void HapticVolumeFrames::Rate::Update(double time, double longest)
 {
   if (time > longest || time < 0.7 * longest)
   {
@@ -315,8 +315,8 @@ void HapticVolumeFrames::End()
     return;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Start;
-  this->IsQuick ? this->InMotion.Follow(time.count(), LongestMotion)
-                : this->AtRest.Follow(time.count(), LongestRest);
+  this->IsQuick ? this->InMotion.Update(time.count(), LongestMotion)
+                : this->AtRest.Update(time.count(), LongestRest);
 }
 
 //------------------------------------------------------------------------------

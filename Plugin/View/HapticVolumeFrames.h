@@ -83,7 +83,7 @@ private:
   struct Rate
   {
     double Hz;
-    void Follow(double time, double longest);
+    void Update(double time, double longest);
   };
 
   void ChooseRayCasters(Touch touch);

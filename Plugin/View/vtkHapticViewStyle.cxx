@@ -41,7 +41,7 @@ class HapticSlices
 {
 public:
   /** Call it often. Positions outside the filter's image become the nearest ones in it. */
-  void Follow(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
+  void Update(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
 
 private:
   double Last[3] = { 0.0, 0.0, 0.0 }; ///< the tip that the slices have followed
@@ -53,9 +53,9 @@ namespace
 {
 
 constexpr double ShortestPause = 0.05; // s
-constexpr double PauseShare = 4.0;     // multiples of the time that drawing took
+constexpr double PauseFraction = 4.0;  // multiples of the time that drawing took
 
-std::vector<vtkSMViewProxy*> FindSliceViews(vtkSMSession* session)
+std::vector<vtkSMViewProxy*> CollectSliceViews(vtkSMSession* session)
 {
   std::vector<vtkSMViewProxy*> views;
   vtkNew<vtkSMProxyIterator> proxies;
@@ -74,7 +74,7 @@ std::vector<vtkSMViewProxy*> FindSliceViews(vtkSMSession* session)
 
 } // namespace
 
-void HapticSlices::Follow(
+void HapticSlices::Update(
   vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3])
 {
   const double now = vtkTimerLog::GetUniversalTime();
@@ -99,7 +99,7 @@ void HapticSlices::Follow(
       position[axis] = std::min(std::max(position[axis], bounds[2 * axis]), bounds[2 * axis + 1]);
     }
   }
-  for (vtkSMViewProxy* const view : FindSliceViews(session))
+  for (vtkSMViewProxy* const view : CollectSliceViews(session))
   {
     vtkSMPropertyHelper(view, "SlicePosition").Set(position, 3);
     view->UpdateVTKObjects();
@@ -109,7 +109,7 @@ void HapticSlices::Follow(
     }
   }
   const double end = vtkTimerLog::GetUniversalTime();
-  this->NextTime = end + std::max(ShortestPause, PauseShare * (end - now));
+  this->NextTime = end + std::max(ShortestPause, PauseFraction * (end - now));
 }
 
 } // namespace VolumeHaptics
@@ -212,7 +212,7 @@ void vtkHapticViewStyle::MoveSlices()
   if (this->SlicesFollowTip && this->View && this->DeviceProxy && device && device->IsRunning())
   {
     const VolumeHapticsLive::HapticUndoExclusion exclusion;
-    this->Slices->Follow(this->View->GetSession(), this->DeviceProxy->GetFilter(),
+    this->Slices->Update(this->View->GetSession(), this->DeviceProxy->GetFilter(),
       device->GetState()->GetTipPosition());
   }
 }
@@ -252,12 +252,12 @@ void vtkHapticViewStyle::OnKeyPress()
   }
   else if (isKeyOf("NextMethod"))
   {
-    this->TellMethod();
+    this->ReportMethod();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticViewStyle::TellMethod()
+void vtkHapticViewStyle::ReportMethod()
 {
   vtkSMProxy* const touch =
     this->DeviceProxy ? vtkSMPropertyHelper(this->DeviceProxy, "Touch").GetAsProxy() : nullptr;
@@ -295,7 +295,7 @@ void vtkHapticViewStyle::DrawScene(bool quickly)
   const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   const bool isTouched = this->GetTouchMode() ||
-    (device && device->GetPlayback()->HasFrames() && device->GetPlayback()->IsPlaying());
+    (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
   this->Frames->Draw(quickly,
     !this->GetAutoAdjustVolumeQuality() ? Touch::Off
       : isArmed                         ? Touch::Armed

@@ -90,7 +90,7 @@ private:
   vtkHapticViewStyle(const vtkHapticViewStyle&) = delete;
   void operator=(const vtkHapticViewStyle&) = delete;
 
-  void TellMethod();
+  void ReportMethod();
   void MoveSlices();
 
   vtkWeakPointer<vtkSMRenderViewProxy> View;

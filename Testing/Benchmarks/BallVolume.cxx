@@ -111,7 +111,7 @@ std::unique_ptr<HapticModel> MakeModel(
   }
   description.Mesh = choice.Mesh;
   description.Labels = choice.Labels;
-  description.Frames = choice.Frames;
+  description.TimeSteps = choice.TimeSteps;
   description.Settings.ForceFieldGain = 0.01;
   description.Settings.ForceFieldDamping = 0.5;
   return std::make_unique<HapticModel>(description);

@@ -64,7 +64,7 @@ struct ModelChoice
   /** Surfaces of the paper with PRECISE: alignment Distinctness, materials of the kernel. */
   bool IsPlacedAsThePaper = false;
   /** Of a volume that moves. */
-  std::vector<VolumeHaptics::VolumeFrame> Frames;
+  std::vector<VolumeHaptics::VolumeTimeStep> TimeSteps;
 };
 
 /** Materials like those of a CT. */

@@ -130,7 +130,7 @@ void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescriptio
   Tick(model, state, 0.001 * (GridMiddle + Vector3{ 1.0, 2.0, 0.5 }), record);
   for (auto _ : bench)
   {
-    benchmark::DoNotOptimize(FindModeForces(model, state));
+    benchmark::DoNotOptimize(ComputeModeForces(model, state));
   }
 }
 

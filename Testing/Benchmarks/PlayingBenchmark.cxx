@@ -7,8 +7,8 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkHapticDevice.h>
-#include <vtkHapticFrameSource.h>
 #include <vtkHapticProperty.h>
+#include <vtkHapticTimeStepSource.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
@@ -28,7 +28,7 @@ namespace benchmarks
 namespace
 {
 
-constexpr int Frames = 8;
+constexpr int TimeSteps = 8;
 constexpr double FramesPerSecond = 20.0;
 /** Turns, so that what disturbs the machine for a while falls on all rows. */
 constexpr int Turns = 8;
@@ -37,7 +37,7 @@ constexpr double Settling = 0.3; // s, after the start
 /** Of a GUI that draws 60 pictures a second. */
 constexpr auto Pause = std::chrono::milliseconds(16);
 
-/** Inside at lower x; the wall comes by a voxel a frame. */
+/** Inside at lower x; the wall comes by a voxel a time step. */
 vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -77,7 +77,7 @@ void Look(vtkHapticDevice* device, double seconds, Row* row)
   const auto begin = Clock::now();
   const auto since = [](Clock::time_point time)
   { return std::chrono::duration<double>(Clock::now() - time).count(); };
-  double frame = -1.0;
+  double timeStep = -1.0;
   while (since(begin) < seconds)
   {
     const auto before = Clock::now();
@@ -87,12 +87,14 @@ void Look(vtkHapticDevice* device, double seconds, Row* row)
       row->Longest = std::max(row->Longest, 1e3 * since(before));
       ++row->Looks;
       row->Waits += device->GetPlayback()->IsWaitingForData() ? 1 : 0;
-      row->Shown +=
-        device->GetPlayback()->HasFrames() && device->GetPlayback()->GetFrameTime() != frame ? 1
-                                                                                             : 0;
+      row->Shown += device->GetPlayback()->HasTimeSteps() &&
+          device->GetPlayback()->GetTimeStepValue() != timeStep
+        ? 1
+        : 0;
       row->Strongest = std::max(row->Strongest, device->GetState()->GetComputedForce()[0]);
     }
-    frame = device->GetPlayback()->HasFrames() ? device->GetPlayback()->GetFrameTime() : frame;
+    timeStep =
+      device->GetPlayback()->HasTimeSteps() ? device->GetPlayback()->GetTimeStepValue() : timeStep;
     std::this_thread::sleep_for(Pause);
   }
   if (row)
@@ -134,9 +136,9 @@ std::uint64_t CountOwn(const LoopCounts& counts)
 }
 
 /**
- * Whether frames that change cost a tick. Where the loop is late by itself while nothing changes,
- * too, the machine is to blame for as much as that: the clock of a virtual machine's thread goes on
- * while the host has taken the processor.
+ * Whether time steps that change cost a tick. Where the loop is late by itself while nothing
+ * changes, too, the machine is to blame for as much as that: the clock of a virtual machine's
+ * thread goes on while the host has taken the processor.
  */
 void Judge(const LoopCounts& still, const LoopCounts& changing)
 {
@@ -165,10 +167,10 @@ void Judge(const LoopCounts& still, const LoopCounts& changing)
 
 void MeasurePlaying(int size)
 {
-  vtkNew<vtkHapticFrameSource> source;
-  for (int i = 0; i < Frames; ++i)
+  vtkNew<vtkHapticTimeStepSource> source;
+  for (int i = 0; i < TimeSteps; ++i)
   {
-    source->AddFrame(MakeFrame(size, i), i);
+    source->AddTimeStep(MakeFrame(size, i), i);
   }
   vtkNew<apitest::GivenImage> reader; // its steps are copied as time comes to them
   reader->SetInputConnection(source->GetOutputPort());

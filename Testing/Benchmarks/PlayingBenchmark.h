@@ -11,11 +11,11 @@ namespace benchmarks
 {
 
 /**
- * Plays frames of size^3 samples, 20 a second, to a servo at 1 kHz, whose hand rests on a wall, and
- * prints how many ticks were left out, and why, beside the same while the volume is held, and of a
- * loop without a volume, in turns. A tick counts as the loop's own fault if its thread computed for
- * longer than a period, by the clock of the thread, or waited for a lock or the disk; else the
- * machine did not run it.
+ * Plays time steps of size^3 samples, 20 a second, to a servo at 1 kHz, whose hand rests on a wall,
+ * and prints how many ticks were left out, and why, beside the same while the volume is held, and
+ * of a loop without a volume, in turns. A tick counts as the loop's own fault if its thread
+ * computed for longer than a period, by the clock of the thread, or waited for a lock or the disk;
+ * else the machine did not run it.
  */
 void MeasurePlaying(int size);
 

@@ -98,7 +98,7 @@ public:
     this->Call("the same of labels", [this] { this->Editor->Update(); });
     this->Editor->SetFunctionToStiffness();
     this->Call("BeginProposal() of the editor", [this] { this->Editor->BeginProposal(); });
-    this->Call("Update() of the editor, proposing", [this] { this->FollowProposal(); });
+    this->Call("Update() of the editor, proposing", [this] { this->PollProposal(); });
     filter->SetLabelData(this->Labels.GetImage());
     filter->SetLabelTable(this->Table);
     this->Call("Publish() with labels", [=] { device->Publish(); });
@@ -147,7 +147,7 @@ private:
   }
 
   /** Updates the editor as a GUI does, until it has ended its search for functions. */
-  void FollowProposal()
+  void PollProposal()
   {
     using Clock = std::chrono::steady_clock;
     while (this->Editor->IsProposing())

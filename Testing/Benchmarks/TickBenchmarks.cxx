@@ -39,14 +39,16 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
-/** Whether frames tell where the material goes. */
+/** Whether time steps tell where the material goes. */
 enum class Displacements
 {
   None,
   Given
 };
 
-/** A ball that grows and shrinks by 1 mm in 50 ms, in a window of three frames, as a servo has. */
+/**
+ * A ball that grows and shrinks by 1 mm in 50 ms, in a window of three time steps, as a servo has.
+ */
 class Beating
 {
 public:
@@ -61,23 +63,25 @@ public:
     }
     VolumeView grown = volume.View;
     grown.Data = this->Grown.data();
-    this->Frames = { { 0.0, volume.View, nullptr }, { FrameTime, grown, nullptr },
+    this->TimeSteps = { { 0.0, volume.View, nullptr }, { FrameTime, grown, nullptr },
       { 2.0 * FrameTime, volume.View, nullptr } };
     if (displacements == Displacements::Given)
     {
       this->FillMotion(volume);
       for (std::size_t i = 0; i < 2; ++i)
       {
-        this->Frames[i].Displacements = { this->Motion[i].data(), ScalarType::Float32 };
+        this->TimeSteps[i].Displacements = { this->Motion[i].data(), ScalarType::Float32 };
       }
     }
   }
 
   static constexpr double FrameTime = 0.05;
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
 
 private:
-  /** Outwards by 1 mm in the first frame, inwards in the second one; none at the very middle. */
+  /**
+   * Outwards by 1 mm in the first time step, inwards in the second one; none at the very middle.
+   */
   void FillMotion(const BallVolume& volume)
   {
     const std::int64_t* const n = volume.View.Dimensions;
@@ -114,7 +118,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements d
   ModelChoice choice;
   choice.Method = scene.Method;
   choice.Solver = scene.Solver;
-  choice.Frames = beating.Frames;
+  choice.TimeSteps = beating.TimeSteps;
   const auto model = MakeModel(scene.Volume, scene.Gradient, choice);
   const Slide slide(scene.Volume);
   ServoState state = slide.Start;

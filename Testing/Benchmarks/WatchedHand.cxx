@@ -35,7 +35,7 @@ public:
   DeviceLimits GetLimits() const override { return {}; }
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
-    this->Watch->NoteTick();
+    this->Watch->RecordTick();
     sample.Tip = this->Tip;
     sample.Fresh = true;
     sample.Time = ServoClock::Now();
@@ -87,7 +87,7 @@ LoopWatch::Usage LoopWatch::ReadUsage() noexcept
   return usage;
 }
 
-void LoopWatch::NoteTick() noexcept
+void LoopWatch::RecordTick() noexcept
 {
   const std::int64_t now = ServoClock::Now();
   const Usage usage = ReadUsage();

@@ -45,7 +45,7 @@ public:
   LoopCounts GetCounts() const;
 
   /** On the loop's thread, once a tick. */
-  void NoteTick() noexcept;
+  void RecordTick() noexcept;
 
 private:
   /** What the loop's thread has used so far. */

@@ -187,7 +187,7 @@ std::vector<std::uint8_t> ArduinoFfbModel::GetReportDescriptor() const
   return items.Close().Get();
 }
 
-int ArduinoFfbModel::TakeOutput(const std::uint8_t* report, int size)
+int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
 {
   if (report[0] == DeviceControl)
   {
@@ -252,7 +252,7 @@ int ArduinoFfbModel::TakeOutput(const std::uint8_t* report, int size)
   return size;
 }
 
-int ArduinoFfbModel::TakeFreeBlock()
+int ArduinoFfbModel::ClaimFreeBlock()
 {
   if (this->NextFree == MaximumEffects || this->IsFull())
   {
@@ -268,14 +268,14 @@ int ArduinoFfbModel::TakeFreeBlock()
   return block;
 }
 
-int ArduinoFfbModel::TakeFeature(const std::uint8_t* report, int size)
+int ArduinoFfbModel::ReceiveFeature(const std::uint8_t* report, int size)
 {
   if (report[0] != CreateEffect || size < 4)
   {
     return -EPIPE;
   }
   this->LoadId = BlockLoad;
-  this->Loaded = this->TakeFreeBlock();
+  this->Loaded = this->ClaimFreeBlock();
   this->LoadStatus = this->Loaded == 0 ? 2 : 1;
   if (this->Loaded > 0)
   {

@@ -58,8 +58,8 @@ private:
     int Start = 0;
   };
 
-  int TakeOutput(const std::uint8_t* report, int size) override;
-  int TakeFeature(const std::uint8_t* report, int size) override;
+  int ReceiveOutput(const std::uint8_t* report, int size) override;
+  int ReceiveFeature(const std::uint8_t* report, int size) override;
   int GiveFeature(std::uint8_t* report, int size) override;
   void ForgetEffects() override;
   int CountAll(bool onlyPlaying) const override;
@@ -67,7 +67,7 @@ private:
   Bytes BuildReport(double x, double y) const override;
   int GetReminderTime() const override { return 0; }
 
-  int TakeFreeBlock();
+  int ClaimFreeBlock();
   bool Acts(const Effect& effect) const;
 
   std::array<Effect, MaximumEffects + 1> Effects{}; ///< number 0 is not used

@@ -177,7 +177,7 @@ public:
     return motors.Left == 0 && motors.Right == 0;
   }
   /** The largest value of each motor since the last call. */
-  Motors TakeLargest()
+  Motors DrainLargest()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     const Motors most = this->Most;

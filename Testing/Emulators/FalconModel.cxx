@@ -124,7 +124,7 @@ int FalconModel::Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size)
     case 2:
       for (const char byte : this->Runs&& this->GetMode() == 2 ? text : "")
       {
-        this->TakeByte(static_cast<std::uint8_t>(byte));
+        this->ReceiveByte(static_cast<std::uint8_t>(byte));
       }
       break;
     default:
@@ -215,7 +215,7 @@ void FalconModel::Load(const std::string& bytes)
   }
 }
 
-void FalconModel::TakeByte(std::uint8_t byte)
+void FalconModel::ReceiveByte(std::uint8_t byte)
 {
   this->Waiting += static_cast<char>(byte);
   if (this->Waiting[0] != '<')
@@ -226,13 +226,13 @@ void FalconModel::TakeByte(std::uint8_t byte)
   {
     if (this->Waiting.back() == '>')
     {
-      this->TakePacket();
+      this->ReceivePacket();
     }
     this->Waiting.clear();
   }
 }
 
-void FalconModel::TakePacket()
+void FalconModel::ReceivePacket()
 {
   const auto payload = [this](std::size_t place)
   { return static_cast<std::uint8_t>(this->Waiting[place]) - 0x41; };

@@ -101,7 +101,7 @@ public:
   Numbers GetForce() const;    ///< N, force of the motors at the last packet
   int GetLights() const;       ///< lights of the last packet
   long GetPackets() const;
-  double TakeLargestCommand(); ///< since the last call
+  double DrainLargestCommand(); ///< since the last call
   /** The number of the last packet with a command other than zero, and its time. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
@@ -113,7 +113,7 @@ public:
    * The transfers that the host sent since the last call, one line each: "c 40 09 0010" is a
    * request of type 0x40, number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
    */
-  std::vector<std::string> TakeTranscript();
+  std::vector<std::string> DrainTranscript();
   ///@}
 
 private:
@@ -123,8 +123,8 @@ private:
   void Deliver();
   void Greet(const std::string& bytes);
   void Load(const std::string& bytes);
-  void TakeByte(std::uint8_t byte);
-  void TakePacket();
+  void ReceiveByte(std::uint8_t byte);
+  void ReceivePacket();
   void FindZero(const Numbers& counts, bool asked);
   std::string MakeReport(Numbers counts);
 

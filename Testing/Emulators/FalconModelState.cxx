@@ -108,7 +108,7 @@ long FalconModel::GetPackets() const
   return this->Packets;
 }
 
-double FalconModel::TakeLargestCommand()
+double FalconModel::DrainLargestCommand()
 {
   const Lock lock(this->Mutex);
   return std::exchange(this->LargestCommand, 0.0);
@@ -152,7 +152,7 @@ void FalconModel::SwitchOff()
   this->Late.clear();
 }
 
-std::vector<std::string> FalconModel::TakeTranscript()
+std::vector<std::string> FalconModel::DrainTranscript()
 {
   const Lock lock(this->Mutex);
   return std::exchange(this->Transcript, {});

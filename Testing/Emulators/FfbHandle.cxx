@@ -18,14 +18,14 @@ int FfbHandle::Output(const std::uint8_t* report, int size)
   }
   this->Last[report[0]].assign(report, report + size);
   ++this->Outputs;
-  return this->TakeOutput(report, size);
+  return this->ReceiveOutput(report, size);
 }
 
 int FfbHandle::SetFeature(const std::uint8_t* report, int size)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Last[report[0]].assign(report, report + size);
-  return this->TakeFeature(report, size);
+  return this->ReceiveFeature(report, size);
 }
 
 int FfbHandle::GetFeature(std::uint8_t* report, int size)

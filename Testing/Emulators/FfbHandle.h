@@ -83,8 +83,8 @@ protected:
   /**
    * The firmware, called under the lock. Outputs and features include their id; sizes or -errno.
    */
-  virtual int TakeOutput(const std::uint8_t* report, int size) = 0;
-  virtual int TakeFeature(const std::uint8_t* report, int size) = 0;
+  virtual int ReceiveOutput(const std::uint8_t* report, int size) = 0;
+  virtual int ReceiveFeature(const std::uint8_t* report, int size) = 0;
   virtual int GiveFeature(std::uint8_t* report, int size) = 0;
   virtual void ForgetEffects() = 0;
   virtual int CountAll(bool onlyPlaying) const = 0;

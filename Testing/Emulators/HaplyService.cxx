@@ -195,7 +195,7 @@ struct HaplyService::Server
       stream.read(buffer);
       const std::string text = beast::buffers_to_string(buffer.data());
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Take(text, session, view);
+      this->Receive(text, session, view);
       std::string state = this->MakeMessage(false, view, this->Sessions[session].Forces.size());
       const HaplyFault fault = this->Arms.Fault;
       lock.unlock();
@@ -217,7 +217,7 @@ struct HaplyService::Server
       }
     }
   }
-  void Take(const std::string& text, std::size_t number, HaplyView& view)
+  void Receive(const std::string& text, std::size_t number, HaplyView& view)
   {
     HaplySession& session = this->Sessions[number];
     session.Greeting = session.Greeting.empty() ? text : session.Greeting;

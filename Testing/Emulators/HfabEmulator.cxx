@@ -286,7 +286,7 @@ Triple HfabEmulator::GetForce() const
     Determinant(x, y, torques) / whole };
 }
 
-double HfabEmulator::TakeLongestPause()
+double HfabEmulator::DrainLongestPause()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return std::chrono::duration<double>(std::exchange(this->LongestPause, {})).count();
@@ -389,11 +389,11 @@ void HfabEmulator::Take(char byte, bool isTrailed)
     this->Answer(1024);
     return;
   }
-  this->TakeCurrents(milliamperes);
+  this->ReceiveCurrents(milliamperes);
   this->Answer(0);
 }
 
-void HfabEmulator::TakeCurrents(const std::array<int, 3>& milliamperes)
+void HfabEmulator::ReceiveCurrents(const std::array<int, 3>& milliamperes)
 {
   ++this->Messages;
   const Triple force = this->GetForce();

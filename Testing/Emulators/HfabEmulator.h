@@ -65,7 +65,7 @@ public:
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
   /** The longest time (s) between two messages since the last call. */
-  double TakeLongestPause();
+  double DrainLongestPause();
   /** Whether the port was opened for raw bytes. */
   bool IsRaw() const;
 
@@ -84,7 +84,7 @@ private:
   void Run();
   void Take(char byte, bool isTrailed);
   void Answer(int error);
-  void TakeCurrents(const std::array<int, 3>& milliamperes);
+  void ReceiveCurrents(const std::array<int, 3>& milliamperes);
   void Move();
 
   const int Model;

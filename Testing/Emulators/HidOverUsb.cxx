@@ -29,7 +29,7 @@ std::uint8_t High(std::size_t number)
 }
 
 /** Whether a report descriptor has an item Report ID. */
-bool FindIds(const Bytes& descriptor)
+bool DetectIds(const Bytes& descriptor)
 {
   std::size_t at = 0;
   while (at < descriptor.size())
@@ -56,7 +56,7 @@ int Copy(const Bytes& from, std::uint8_t* to, int room)
 HidOverUsb::HidOverUsb(HidModel& model)
   : Model(model)
   , ReportDescriptor(model.GetReportDescriptor())
-  , HasIds(FindIds(this->ReportDescriptor))
+  , HasIds(DetectIds(this->ReportDescriptor))
 {
   model.Input = [this](const std::uint8_t* report, int size)
   {

@@ -60,7 +60,7 @@ public:
   double GetShown() const { return std::round(1e3 * this->OnScale / Gravity); }
 
 private:
-  double FindForce(int axis, const Triple& asked) const
+  double ComputeForce(int axis, const Triple& asked) const
   {
     const double own = this->Mass * (1.0 - this->Balance);
     double force = this->Strength * asked[axis] +
@@ -80,7 +80,7 @@ private:
     this->OnScale = 0.0;
     for (int a = 0; a < 3; ++a)
     {
-      double force = this->FindForce(a, asked);
+      double force = this->ComputeForce(a, asked);
       const double depth = -this->PlateBelow - this->Place[a];
       if (a == 1 && this->HasScale && depth > 0.0)
       {

@@ -197,7 +197,7 @@ std::vector<std::uint8_t> OpenFfboardModel::GetReportDescriptor() const
   return items.Close().Get();
 }
 
-int OpenFfboardModel::TakeOutput(const std::uint8_t* report, int size)
+int OpenFfboardModel::ReceiveOutput(const std::uint8_t* report, int size)
 {
   const int index = report[1];
   const bool isEffect = index >= 1 && index <= MaximumEffects;
@@ -308,7 +308,7 @@ void OpenFfboardModel::SendStatus()
   this->Input(report, 2);
 }
 
-int OpenFfboardModel::TakeFeature(const std::uint8_t* report, int size)
+int OpenFfboardModel::ReceiveFeature(const std::uint8_t* report, int size)
 {
   if (report[0] != CreateEffect || size < 4)
   {

@@ -83,8 +83,8 @@ private:
     int Start = 0;
   };
 
-  int TakeOutput(const std::uint8_t* report, int size) override;
-  int TakeFeature(const std::uint8_t* report, int size) override;
+  int ReceiveOutput(const std::uint8_t* report, int size) override;
+  int ReceiveFeature(const std::uint8_t* report, int size) override;
   int GiveFeature(std::uint8_t* report, int size) override;
   void ForgetEffects() override;
   int CountAll(bool onlyPlaying) const override;

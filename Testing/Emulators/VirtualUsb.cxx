@@ -23,7 +23,7 @@ const std::string Hub = "/sys/devices/platform/vhci_hcd.0/";
 constexpr int FullSpeed = 2;
 
 /** False if the kernel refuses. */
-bool Tell(const std::string& file, const std::string& text)
+bool WriteText(const std::string& file, const std::string& text)
 {
   std::ofstream stream(Hub + file);
   stream << text << std::flush;
@@ -93,7 +93,7 @@ void VirtualUsb::Plug()
   std::ostringstream order;
   // The number identifies the device; the kernel only returns it.
   order << this->Port << ' ' << kernels.Number << ' ' << 0x10001 + this->Port << ' ' << FullSpeed;
-  if (!Tell("attach", order.str()))
+  if (!WriteText("attach", order.str()))
   {
     this->Unplug();
     throw std::runtime_error("The kernel plugs nothing into port " + std::to_string(this->Port) +
@@ -107,7 +107,7 @@ void VirtualUsb::Unplug()
   {
     return;
   }
-  Tell("detach", std::to_string(this->Port));
+  WriteText("detach", std::to_string(this->Port));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!IsFree(this->Port) && std::chrono::steady_clock::now() < end)
   {

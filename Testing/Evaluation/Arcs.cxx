@@ -27,7 +27,7 @@ constexpr double SearchStep = 0.5; // mm
 using ValueAt = std::function<double(double)>; // of a radius
 
 /** How far (mm) a ray goes from a position in a box until it leaves it. */
-double FindReach(const Vector3& from, const Vector3& way, const double* box)
+double ComputeReach(const Vector3& from, const Vector3& way, const double* box)
 {
   const double position[3] = { from.X, from.Y, from.Z };
   const double direction[3] = { way.X, way.Y, way.Z };
@@ -161,7 +161,7 @@ void FindArcsInPlane(const SmoothedVolume& smoothed, const double* box, const Co
   {
     const double angle = course.FirstAngle + sector * i / count;
     const Vector3 out = std::cos(angle) * course.Side + std::sin(angle) * course.Up;
-    const double reach = FindReach(middle, out, box);
+    const double reach = ComputeReach(middle, out, box);
     const ValueAt value = [&](double radius) { return smoothed.Value(middle + radius * out); };
     const auto radius = course.IsSeenFromInside ? FindFromInside(value, course.Level, reach)
                                                 : FindOutermost(value, course.Level, reach);
@@ -189,9 +189,9 @@ Course AroundHead(vtkImageData* volume, double level, double beyond, const Effor
   const int heights = effort.Pick(2, 6);
   for (int height = 0; height < heights; ++height)
   {
-    const double share = 0.6 + 0.25 * (height + 0.5) / heights;
+    const double fraction = 0.6 + 0.25 * (height + 0.5) / heights;
     course.Middles.push_back(
-      { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[4] + share * (box[5] - box[4]) });
+      { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[4] + fraction * (box[5] - box[4]) });
   }
   return course;
 }

@@ -27,7 +27,7 @@ struct Arc
   Vector3 Middle;          ///< mm, where the rays to the surface begin
 
   /** The first tick that is judged: the stroke begins 200 ticks before. */
-  std::size_t FindSettled() const { return this->Pressed + 200; }
+  std::size_t GetSettled() const { return this->Pressed + 200; }
 };
 
 /** The surface of a scan, and the rays on which it is looked for. */

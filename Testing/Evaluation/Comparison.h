@@ -34,7 +34,7 @@ constexpr double BoneValue = 300.0;
 /** If the volume is null or has no bone, bone is left out, with the reason in its place. */
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 
-/** The share of the Z-width that a method needs; adds a plot for each delay. */
+/** The fraction of the Z-width that a method needs; adds a plot for each delay. */
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

@@ -105,13 +105,13 @@ TEST(Comparison, APlaneFeelsTheSameByPreciseAndBySurfaceHaptics)
     EXPECT_LT(SpreadOf(differences.Percent).RootMeanSquare, 0.5);
     EXPECT_LT(SpreadOf(differences.Stiffness).P95, 0.5);
     EXPECT_LT(SpreadOf(differences.Degrees).P95, 0.5);
-    EXPECT_EQ(ShareBelow(differences.Percent, ForceThresholds.Lower), 100.0);
+    EXPECT_EQ(FractionBelow(differences.Percent, ForceThresholds.Lower), 100.0);
     // And the figures can tell: what is 10 % stiffer is found to be.
     scene.SetMaterial(550.0, friction);
     Differences stiffer;
     stiffer.Add(stroke, reference, scene.Feel(Precise(), stroke));
     EXPECT_NEAR(SpreadOf(stiffer.Stiffness).P95, 10.0, 0.5);
-    EXPECT_EQ(ShareBelow(stiffer.Percent, ForceThresholds.Lower), 0.0);
+    EXPECT_EQ(FractionBelow(stiffer.Percent, ForceThresholds.Lower), 0.0);
   }
 }
 

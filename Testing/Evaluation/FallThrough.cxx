@@ -23,7 +23,7 @@ HapticMaterial WallMaterial()
 }
 constexpr double WholeFrom = -1.18;
 /** Where the wall is whole; with alignment Edge, from the edge's middle on. */
-double FindWhole(const HapticModel& model)
+double ComputeWhole(const HapticModel& model)
 {
   return model.Baked->Settings.Alignment == ContactAlignment::Edge ? 0.0 : WholeFrom;
 }
@@ -36,7 +36,7 @@ constexpr double Through = 0.3;
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
   Uniform uniform(random);
-  const double whole = FindWhole(model);
+  const double whole = ComputeWhole(model);
   const Vector3& u = OddAside;
   const Vector3& v = OddUp;
   Path path = { uniform(-8.0, 8.0) * u + uniform(-8.0, 8.0) * v + uniform(-8.0, -5.0) * OddNormal };

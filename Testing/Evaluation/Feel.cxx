@@ -173,13 +173,13 @@ Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* 
   {
     const Arc& arc = surface.Arcs[i];
     const Trace trace = Play(*model, arc.Tips);
-    const std::size_t first = arc.FindSettled();
+    const std::size_t first = arc.GetSettled();
     std::vector<double> force;
     for (std::size_t tick = first; tick < trace.size(); ++tick)
     {
       force.push_back(Norm(trace[tick].Force));
     }
-    each.push_back(FindRoughness(force));
+    each.push_back(MeasureRoughness(force));
     AddDropCauses(trace, first, felt.Causes);
     if (i == 0)
     {
@@ -239,7 +239,7 @@ void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes)
   {
     force.push_back(Norm(trace[i].Force));
   }
-  for (const std::size_t drop : FindDrops(force))
+  for (const std::size_t drop : DetectDrops(force))
   {
     bool strength = false;
     bool stiffness = false;
@@ -290,7 +290,7 @@ Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
     }
     const vtkSmartPointer<vtkImageData> filtered = RemoveNoise(surface.Image);
     const vtkSmartPointer<vtkPolyData> mesh =
-      SmoothedVolume(surface.Image).FindSurface(surface.Level);
+      SmoothedVolume(surface.Image).ComputeSurface(surface.Level);
     Plot plot{ "feel-" + surface.Scan + "-" + surface.Name, "Force of a stroke: " + name,
       "time (s)", "force (N)", {} };
     std::replace(plot.File.begin(), plot.File.end(), ' ', '-');
@@ -322,7 +322,7 @@ Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
     if (surface.IsRequired)
     {
       AddRequired(name, precise,
-        surface.RoughestShare > 0.0 ? surface.RoughestShare : smoothest.Both, feel.Required);
+        surface.RoughestFraction > 0.0 ? surface.RoughestFraction : smoothest.Both, feel.Required);
     }
   }
   feel.Found.Tables = { std::move(roughness), std::move(drops) };

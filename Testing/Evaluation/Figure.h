@@ -98,7 +98,7 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
   return touching;
 }
 
-/** Force against the closed forms T1 to T13, as shares of each form's largest force. */
+/** Force against the closed forms T1 to T13, as fractions of each form's largest force. */
 Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
 /** Iso-level tracking and drift on balls and in cavities of 20 voxels. */
 Figures MeasureTracking(const Candidate& candidate, const Effort& effort);

@@ -68,7 +68,7 @@ double IdealHand::Distance(const FeltTissue& one, const FeltTissue& other) const
   return std::sqrt(sum);
 }
 
-std::vector<std::vector<double>> IdealHand::FindConfusion(
+std::vector<std::vector<double>> IdealHand::ComputeConfusion(
   const std::vector<FeltTissue>& tissues) const
 {
   std::vector<Template> known;
@@ -133,9 +133,9 @@ void AddConfusion(const std::string& heading, const std::vector<FeltTissue>& tis
   for (std::size_t i = 0; i < tissues.size(); ++i)
   {
     std::vector<std::string> row = { heading, tissues[i].Name };
-    for (const double share : confusion[i])
+    for (const double fraction : confusion[i])
     {
-      row.push_back(Number(100.0 * share));
+      row.push_back(Number(100.0 * fraction));
     }
     table.Rows.push_back(std::move(row));
   }

@@ -47,7 +47,7 @@ public:
    * is as likely; beside the noise of the senses the hand knows how much a tissue's places differ.
    * By 100 000 draws with a fixed seed, for a standard error below 0.002.
    */
-  std::vector<std::vector<double>> FindConfusion(const std::vector<FeltTissue>& tissues) const;
+  std::vector<std::vector<double>> ComputeConfusion(const std::vector<FeltTissue>& tissues) const;
 
 private:
   std::vector<double> MeanOf(const FeltTissue& tissue) const;

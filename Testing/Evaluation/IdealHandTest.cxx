@@ -47,7 +47,7 @@ TEST(IdealHand, OfTwoIsRightByPhiOfHalfTheDistance)
     const FeltTissue one{ "one", { { 1.0, 1.0 } } };
     const FeltTissue other{ "other", { { cue(0.6 * distance), cue(0.8 * distance) } } };
     EXPECT_NEAR(hand.Distance(one, other), distance, 1e-5);
-    const auto confusion = hand.FindConfusion({ one, other });
+    const auto confusion = hand.ComputeConfusion({ one, other });
     for (std::size_t i = 0; i < 2 && distance > 0.0; ++i)
     {
       EXPECT_NEAR(confusion[i][i], Phi(0.5 * distance), 0.008) << distance;
@@ -63,7 +63,7 @@ TEST(IdealHand, OfThreeOnALineTheMiddleOneIsConfusedTwice)
   const double units = 2.0;
   const auto cue = [](double u) { return std::exp(u * std::log(1.1)); };
   const IdealHand hand(0.1, { 1e-9 });
-  const auto confusion = hand.FindConfusion({ { "low", { { cue(0.0) } } },
+  const auto confusion = hand.ComputeConfusion({ { "low", { { cue(0.0) } } },
     { "middle", { { cue(units) } } }, { "high", { { cue(2.0 * units) } } } });
   EXPECT_NEAR(confusion[0][0], Phi(0.5 * units), 0.008);
   EXPECT_NEAR(confusion[1][1], 2.0 * Phi(0.5 * units) - 1.0, 0.008);
@@ -79,7 +79,7 @@ TEST(IdealHand, PlacesThatDifferAreHarderToName)
   const double s = 1.5;
   const double d = 3.0;
   const IdealHand hand(0.1, { 1e-9 });
-  const auto confusion = hand.FindConfusion(
+  const auto confusion = hand.ComputeConfusion(
     { { "one", { { cue(-s) }, { cue(s) } } }, { "other", { { cue(d - s) }, { cue(d + s) } } } });
   const double right = 0.5 * (Phi(0.5 * d + s) + Phi(0.5 * d - s));
   EXPECT_NEAR(confusion[0][0], right, 0.008);

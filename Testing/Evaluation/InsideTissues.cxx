@@ -135,9 +135,9 @@ void AddRows(const BandedScan& scan, const std::vector<TissueBand>& tissues,
         {
           force.push_back(Norm(trace[tick].Force));
         }
-        each.push_back(FindRoughness(force));
+        each.push_back(MeasureRoughness(force));
         roughest = std::max(roughest, each.back().Both);
-        drops += FindDrops(force).size();
+        drops += DetectDrops(force).size();
       }
       const Roughness all = Average(each);
       table.Rows.push_back(

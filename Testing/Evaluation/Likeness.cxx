@@ -61,7 +61,7 @@ const char* Verdict(const Differences& differences)
     : "between the thresholds";
 }
 
-/** The share of ticks against the difference. */
+/** The fraction of ticks against the difference. */
 Curve Draw(const Method& method, std::vector<double> percents)
 {
   Curve curve{ method.Name, {}, {}, method.Colour };
@@ -92,7 +92,7 @@ Spread SpreadOf(std::vector<double> values)
     values[last * 95 / 100] };
 }
 
-double ShareBelow(const std::vector<double>& values, double bound)
+double FractionBelow(const std::vector<double>& values, double bound)
 {
   const auto below =
     std::count_if(values.begin(), values.end(), [&](double value) { return value < bound; });
@@ -126,7 +126,7 @@ void Differences::Add(const Stroke& stroke, const Trace& reference, const Trace&
   }
 }
 
-double UnfinishedShare(const std::vector<Trace>& traces)
+double UnfinishedFraction(const std::vector<Trace>& traces)
 {
   std::vector<double> finished;
   for (const Trace& trace : traces)
@@ -136,7 +136,7 @@ double UnfinishedShare(const std::vector<Trace>& traces)
       finished.push_back(tick.IsUnfinished ? 0.0 : 1.0);
     }
   }
-  return ShareBelow(finished, 0.5);
+  return FractionBelow(finished, 0.5);
 }
 
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces)
@@ -227,10 +227,10 @@ void CompareOn(const Subject& subject, Table& table, Plot* plot)
       table.Rows.push_back({ subject.Name, Number(friction), method.Name, Cell(all.Newtons, 1000.0),
         Cell(all.Percent), Cell(all.Sliding), Cell(all.Degrees), Cell(all.Millimeters),
         Cell(all.Stiffness), Number(OffSurface(subject, traces)),
-        Number(OffSurface(subject, references)), Number(UnfinishedShare(references)) + " %",
-        Number(ShareBelow(all.Percent, ForceThresholds.Lower)) + " %",
-        Number(ShareBelow(all.Percent, ForceThresholds.Upper)) + " %",
-        Number(ShareBelow(all.Degrees, DirectionThreshold)) + " %", Verdict(all) });
+        Number(OffSurface(subject, references)), Number(UnfinishedFraction(references)) + " %",
+        Number(FractionBelow(all.Percent, ForceThresholds.Lower)) + " %",
+        Number(FractionBelow(all.Percent, ForceThresholds.Upper)) + " %",
+        Number(FractionBelow(all.Degrees, DirectionThreshold)) + " %", Verdict(all) });
     }
   }
 }

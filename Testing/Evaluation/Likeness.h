@@ -38,7 +38,7 @@ struct Spread
 };
 Spread SpreadOf(std::vector<double> values);
 /** The share (%) of values below a bound. */
-double ShareBelow(const std::vector<double>& values, double bound);
+double FractionBelow(const std::vector<double>& values, double bound);
 
 /** How far traces of the same strokes differ. */
 struct Differences
@@ -69,12 +69,12 @@ struct Subject
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces);
 
 /** The share (%) of ticks that left a part of their motion to the next. */
-double UnfinishedShare(const std::vector<Trace>& traces);
+double UnfinishedFraction(const std::vector<Trace>& traces);
 
 /**
  * Adds a row for each friction and each method that has a surface; the reference is
- * SurfaceHaptics(). A plot gets a curve for each of these methods, without friction: the share of
- * ticks below a difference of force.
+ * SurfaceHaptics(). A plot gets a curve for each of these methods, without friction: the fraction
+ * of ticks below a difference of force.
  */
 void CompareOn(const Subject& subject, Table& table, Plot* plot = nullptr);
 /** The plot without curves. */

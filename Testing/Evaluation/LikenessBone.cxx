@@ -171,7 +171,7 @@ std::vector<Subject> MakeBone(
       std::to_string(strokes.size()) + " of " + std::to_string(directions) + " strokes)";
     subjects.push_back({ name,
       std::make_unique<Scene>(
-        volume, isoValue, isSmoothed ? smoothed.FindSurface(isoValue).Get() : nullptr),
+        volume, isoValue, isSmoothed ? smoothed.ComputeSurface(isoValue).Get() : nullptr),
       std::move(strokes), isSmoothed ? smoothed.Off(isoValue) : smoothed.RawOff(isoValue) });
   }
   return subjects;

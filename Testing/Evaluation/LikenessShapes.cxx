@@ -96,7 +96,7 @@ Subject MakeSmoothed(const char* name, const Field& inside, Stroke stroke)
     SampleImage([&](const Vector3& x) { return BlurredStep(inside(x), Blur, Height); }, 26.0);
   const SmoothedVolume smoothed(image);
   const double level = smoothed.Value(stroke.Start);
-  Subject subject{ name, std::make_unique<Scene>(image, level, smoothed.FindSurface(level)), {},
+  Subject subject{ name, std::make_unique<Scene>(image, level, smoothed.ComputeSurface(level)), {},
     smoothed.Off(level) };
   subject.Strokes.push_back(std::move(stroke));
   return subject;

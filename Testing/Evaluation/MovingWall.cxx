@@ -10,19 +10,19 @@
  *       then max(0, sin) N                    it is less on the way back
  *   V3  k max(0, s(t))                        of a flat wall at 10 mm/s through a medium of 0.5 N,
  *       s: how far it is beyond the tip       which moves along and drags nothing
- *   V4  as V1, of the blend of two frames 50 and 100 ms apart: all that frames tell
+ *   V4  as V1, of the blend of two time steps 50 and 100 ms apart: all that time steps tell
  *
  * The field reads the ball through its kernel, whose blur moves the surface of a ball by up to 0.03
  * mm. So forces and levels are compared with those of the blurred ball, which has a closed form,
  * too (BlurredBall); V1 and V2 also with the forms above.
  *
- *   V5  to the bit what stands still, where all frames are alike
+ *   V5  to the bit what stands still, where all time steps are alike
  *   V6  what a hand feels that moves the other way, where all of the volume moves alike and its
  *       displacements tell
  *   V7  in a period, a wall that holds gives no work, and one that slips by 1 mm at 1 N gives 1 mJ
  *
- * A wall that leaps by six of its widths from frame to frame is right where its displacements are;
- * a blend in place is a cross-fade.
+ * A wall that leaps by six of its widths from time step to time step is right where its
+ * displacements are; a blend in place is a cross-fade.
  */
 #include "Figure.h"
 #include "Shapes.h"
@@ -67,11 +67,12 @@ struct MovingCase
   double Curvature;     ///< radius, mm
   double FramePeriod;   ///< s
   double Strength;      ///< N
-  bool HasDisplacement; ///< the frames tell where the material goes
+  bool HasDisplacement; ///< the time steps tell where the material goes
   double Drag;          ///< of the medium, N
   double End;           ///< s
   Motion Surface;
-  std::function<double(double time)> Force; ///< N, without the field's blur and the frames' blend
+  /** N, without the field's blur and the time steps' blend. */
+  std::function<double(double time)> Force;
 };
 
 double Held(double surface)
@@ -108,7 +109,7 @@ std::vector<MovingCase> MakeMovingCases()
 }
 
 /**
- * A ball between two frames, as a field reads it. A Gaussian of variance q turns f(rho), a step
+ * A ball between two time steps, as a field reads it. A Gaussian of variance q turns f(rho), a step
  * that a Gaussian of variance w^2 blurs along the radius, into
  *
  *   f~(rho) + q/rho f~'(rho),   f~: the step with a variance of w^2 + q,
@@ -123,7 +124,7 @@ public:
   BlurredBall(const Candidate& candidate, const MovingCase& c)
     : Case(c)
     , IsSpline(candidate.Estimator == GradientEstimator::CubicBSpline)
-    , OwnVariance(IsSpline ? SplineVariance : FindGaussianVariance())
+    , OwnVariance(IsSpline ? SplineVariance : ComputeGaussianVariance())
     , ValueVariance(IsSpline ? SplineVariance : LinearVariance)
   {
   }
@@ -134,11 +135,11 @@ public:
     const double tip = BallMean - BallDepth;
     const double most = tip + 1e3 * this->Case.Strength / WallStiffness;
     std::vector<double> forces;
-    double level = this->Read(this->FindMiddle(0.0), 0.0, this->OwnVariance);
+    double level = this->Read(this->ComputeMiddle(0.0), 0.0, this->OwnVariance);
     for (std::size_t i = 0; i < ticks; ++i)
     {
       const double time = WallTick * static_cast<double>(i);
-      const double middle = this->FindMiddle(time);
+      const double middle = this->ComputeMiddle(time);
       const double held = this->Descend(
         time, [&](double rho) { return this->Read(rho, time, this->OwnVariance) - level; });
       const double surface = std::min({ held, middle, most });
@@ -157,7 +158,7 @@ private:
   static constexpr double LinearVariance = 1.0 / 6.0; ///< of linear interpolation
 
   /** Of the Gaussian's window that has its own derivative (Core/Field/GradientKernel.h). */
-  static double FindGaussianVariance()
+  static double ComputeGaussianVariance()
   {
     constexpr double scale = 0.56 * WallRadius;
     constexpr double cut = WallRadius + 1.0;
@@ -175,24 +176,24 @@ private:
     return second / sum;
   }
 
-  /** As a share of the step's height. */
+  /** As a fraction of the step's height. */
   double Read(double rho, double time, double variance) const
   {
     const double period = this->Case.FramePeriod;
-    // Ticks at frames are of the frame, whatever rounding does.
+    // Ticks at time steps are of the time step, whatever rounding does.
     const double before = period * std::floor(time / period + 1e-9);
-    const double share = (time - before) / period;
+    const double fraction = (time - before) / period;
     const double width = std::sqrt(WallBlur * WallBlur + variance);
-    const auto read = [&](double frame)
+    const auto read = [&](double timeStep)
     {
-      const double u = (BallMean + this->Case.Surface(frame) - rho) / width;
+      const double u = (BallMean + this->Case.Surface(timeStep) - rho) / width;
       const double slope = std::exp(-0.5 * u * u) / (width * std::sqrt(TwoPi));
       return BlurredStep(u, 1.0, 1.0) - variance / rho * slope;
     };
-    return (1.0 - share) * read(before) + share * read(before + period);
+    return (1.0 - fraction) * read(before) + fraction * read(before + period);
   }
 
-  double FindMiddle(double time) const
+  double ComputeMiddle(double time) const
   {
     return this->Descend(time,
       [&](double rho)
@@ -239,24 +240,24 @@ HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCa
   {
     const double time = i * c.FramePeriod;
     const double radius = c.Curvature + c.Surface(time);
-    const Volume frame([&](const Vector3& x)
+    const Volume timeStep([&](const Vector3& x)
       { return BlurredStep(radius - Norm(x - centre), WallBlur, WallHeight); },
       { 18.0, { 1.0, 1.0, 1.0 }, ScalarType::Float64, 0.0, 1, true });
-    const HapticModelDescription described = frame.Describe(touching);
+    const HapticModelDescription described = timeStep.Describe(touching);
     const std::int64_t* const n = described.View.Dimensions;
     d.Settings = described.Settings;
     if (i == 0)
     {
       d = described;
     }
-    d.Frames.push_back({ time, described.View, described.Samples });
+    d.TimeSteps.push_back({ time, described.View, described.Samples });
     if (c.HasDisplacement)
     {
       const Vector3 u = (c.Surface(time + c.FramePeriod) - c.Surface(time)) * OddNormal;
       const auto points = static_cast<std::size_t>(n[0] * n[1] * n[2]);
       const auto all = std::make_shared<std::vector<Vector3>>(points, u);
-      d.Frames.back().Displacements = { all->data(), ScalarType::Float64 };
-      d.Frames.back().DisplacementSamples = all;
+      d.TimeSteps.back().Displacements = { all->data(), ScalarType::Float64 };
+      d.TimeSteps.back().DisplacementSamples = all;
     }
   }
   return d;
@@ -304,7 +305,7 @@ double FastestOf(const MovingCase& c)
 }
 
 /** V7: how far (mJ) the work of a wall in a period is from what is right. */
-double FindWorkError(const Candidate& candidate, double strength, double right)
+double MeasureWorkError(const Candidate& candidate, double strength, double right)
 {
   MovingCase c = MakeMovingCases().front();
   c.Strength = strength;
@@ -312,17 +313,17 @@ double FindWorkError(const Candidate& candidate, double strength, double right)
   return std::abs(1e3 * FeelMoving(candidate, c).Work - right);
 }
 
-/** V5: the largest difference of forces (N) from those of the first frame alone. */
-double FindStillDifference(const Candidate& candidate)
+/** V5: the largest difference of forces (N) from those of the first time step alone. */
+double MeasureStillDifference(const Candidate& candidate)
 {
-  constexpr int frames = 1000;
+  constexpr int timeSteps = 1000;
   HapticModelDescription d = DescribeMoving(candidate, MakeMovingCases().front());
-  const VolumeFrame first = d.Frames.front();
-  d.Frames.clear();
+  const VolumeTimeStep first = d.TimeSteps.front();
+  d.TimeSteps.clear();
   const HapticModel still(d);
-  for (int i = 0; i < frames; ++i)
+  for (int i = 0; i < timeSteps; ++i)
   {
-    d.Frames.push_back({ 0.003 * i, first.View, first.Samples });
+    d.TimeSteps.push_back({ 0.003 * i, first.View, first.Samples });
   }
   const HapticModel moving(d);
   Path path = { OddCentre + 3.0 * OddNormal };
@@ -344,18 +345,18 @@ double FindStillDifference(const Candidate& candidate)
 
 /**
  * V6: the largest difference of forces (N) between a hand in a volume that moves as a whole, with
- * displacements, and a hand that moves the other way in one that rests. From frame to frame the
- * motion is of whole voxels, so that sampling adds nothing.
+ * displacements, and a hand that moves the other way in one that rests. From time step to time step
+ * the motion is of whole voxels, so that sampling adds nothing.
  */
-double FindRigidDifference(const Candidate& candidate)
+double MeasureRigidDifference(const Candidate& candidate)
 {
-  constexpr int frames = 3;
+  constexpr int timeSteps = 3;
   const Vector3 spacing{ 1.0, 1.1, 0.9 };
   const Vector3 velocity{ 2.0 * spacing.X, spacing.Y, -spacing.Z }; // mm/s
   const Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.3, 0.0, 5.0));
   const Sampling sampling{ 18.0, spacing, ScalarType::Float64, 0.0, 1, false };
   HapticModelDescription d;
-  for (int i = 0; i < frames; ++i)
+  for (int i = 0; i < timeSteps; ++i)
   {
     const auto bumpyWall = [&](const Vector3& place)
     {
@@ -366,19 +367,19 @@ double FindRigidDifference(const Candidate& candidate)
     const HapticModelDescription described = Volume(bumpyWall, sampling).Describe(touching);
     const std::int64_t* const n = described.View.Dimensions;
     d = i == 0 ? described : d;
-    d.Frames.push_back({ static_cast<double>(i), described.View, described.Samples });
+    d.TimeSteps.push_back({ static_cast<double>(i), described.View, described.Samples });
     const auto all = std::make_shared<std::vector<Vector3>>(
       static_cast<std::size_t>(n[0] * n[1] * n[2]), velocity);
-    d.Frames.back().Displacements = { all->data(), ScalarType::Float64 };
-    d.Frames.back().DisplacementSamples = all;
+    d.TimeSteps.back().Displacements = { all->data(), ScalarType::Float64 };
+    d.TimeSteps.back().DisplacementSamples = all;
   }
   const HapticModel moving(d);
-  d.Frames.clear();
+  d.TimeSteps.clear();
   const HapticModel still(d);
   ServoState states[2];
   TickRecord record;
   double worst = 0.0;
-  for (double time = 0.0; time < frames - 1; time += WallTick)
+  for (double time = 0.0; time < timeSteps - 1; time += WallTick)
   {
     const Vector3 at = 3.0 * std::cos(5.0 * time) * OddNormal + 3.0 * time * OddAside +
       2.0 * std::sin(3.0 * time) * OddUp;
@@ -395,7 +396,7 @@ double FindRigidDifference(const Candidate& candidate)
  * The energy (mJ) that a hand gets beyond its own work and the wall's: it wanders in and out of a
  * ball that pulsates, holds less than it is pressed, and rubs.
  */
-double FindEnergyGiven(const Candidate& candidate)
+double MeasureEnergyGiven(const Candidate& candidate)
 {
   MovingCase c = MakeMovingCases().front();
   c.Strength = 1.5;
@@ -417,7 +418,7 @@ double FindEnergyGiven(const Candidate& candidate)
     const Vector3 force = record.Force;
     tip =
       OddCentre + 3.0 * std::sin(7.1 * time) * OddNormal + 2.0 * std::sin(5.3 * time) * OddAside;
-    // To and fro in the period's frames, without a leap.
+    // To and fro in the period's time steps, without a leap.
     state.DataTime = 0.5 * (1.0 - std::cos(TwoPi * 0.4 * time));
     Tick(model, state, 1e-3 * tip, record);
     given += 0.5e-3 * Dot(force + record.Force, tip - before);
@@ -470,15 +471,15 @@ Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
   }
   figures.push_back(
     { "moving wall: V5, 1000 frames that are alike, force off one that stands still", "N",
-      FindStillDifference(candidate), 0.0 });
+      MeasureStillDifference(candidate), 0.0 });
   figures.push_back({ "moving wall: V6, rigid motion, force off that of the hand's opposite motion",
-    "N", FindRigidDifference(candidate), 1e-6 });
+    "N", MeasureRigidDifference(candidate), 1e-6 });
   figures.push_back({ "moving wall: V7, work of a wall that holds", "mJ",
-    FindWorkError(candidate, 2.0, 0.0), 0.02 });
+    MeasureWorkError(candidate, 2.0, 0.0), 0.02 });
   figures.push_back({ "moving wall: V7, work of a wall that slips by 1 mm at 1 N", "mJ off 1",
-    FindWorkError(candidate, 1.0, 1.0), 0.02 });
+    MeasureWorkError(candidate, 1.0, 1.0), 0.02 });
   figures.push_back({ "moving wall: energy beyond the work of hand and wall", "mJ",
-    FindEnergyGiven(candidate), 0.1 });
+    MeasureEnergyGiven(candidate), 0.1 });
   figures.push_back(
     { "moving walls: largest step of the force in a tick", "times k |v| dt", steepest, 1.1 });
   return figures;

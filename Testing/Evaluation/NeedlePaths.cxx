@@ -132,7 +132,7 @@ struct Body
 };
 
 /** The centres of all voxels of some labels. */
-std::vector<Vector3> FindVoxels(vtkImageData* labels, const std::set<int>& wanted)
+std::vector<Vector3> CollectVoxels(vtkImageData* labels, const std::set<int>& wanted)
 {
   std::vector<Vector3> found;
   int n[3];
@@ -200,15 +200,16 @@ std::vector<Path> PlanNeedlePaths(vtkImageData* image, vtkImageData* labels,
   const NeedleLabels& sorted, std::size_t count, unsigned seed)
 {
   const Body body{ Voxels(image), Voxels(labels), sorted };
-  const std::vector<Vector3> targets = FindVoxels(labels, sorted.Liver);
+  const std::vector<Vector3> targets = CollectVoxels(labels, sorted.Liver);
   std::mt19937 random(seed);
   Uniform uniform(random);
   std::vector<Path> paths;
   for (std::size_t attempt = 0; attempt < 1000 * count && paths.size() < count && !targets.empty();
        ++attempt)
   {
-    const double share = uniform(0.0, 1.0) * static_cast<double>(targets.size());
-    const Vector3 target = targets[std::min(static_cast<std::size_t>(share), targets.size() - 1)];
+    const double fraction = uniform(0.0, 1.0) * static_cast<double>(targets.size());
+    const Vector3 target =
+      targets[std::min(static_cast<std::size_t>(fraction), targets.size() - 1)];
     const double up = uniform(-1.0, 1.0);
     const double around = uniform(0.0, TwoPi);
     const double flat = std::sqrt(1.0 - up * up);

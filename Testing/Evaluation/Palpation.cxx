@@ -77,7 +77,7 @@ Identification Identify(
   for (const HandStrategy strategy : { HandStrategy::ConstantForce, HandStrategy::ConstantDepth })
   {
     const auto& tissues = felt[strategy == HandStrategy::ConstantForce ? 0 : 1];
-    const auto confusion = MakeHand(strategy).FindConfusion(tissues);
+    const auto confusion = MakeHand(strategy).ComputeConfusion(tissues);
     const std::size_t first = found.Confusions.Rows.size();
     AddConfusion(NameOf(strategy), tissues, confusion, found.Confusions);
     for (std::size_t i = 0; i < tissues.size(); ++i)
@@ -117,10 +117,10 @@ std::vector<Spot> SpotsOn(const std::vector<Arc>& arcs, double above, int count)
   for (const Arc& arc : arcs)
   {
     const std::size_t strokes = arc.Tips.size() - arc.Pressed;
-    const int share = std::max(1, count / static_cast<int>(arcs.size()));
-    for (int i = 0; i < share; ++i)
+    const int fraction = std::max(1, count / static_cast<int>(arcs.size()));
+    for (int i = 0; i < fraction; ++i)
     {
-      const std::size_t at = arc.Pressed + strokes * (2 * i + 1) / (2 * share);
+      const std::size_t at = arc.Pressed + strokes * (2 * i + 1) / (2 * fraction);
       const Vector3 way = arc.Tips[at + 1] - arc.Tips[at];
       const Vector3 ray = arc.Tips[at] - arc.Middle;
       const Vector3 in = (-1.0 / Norm(ray)) * ray;

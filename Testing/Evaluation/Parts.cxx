@@ -82,8 +82,8 @@ std::vector<Arc> FindGreatCircles(vtkImageData* image, double level, const Effor
 
 double MetalValue(const Vector3& x)
 {
-  const double share = std::min(1.0, Norm(x - OddCentre) / PartRadius);
-  const double rise = Metal * (1.0 - Cupping * (1.0 - share * share));
+  const double fraction = std::min(1.0, Norm(x - OddCentre) / PartRadius);
+  const double rise = Metal * (1.0 - Cupping * (1.0 - fraction * fraction));
   return Air + BlurredStep(-OffBall(x), BeamBlur, rise);
 }
 
@@ -125,7 +125,7 @@ PartFeel FeelPart(const FeltSurface& part)
   {
     const Arc& arc = part.Arcs[i];
     const Trace trace = Play(*model, arc.Tips);
-    for (std::size_t tick = arc.FindSettled(); tick < trace.size(); ++tick)
+    for (std::size_t tick = arc.GetSettled(); tick < trace.size(); ++tick)
     {
       const double off = std::abs(OffBall(ProxyOf(trace[tick])));
       felt.Distance += off;

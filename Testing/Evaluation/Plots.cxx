@@ -89,7 +89,7 @@ Plot PlotRipple()
     });
 }
 
-/** The share of ticks at which the angle is smaller. */
+/** The fraction of ticks at which the angle is smaller. */
 Plot PlotAngle()
 {
   return PlotSolvers("angle", "Force and true normal, 8-bit sphere, 2 voxels deep",

@@ -31,8 +31,8 @@ std::string Spread(std::vector<double> values)
     return "-";
   }
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share)
-  { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]; };
+  const auto at = [&](double fraction)
+  { return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))]; };
   return Number(Milli * at(0.5)) + ", " + Number(Milli * at(0.9));
 }
 
@@ -45,17 +45,17 @@ Table CountFalseAlarms(int sessions, int& alarms)
                "the force fields.";
   table.Columns = { "arm", "sessions", "false alarms", "damped", "largest run-away, of its bound" };
   int cut = 0;
-  double share = 0.0;
+  double fraction = 0.0;
   for (int i = 0; i < sessions; ++i)
   {
     const PortResult result =
       PortSession(PortKind::Honest, true, 0.0, static_cast<std::uint32_t>(i)).Run();
     cut += result.IsFound ? 1 : 0;
-    share = std::max({ share, result.Rising / VolumeHaptics::PortObserver::RisingBound,
+    fraction = std::max({ fraction, result.Rising / VolumeHaptics::PortObserver::RisingBound,
       result.RunAway / VolumeHaptics::PortObserver::ContactBound });
   }
   table.Rows.push_back({ "one mass", std::to_string(sessions), std::to_string(cut), "-",
-    Number(100.0 * share) + " %" });
+    Number(100.0 * fraction) + " %" });
   alarms += cut;
   cut = 0;
   int damped = 0;

@@ -48,7 +48,7 @@ Vector3 PointOf(int i)
   return { part(0.8191725134), part(0.6710436067), part(0.5497004779) };
 }
 
-double FindUnit(const PressedVolume& volume, const Vector3& way)
+double ComputeUnit(const PressedVolume& volume, const Vector3& way)
 {
   const Vector3& v = volume.Voxel;
   return 1.0 / Norm({ way.X / v.X, way.Y / v.Y, way.Z / v.Z });
@@ -63,11 +63,11 @@ Ray MakeRay(const PressedVolume& volume, int i, int count)
   const Vector3 way = { r * std::cos(angle), r * std::sin(angle), z };
   const auto& b = volume.Box;
   const Vector3 size = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
-  const Vector3 share = PointOf(i) - Vector3{ 0.5, 0.5, 0.5 };
-  const Vector3 by =
-    volume.Middle + (2.0 / 3.0) * Vector3{ share.X * size.X, share.Y * size.Y, share.Z * size.Z };
+  const Vector3 fraction = PointOf(i) - Vector3{ 0.5, 0.5, 0.5 };
+  const Vector3 by = volume.Middle +
+    (2.0 / 3.0) * Vector3{ fraction.X * size.X, fraction.Y * size.Y, fraction.Z * size.Z };
   const double reach = Norm(size);
-  return { by - reach * way, way, 2.0 * reach, FindUnit(volume, way) };
+  return { by - reach * way, way, 2.0 * reach, ComputeUnit(volume, way) };
 }
 
 /** The smoothed value there; none outside. */
@@ -130,7 +130,7 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
       return {};
     }
   }
-  const auto inwards = FindInwards(volume, volume.Scale * ray.At(t));
+  const auto inwards = ComputeInwards(volume, volume.Scale * ray.At(t));
   if (!inwards || Dot(*inwards, ray.Way) < LeastCosine)
   {
     return {};
@@ -139,7 +139,7 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
 }
 
 /** Where along the ray half of its opacity is in front; none if it meets none. */
-std::optional<double> FindHalfOpacity(const PressedVolume& volume, const Ray& ray)
+std::optional<double> MeasureHalfOpacity(const PressedVolume& volume, const Ray& ray)
 {
   const double step = RayStep * ray.Unit;
   std::vector<double> opacity; // in front of the end of each step
@@ -217,7 +217,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   const double voxel = volume.Scale * ray.Unit;
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
   found.Astray += IsAstray(volume, 0.001 * *felt) ? 1 : 0;
-  if (const auto half = FindHalfOpacity(volume, ray))
+  if (const auto half = MeasureHalfOpacity(volume, ray))
   {
     found.OffSeen.push_back(Dot(volume.Scale * ray.At(*half) - *felt, ray.Way) / voxel);
   }
@@ -238,7 +238,7 @@ Presses PressFromAllSides(const PressedVolume& volume, int rays)
   return found;
 }
 
-std::optional<Vector3> FindInwards(const PressedVolume& volume, const Vector3& at)
+std::optional<Vector3> ComputeInwards(const PressedVolume& volume, const Vector3& at)
 {
   const Vector3 index = volume.Shape->DeviceToIndex(0.001 * at);
   const Vector3 gradient =
@@ -247,18 +247,18 @@ std::optional<Vector3> FindInwards(const PressedVolume& volume, const Vector3& a
   return size > 0.0 ? std::optional<Vector3>((1.0 / size) * gradient) : std::nullopt;
 }
 
-std::optional<double> FindSeenBehind(
+std::optional<double> MeasureSeenBehind(
   const PressedVolume& volume, const Vector3& felt, const Vector3& way)
 {
   constexpr double before = 10.0; // mm
   constexpr double reach = 50.0;  // mm
   const double scale = 1.0 / volume.Scale;
-  const Ray ray{ scale * (felt - before * way), way, scale * reach, FindUnit(volume, way) };
-  const auto half = FindHalfOpacity(volume, ray);
+  const Ray ray{ scale * (felt - before * way), way, scale * reach, ComputeUnit(volume, way) };
+  const auto half = MeasureHalfOpacity(volume, ray);
   return half ? std::optional<double>((*half - scale * before) / ray.Unit) : std::nullopt;
 }
 
-double FindLargest(std::vector<double> values, double share)
+double FindLargest(std::vector<double> values, double fraction)
 {
   if (values.empty())
   {
@@ -267,12 +267,13 @@ double FindLargest(std::vector<double> values, double share)
   std::transform(
     values.begin(), values.end(), values.begin(), [](double value) { return std::abs(value); });
   const auto at = values.begin() +
-    static_cast<std::ptrdiff_t>(std::floor(share * static_cast<double>(values.size() - 1) + 0.5));
+    static_cast<std::ptrdiff_t>(
+      std::floor(fraction * static_cast<double>(values.size() - 1) + 0.5));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
-double FindMedian(std::vector<double> values)
+double ComputeMedian(std::vector<double> values)
 {
   if (values.empty())
   {

@@ -66,19 +66,19 @@ struct Presses
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
 
 /** Where values rise, seen from a place (mm of the hand's space); none if they are even there. */
-std::optional<Vector3> FindInwards(const PressedVolume& volume, const Vector3& at);
+std::optional<Vector3> ComputeInwards(const PressedVolume& volume, const Vector3& at);
 
 /**
  * Voxels along a way from a felt place (mm of the hand's space) to half of the opacity, for an eye
  * that looks along the way from 10 mm before the place; none if it sees nothing within 40 mm.
  */
-std::optional<double> FindSeenBehind(
+std::optional<double> MeasureSeenBehind(
   const PressedVolume& volume, const Vector3& felt, const Vector3& way);
 
-/** The magnitude that a share of the values does not exceed; 0 without values. */
-double FindLargest(std::vector<double> values, double share);
+/** The magnitude that a fraction of the values does not exceed; 0 without values. */
+double FindLargest(std::vector<double> values, double fraction);
 /** Half of the values are less; 0 without values. */
-double FindMedian(std::vector<double> values);
+double ComputeMedian(std::vector<double> values);
 
 } // namespace evaluation
 

@@ -52,9 +52,9 @@ TEST(Presses, AHardBallIsFeltAndSeenWhereItIs)
   const Presses found = PressFromAllSides(MakeBall(1000.0, image), 60);
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, 0);
-  EXPECT_NEAR(FindMedian(found.OffSurface), 0.0, 0.2);
+  EXPECT_NEAR(ComputeMedian(found.OffSurface), 0.0, 0.2);
   EXPECT_LT(FindLargest(found.OffSurface, 1.0), 0.4);
-  EXPECT_NEAR(FindMedian(found.OffSeen), 0.0, 0.4);
+  EXPECT_NEAR(ComputeMedian(found.OffSeen), 0.0, 0.4);
 }
 
 TEST(Presses, IsAstrayIfNoStructureIsNear)
@@ -107,11 +107,11 @@ TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
   fog.Voxel = { 0.5, 1.0, 1.0 };
   fog.Scale = 2.0; // mm in a unit
   fog.Extinction = [](const Vector3& x) { return x.X > -6.0 ? 0.2 : 0.0; };
-  const auto behind = FindSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
+  const auto behind = MeasureSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
   ASSERT_TRUE(behind);
   EXPECT_NEAR(*behind, 4.782, 0.1); // voxels of 1 mm along x
   fog.Extinction = [](const Vector3&) { return 0.0; };
-  EXPECT_FALSE(FindSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }));
+  EXPECT_FALSE(MeasureSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }));
 }
 
 TEST(Presses, TheHandComesByAllThatTheEyeSees)
@@ -149,10 +149,10 @@ TEST(Presses, TheHandComesByAllThatTheEyeSees)
   EXPECT_LT(FindLargest(found.OffSeen, 0.95), 1.0);
 }
 
-TEST(Presses, SharesOfMagnitudes)
+TEST(Presses, FractionsOfMagnitudes)
 {
   EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 1.0), 3.0);
   EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 0.5), 2.0);
-  EXPECT_EQ(FindMedian({ -3.0, 1.0, 2.0 }), 1.0);
-  EXPECT_EQ(FindMedian({}), 0.0);
+  EXPECT_EQ(ComputeMedian({ -3.0, 1.0, 2.0 }), 1.0);
+  EXPECT_EQ(ComputeMedian({}), 0.0);
 }

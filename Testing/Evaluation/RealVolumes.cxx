@@ -129,7 +129,7 @@ Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& valu
  * Otsu's threshold of all samples (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979),
  * which is between background and what "Micro-CT" takes for solid.
  */
-double FindOtsuThreshold(vtkImageData* image)
+double ComputeOtsuThreshold(vtkImageData* image)
 {
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
   std::map<double, double> counts;
@@ -247,19 +247,20 @@ Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Eff
       }
       const Trace trace = Play(*pressed.Model, arc.Tips);
       std::vector<double> force;
-      for (std::size_t i = arc.FindSettled(); i < trace.size(); ++i)
+      for (std::size_t i = arc.GetSettled(); i < trace.size(); ++i)
       {
         force.push_back(Norm(trace[i].Force));
         const Vector3 proxy = ProxyOf(trace[i]);
-        const auto inwards =
-          i % every == 0 && force.back() > FeltForce ? FindInwards(pressed, proxy) : std::nullopt;
-        const auto behind = inwards ? FindSeenBehind(pressed, proxy, *inwards) : std::nullopt;
+        const auto inwards = i % every == 0 && force.back() > FeltForce
+          ? ComputeInwards(pressed, proxy)
+          : std::nullopt;
+        const auto behind = inwards ? MeasureSeenBehind(pressed, proxy, *inwards) : std::nullopt;
         if (behind)
         {
           seen.push_back(*behind);
         }
       }
-      strokes.push_back(FindRoughness(force));
+      strokes.push_back(MeasureRoughness(force));
     }
   }
   return Average(strokes);
@@ -330,7 +331,7 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   const bool isBelow = filter->GetProperty()->GetSurfaceSide() == vtkHapticProperty::LOWER;
   if (materials == "Micro-CT" || isBelow)
   {
-    values.OuterThreshold = FindOtsuThreshold(volume.Image);
+    values.OuterThreshold = ComputeOtsuThreshold(volume.Image);
   }
   Explore::MeasureBody(values, volume.Image);
   filter->SetMetersPerWorldUnit(values.MetersPerWorldUnit);
@@ -383,10 +384,10 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   const double seconds = std::max(strokes.Duration, 1e-9);
   const Steps walks = WalkAtRandom(pressed, effort);
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
-    Number(FindMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
+    Number(ComputeMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
     Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
-    Number(FindMedian(inWindow.OffSeen)), Number(FindLargest(inWindow.OffSeen, 0.95)),
-    Number(FindMedian(seen)), Number(FindLargest(seen, 0.95)), Number(strokes.Mean),
+    Number(ComputeMedian(inWindow.OffSeen)), Number(FindLargest(inWindow.OffSeen, 0.95)),
+    Number(ComputeMedian(seen)), Number(FindLargest(seen, 0.95)), Number(strokes.Mean),
     Number(strokes.Both), Number(strokes.Drops / seconds), Number(strokes.LargestStep),
     Number(presses.LargestStep), Number(walks.Largest), Number(walks.Beyond) };
 }
@@ -434,7 +435,7 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
       Explore::Volume volume = Explore::LoadVolume(known.File);
       if (known.IsLabels)
       {
-        Explore::TakeAsLabels(volume, known.File, {});
+        Explore::UseAsLabels(volume, known.File, {});
       }
       for (const std::string& preset : known.Presets)
       {

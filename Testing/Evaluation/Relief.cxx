@@ -123,8 +123,8 @@ double CutOff(const std::vector<double>& wavelengths, const std::vector<double>&
     const double high = responses[i];
     if (low < level && high >= level)
     {
-      const double share = (level - low) / (high - low);
-      return wavelengths[i - 1] * std::pow(wavelengths[i] / wavelengths[i - 1], share);
+      const double fraction = (level - low) / (high - low);
+      return wavelengths[i - 1] * std::pow(wavelengths[i] / wavelengths[i - 1], fraction);
     }
   }
   return 0.0;

@@ -15,10 +15,10 @@ constexpr std::size_t LeastTicks = 100;
 constexpr std::size_t Window = 5; // ticks
 constexpr double Fall = 0.3;
 constexpr double LeastForce = 0.05; // N, from which on a fall is felt
-constexpr double ReversalShare = 0.05;
+constexpr double ReversalFraction = 0.05;
 
 /** The root mean square of a signal without mean, in a band of frequencies (Hz). */
-double FindBand(const std::vector<double>& signal, double low, double high)
+double ComputeBand(const std::vector<double>& signal, double low, double high)
 {
   const std::size_t count = signal.size();
   const auto n = static_cast<double>(count);
@@ -83,7 +83,7 @@ int CountReversals(const std::vector<double>& force, double threshold)
 }
 } // namespace
 
-std::vector<std::size_t> FindDrops(const std::vector<double>& force)
+std::vector<std::size_t> DetectDrops(const std::vector<double>& force)
 {
   std::vector<std::size_t> drops;
   for (std::size_t i = Window; i < force.size(); ++i)
@@ -97,7 +97,7 @@ std::vector<std::size_t> FindDrops(const std::vector<double>& force)
   return drops;
 }
 
-Roughness FindRoughness(const std::vector<double>& force)
+Roughness MeasureRoughness(const std::vector<double>& force)
 {
   Roughness found;
   if (force.size() < LeastTicks)
@@ -117,11 +117,11 @@ Roughness FindRoughness(const std::vector<double>& force)
   {
     f -= mean;
   }
-  found.Low = 100.0 / mean * FindBand(rest, 30.0, 100.0);
-  found.High = 100.0 / mean * FindBand(rest, 100.0, 500.0);
+  found.Low = 100.0 / mean * ComputeBand(rest, 30.0, 100.0);
+  found.High = 100.0 / mean * ComputeBand(rest, 100.0, 500.0);
   found.Both = std::hypot(found.Low, found.High);
-  found.Drops = static_cast<int>(FindDrops(force).size());
-  found.Reversals = CountReversals(force, ReversalShare * mean);
+  found.Drops = static_cast<int>(DetectDrops(force).size());
+  found.Reversals = CountReversals(force, ReversalFraction * mean);
   for (std::size_t i = 1; i < force.size(); ++i)
   {
     found.LargestStep = std::max(found.LargestStep, std::abs(force[i] - force[i - 1]));

@@ -30,10 +30,10 @@ struct Roughness
 };
 
 /** The ticks at which a fall by more than 30 % within the last 5 ms ends. */
-std::vector<std::size_t> FindDrops(const std::vector<double>& force);
+std::vector<std::size_t> DetectDrops(const std::vector<double>& force);
 
 /** Of a force (N) a tick; all zero for fewer than 100 ticks, or without force. */
-Roughness FindRoughness(const std::vector<double>& force);
+Roughness MeasureRoughness(const std::vector<double>& force);
 
 /**
  * Of several strokes: sums of durations and counts, the largest step, and means weighted by

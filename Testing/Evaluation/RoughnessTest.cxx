@@ -29,27 +29,28 @@ TEST(Roughness, ASineIsInTheBandOfItsFrequencyAlone)
 {
   const auto sine = [](double frequency)
   {
-    return FindRoughness(
+    return MeasureRoughness(
       MakeForce(1730, [&](double t) { return 2.0 + 0.1 * std::sin(TwoPi * frequency * t + 0.4); }));
   };
-  const double share = 100.0 * 0.1 / std::sqrt(2.0) / 2.0;
-  EXPECT_NEAR(sine(60.3).Low, share, 0.01 * share);
-  EXPECT_LT(sine(60.3).High, 0.01 * share);
-  EXPECT_NEAR(sine(217.7).High, share, 0.01 * share);
-  EXPECT_NEAR(sine(60.3).Both, share, 0.01 * share);
-  EXPECT_NEAR(sine(217.7).Both, share, 0.01 * share);
-  EXPECT_LT(sine(217.7).Low, 0.01 * share);
-  EXPECT_LT(sine(3.0).Low, 0.01 * share) << "a slow change is no roughness";
-  EXPECT_LT(sine(3.0).High, 0.001 * share);
+  const double fraction = 100.0 * 0.1 / std::sqrt(2.0) / 2.0;
+  EXPECT_NEAR(sine(60.3).Low, fraction, 0.01 * fraction);
+  EXPECT_LT(sine(60.3).High, 0.01 * fraction);
+  EXPECT_NEAR(sine(217.7).High, fraction, 0.01 * fraction);
+  EXPECT_NEAR(sine(60.3).Both, fraction, 0.01 * fraction);
+  EXPECT_NEAR(sine(217.7).Both, fraction, 0.01 * fraction);
+  EXPECT_LT(sine(217.7).Low, 0.01 * fraction);
+  EXPECT_LT(sine(3.0).Low, 0.01 * fraction) << "a slow change is no roughness";
+  EXPECT_LT(sine(3.0).High, 0.001 * fraction);
   EXPECT_NEAR(sine(3.0).Mean, 2.0, 0.02);
 }
 
 TEST(Roughness, FallsWithinFiveMillisecondsAreDrops)
 {
-  // A saw that falls by a share within a time, then rises for a quarter of a second; four of them.
+  // A saw that falls by a fraction within a time, then rises for a quarter of a second; four of
+  // them.
   const auto saw = [](double fall, double time)
   {
-    return FindRoughness(MakeForce(1000,
+    return MeasureRoughness(MakeForce(1000,
       [&](double t)
       {
         const double u = std::fmod(t, 0.25) - 0.1;
@@ -73,15 +74,15 @@ TEST(Roughness, TellsWhereDropsEnd)
   std::vector<double> force(400, 1.0);
   std::fill(force.begin() + 100, force.begin() + 150, 0.6);
   std::fill(force.begin() + 300, force.end(), 0.65);
-  EXPECT_EQ(FindDrops(force), (std::vector<std::size_t>{ 100, 300 }));
-  EXPECT_TRUE(FindDrops(std::vector<double>(100, 0.04)).empty());
+  EXPECT_EQ(DetectDrops(force), (std::vector<std::size_t>{ 100, 300 }));
+  EXPECT_TRUE(DetectDrops(std::vector<double>(100, 0.04)).empty());
 }
 
 TEST(Roughness, WithoutForceOrTooShortThereIsNone)
 {
-  EXPECT_EQ(FindRoughness({}).Duration, 0.0);
-  EXPECT_EQ(FindRoughness(std::vector<double>(1000, 0.0)).Duration, 0.0);
-  EXPECT_EQ(FindRoughness(std::vector<double>(50, 1.0)).Duration, 0.0);
+  EXPECT_EQ(MeasureRoughness({}).Duration, 0.0);
+  EXPECT_EQ(MeasureRoughness(std::vector<double>(1000, 0.0)).Duration, 0.0);
+  EXPECT_EQ(MeasureRoughness(std::vector<double>(50, 1.0)).Duration, 0.0);
 }
 
 TEST(Roughness, StrokesCountByTheirLength)

@@ -62,7 +62,7 @@ Field SmoothedVolume::RawOff(double level) const
   { return (self.RawValue(world) - level) / Norm(self.Gradient(world)); };
 }
 
-vtkSmartPointer<vtkPolyData> SmoothedVolume::FindSurface(double level) const
+vtkSmartPointer<vtkPolyData> SmoothedVolume::ComputeSurface(double level) const
 {
   // In steps of the index, since VTK 9.1's filters do not know of directions.
   vtkNew<vtkImageData> samples;

@@ -40,7 +40,7 @@ public:
   Field RawOff(double level) const;
 
   /** The isosurface, in the world, with normals. */
-  vtkSmartPointer<vtkPolyData> FindSurface(double level) const;
+  vtkSmartPointer<vtkPolyData> ComputeSurface(double level) const;
 
 private:
   vtkImageData* Image;

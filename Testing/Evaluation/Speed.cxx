@@ -41,8 +41,9 @@ std::vector<double> TimeTicks(const Candidate& candidate, double millimetersPerT
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort)
 {
   const int ticks = effort.Pick(20000, 200000);
-  const auto at = [](const std::vector<double>& times, double share)
-  { return 1e6 * times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
+  const auto at = [](const std::vector<double>& times, double fraction) {
+    return 1e6 * times[static_cast<std::size_t>(fraction * static_cast<double>(times.size() - 1))];
+  };
   const std::vector<double> slow = TimeTicks(candidate, 0.1, ticks);
   const std::vector<double> paper =
     TimeTicks({ HapticSolver::Paper, candidate.Estimator }, 0.1, ticks);

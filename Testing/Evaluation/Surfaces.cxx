@@ -76,9 +76,9 @@ Course OverLiver(const LabelPlace& liver, double level, const Effort& effort)
   const int planes = effort.Pick(1, 6);
   for (int plane = 0; plane < planes; ++plane)
   {
-    const double share = 0.3 + 0.4 * (plane + 0.5) / planes;
+    const double fraction = 0.3 + 0.4 * (plane + 0.5) / planes;
     up.Middles.push_back(
-      { liver.Middle.X, liver.Box[2] + share * (liver.Box[3] - liver.Box[2]), liver.Middle.Z });
+      { liver.Middle.X, liver.Box[2] + fraction * (liver.Box[3] - liver.Box[2]), liver.Middle.Z });
   }
   return up;
 }
@@ -106,7 +106,7 @@ std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& ef
   scalp.Arcs = FindArcs(volume, AroundHead(volume, scalp.Level, 0.0, effort));
   skull.Arcs = FindArcs(volume, AroundHead(volume, skull.Level, 10.0, effort));
   scalp.IsRequired = skull.IsRequired = true;
-  scalp.RoughestShare = 0.6;
+  scalp.RoughestFraction = 0.6;
   return { scalp, skull };
 }
 

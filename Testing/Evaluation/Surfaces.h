@@ -32,7 +32,7 @@ struct FeltSurface
   double WideRamp = 60.0;
   bool IsRequired = false; ///< to be smooth
   /// % of the mean between 30 and 500 Hz; 0 stands for what a mesh of smoothed data has
-  double RoughestShare = 0.0;
+  double RoughestFraction = 0.0;
 };
 
 /** Scalp (-300 HU) and skull (300 HU) of a head CT. */

@@ -129,10 +129,10 @@ TEST_P(TissueGrain, IsNotFelt)
   for (int stroke = 0; stroke < 6; ++stroke)
   {
     const std::vector<double> force = Stroke(filter, stroke);
-    const Roughness rough = FindRoughness(force); // all zero for what is not felt
+    const Roughness rough = MeasureRoughness(force); // all zero for what is not felt
     EXPECT_EQ(rough.Mean > 0.05, grain.IsFelt) << "stroke " << stroke;
     EXPECT_LT(rough.Both, 1.0) << "% of " << rough.Mean << " N, stroke " << stroke;
-    EXPECT_TRUE(FindDrops(force).empty()) << "stroke " << stroke;
+    EXPECT_TRUE(DetectDrops(force).empty()) << "stroke " << stroke;
     EXPECT_LT(rough.LargestStep, 0.1) << "stroke " << stroke;
   }
 }

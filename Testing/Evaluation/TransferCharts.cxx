@@ -138,7 +138,9 @@ double LargestOf(vtkPiecewiseFunction* function)
   return largest > 0.0 ? largest : 1.0;
 }
 
-/** Three quantities in one chart: each as the share of its largest value, which its name tells. */
+/**
+ * Three quantities in one chart: each as the fraction of its largest value, which its name tells.
+ */
 void AddShare(vtkChartXY* chart, vtkPiecewiseFunction* function, const std::string& name,
   const std::string& unit, const unsigned char (&colour)[3])
 {

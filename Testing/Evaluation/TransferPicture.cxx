@@ -31,7 +31,7 @@ namespace
 constexpr int Width = 1500;
 constexpr int Height = 900;
 /** Of the width: the rendered CT. */
-constexpr double Share = 0.36;
+constexpr double Fraction = 0.36;
 
 /** The explorer's look of a volume, with opacity by the gradient as surfaces are distinct by it. */
 void AddHead(
@@ -51,7 +51,7 @@ void AddHead(
   Explore::SetVolumeLook(values, head->GetProperty());
   renderer->AddVolume(head);
   Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
-    Share * Width / Height, false);
+    Fraction * Width / Height, false);
   renderer->GetActiveCamera()->Zoom(1.2); // The box has corners, a head has none.
 }
 } // namespace
@@ -60,7 +60,7 @@ Picture DrawTransferPicture(
   const std::string& volumeFile, const Effort& effort, const std::string& folder)
 {
   vtkNew<vtkRenderer> scene;
-  scene->SetViewport(0.0, 0.0, Share, 1.0);
+  scene->SetViewport(0.0, 0.0, Fraction, 1.0);
   scene->SetBackground(1.0, 1.0, 1.0);
   vtkNew<vtkVolume> head;
   try
@@ -78,10 +78,11 @@ Picture DrawTransferPicture(
   head->GetProperty()->SetGradientOpacity(feel->GetDistinctness());
 
   vtkNew<vtkRenderer> charts;
-  charts->SetViewport(Share, 0.0, 1.0, 1.0);
+  charts->SetViewport(Fraction, 0.0, 1.0, 1.0);
   charts->SetBackground(1.0, 1.0, 1.0);
   vtkNew<vtkContextActor> context;
-  AddTransferCharts(context->GetScene(), head->GetProperty(), feel, (1.0 - Share) * Width, Height);
+  AddTransferCharts(
+    context->GetScene(), head->GetProperty(), feel, (1.0 - Fraction) * Width, Height);
   charts->AddActor(context);
 
   vtkNew<vtkRenderWindow> window;

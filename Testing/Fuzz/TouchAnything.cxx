@@ -97,19 +97,19 @@ void Deal(Dealer& dealer, Scene& scene)
   d.View.Data = scene.Samples.data();
 }
 
-/** Two or three frames, of which one has other samples. */
-void DealFrames(Dealer& dealer, Scene& scene)
+/** Two or three time steps, of which one has other samples. */
+void DealTimeSteps(Dealer& dealer, Scene& scene)
 {
   HapticModelDescription& d = scene.Description;
   scene.LaterSamples = scene.Samples;
   dealer.Fill(scene.LaterSamples.data(), scene.LaterSamples.size() / 2);
   VolumeView later = d.View;
   later.Data = scene.LaterSamples.data();
-  d.Frames = { { dealer.Between(-1.0, 0.0), d.View, nullptr },
+  d.TimeSteps = { { dealer.Between(-1.0, 0.0), d.View, nullptr },
     { dealer.Between(0.001, 1.0), later, nullptr } };
   if (dealer.Choose(2) == 1)
   {
-    d.Frames.push_back({ dealer.Between(1.001, 2.0), d.View, nullptr });
+    d.TimeSteps.push_back({ dealer.Between(1.001, 2.0), d.View, nullptr });
   }
   if (dealer.Choose(2) == 1)
   {
@@ -118,7 +118,7 @@ void DealFrames(Dealer& dealer, Scene& scene)
     scene.Displacements.resize(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
     dealer.Fill(reinterpret_cast<char*>(scene.Displacements.data()),
       scene.Displacements.size() * sizeof(float));
-    d.Frames.front().Displacements = { scene.Displacements.data(), ScalarType::Float32 };
+    d.TimeSteps.front().Displacements = { scene.Displacements.data(), ScalarType::Float32 };
   }
 }
 
@@ -253,7 +253,7 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
   }
   if (dealer.Choose(3) == 1)
   {
-    DealFrames(dealer, scene);
+    DealTimeSteps(dealer, scene);
   }
   const HapticModel model(scene.Description);
   ServoState state;

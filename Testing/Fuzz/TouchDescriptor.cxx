@@ -45,7 +45,7 @@ void TouchFields(const HidReportDescriptor& descriptor)
       Check(back == ClampToField(field, value), "what was written is read");
     }
     std::int64_t choice = 0;
-    Check(!descriptor.FindChoice(field, 0x000F0026, choice) || choice <= field.LogicalMaximum,
+    Check(!descriptor.ReadChoice(field, 0x000F0026, choice) || choice <= field.LogicalMaximum,
       "choices are in the range");
     descriptor.IsWithin(field, 0x000F0021);
   }

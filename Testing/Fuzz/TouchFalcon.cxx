@@ -117,7 +117,7 @@ void Listen(Dealer& dealer)
     const std::vector<std::uint8_t> bytes = DealBytes(dealer);
     const std::vector<std::uint8_t> transfer = raw ? bytes : Wrap(bytes, dealer.Byte());
     FalconReport report;
-    const int reports = stream.Take(transfer.data(), transfer.size(), report);
+    const int reports = stream.Receive(transfer.data(), transfer.size(), report);
     sent += transfer.size();
     taken += reports * FalconPacketSize;
     Check(taken + stream.GetDropped() <= sent, "no byte counts twice");

@@ -52,7 +52,7 @@ bool IsFiniteTurn(const Quaternion& q)
   return std::isfinite(q.W) && std::isfinite(q.X) && std::isfinite(q.Y) && std::isfinite(q.Z);
 }
 
-void TakeText(const std::string& text)
+void ReceiveText(const std::string& text)
 {
   HaplyMessage message;
   if (ReadHaplyMessage(text, message) == nullptr)
@@ -94,11 +94,11 @@ void TakeText(const std::string& text)
 
 void TouchHaply(const std::uint8_t* bytes, std::size_t size)
 {
-  TakeText(std::string(bytes, bytes + size));
+  ReceiveText(std::string(bytes, bytes + size));
   Dealer dealer(bytes, size);
   while (dealer.HasMore())
   {
     std::size_t left = LongestText;
-    TakeText(DealJson(dealer, 0, left));
+    ReceiveText(DealJson(dealer, 0, left));
   }
 }

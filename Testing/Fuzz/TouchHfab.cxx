@@ -123,7 +123,7 @@ void TouchHfab(const std::uint8_t* bytes, std::size_t size)
   std::size_t found = 0;
   for (const char byte : text)
   {
-    if (!reader.Take(byte))
+    if (!reader.Receive(byte))
     {
       continue;
     }

@@ -114,7 +114,7 @@ void TouchEvents(Dealer& dealer)
       static_cast<__u16>(event.type == EV_KEY ? BTN_SOUTH + dealer.Choose(16)
                                               : dealer.Choose(event.type == EV_SYN ? 4 : 80));
     event.value = DealInt(dealer);
-    const EvdevReader::News news = reader.Take(event);
+    const EvdevReader::News news = reader.Receive(event);
     const bool isEnd = event.type == EV_SYN && event.code == SYN_REPORT;
     Check(
       (news == EvdevReader::News::MustRead) == (isDropping && isEnd), "what is lost is asked for");

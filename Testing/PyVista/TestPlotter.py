@@ -340,14 +340,14 @@ def test_frames_play_and_are_seen(beating):
     plotter, balls = beating
     haptics = add_haptics(plotter, balls, [0.0, 0.1, 0.2, 0.3])
     device, mapper = haptics.device, next(iter(plotter.actors.values())).GetMapper()
-    assert device.GetPlayback().IsPlaying() and haptics.frames.GetNumberOfFrames() == 4
+    assert device.GetPlayback().IsPlaying() and haptics.frames.GetNumberOfTimeSteps() == 4
     seen = set()
 
     def all_are_seen():
-        if device.GetPlayback().HasFrames():
+        if device.GetPlayback().HasTimeSteps():
             shown = mapper.GetInputDataObject(0, 0).GetScalarComponentAsDouble(16, 16, 16, 0)
-            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetPlayback().GetFrameTime())  # the middle of a ball
-            assert abs(device.GetPlayback().GetFrameTime() - device.GetPlayback().GetDataTime()) < 0.0501 or device.GetPlayback().GetDataTime() > 0.3
+            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetPlayback().GetTimeStepValue())  # the middle of a ball
+            assert abs(device.GetPlayback().GetTimeStepValue() - device.GetPlayback().GetDataTime()) < 0.0501 or device.GetPlayback().GetDataTime() > 0.3
             seen.add(round(shown))
         return len(seen) == 4
 

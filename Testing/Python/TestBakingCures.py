@@ -19,7 +19,7 @@ from volumehaptics import (
     image,
     vtkHapticBurr,
     vtkHapticDevice,
-    vtkHapticFrameSource,
+    vtkHapticTimeStepSource,
     vtkHapticGuideMode,
     vtkHapticMode,
     vtkHapticNeedle,
@@ -33,9 +33,9 @@ case, result = Cases(), Calls()
 # Volumes that move: of two frames, which are alike.
 
 def frames(b, *images, name=None):
-    source = vtkHapticFrameSource()
+    source = vtkHapticTimeStepSource()
     for time, one in enumerate(images or (b.image, b.image)):
-        source.AddFrame(one, float(time))
+        source.AddTimeStep(one, float(time))
     b.haptics.SetInputConnection(source.GetOutputPort())
     b.haptics.SetTimeUnitsPerSecond(1.0)
     if name:

@@ -19,7 +19,7 @@ from volumehaptics import (
     vtkHapticBurr,
     vtkHapticCalibration,
     vtkHapticDevice,
-    vtkHapticFrameSource,
+    vtkHapticTimeStepSource,
     vtkHapticFunctionEditor,
     vtkHapticHeadUpDisplay,
     vtkHapticLabelTable,
@@ -443,11 +443,11 @@ def measurements(folder):
         assert measured.WriteFile(str(file)) and read.ReadFile(str(file))
 
 
-@result("Set it to world units per metre, or to 0", "call AddFrame() for each of them first",
+@result("Set it to world units per metre, or to 0", "call AddTimeStep() for each of them first",
         "call SetProperty and SetInputData", "gives it. Pass its table as it is", "Pass the table of vtkHapticState::Drain",
         "give the smaller bound first")
 def other_classes(_):
-    fit, source, b = vtkHapticCalibration(), vtkHapticFrameSource(), Bench()
+    fit, source, b = vtkHapticCalibration(), vtkHapticTimeStepSource(), Bench()
     for x in ((0, 0, 0), (50, 0, 0), (0, 50, 0)):
         fit.AddPoint([0.001 * one for one in x], x)
     fit.SetFixedScale(math.nan)
@@ -456,9 +456,9 @@ def other_classes(_):
     for scale in (0.0, 1000.0):
         fit.SetFixedScale(scale)
         assert fit.Compute() and fit.GetDeviceToWorld().GetElement(0, 0) == pytest.approx(1000.0)
-    with told(source, "call AddFrame() for each of them first", source.GetExecutive()):
+    with told(source, "call AddTimeStep() for each of them first", source.GetExecutive()):
         source.Update()
-    source.AddFrame(b.image, 0.0)
+    source.AddTimeStep(b.image, 0.0)
     b.haptics.SetInputConnection(source.GetOutputPort())
     assert b.force() == pytest.approx(1.0)
     editor = vtkHapticFunctionEditor()

@@ -22,7 +22,7 @@ from volumehaptics import (
     image,
     open_large,
     vtkHapticDevice,
-    vtkHapticFrameSource,
+    vtkHapticTimeStepSource,
     vtkHapticLabelTable,
     vtkHapticProperty,
     vtkHapticRegionFilter,
@@ -335,9 +335,9 @@ def sources(folder):
     assert feel.ProposeFromImage(smooth.GetOutput())
 
     # A recording of a volume that moves.
-    b, source, device = Bench(), vtkHapticFrameSource(), vtkHapticDevice()
+    b, source, device = Bench(), vtkHapticTimeStepSource(), vtkHapticDevice()
     for time in (0.0, 100.0):
-        source.AddFrame(b.image, time)
+        source.AddTimeStep(b.image, time)
     b.haptics.SetInputConnection(source.GetOutputPort())
     b.haptics.SetTimeUnitsPerSecond(1.0)
     device.SetVolumeHaptics(b.haptics)

@@ -121,7 +121,7 @@ public:
     this->WaveLength = this->Pick(0.5e-3, 4e-3);
     // Along the surface the force changes by k depth height (2 pi / length)^2: limit this to k.
     const double turn = 2.0 * Pi / this->WaveLength;
-    const double deepest = scene.MaximumForce / (RippleShare * scene.Stiffness);
+    const double deepest = scene.MaximumForce / (RippleFraction * scene.Stiffness);
     this->WaveHeight =
       std::min(this->Pick(0.02, 0.15) * this->WaveLength, 1.0 / (turn * turn * deepest));
     this->Phase = this->Pick(0.0, 1.0);
@@ -180,7 +180,7 @@ public:
     input.Period = input.Elapsed = period;
     std::deque<Vector3> onTheWay(static_cast<std::size_t>(this->S.Delay));
     this->Body[0] = this->Body[2] =
-      this->S.IsHeld ? this->FindPath(0.0) : Vector3{ 0.0, 0.0, 2e-4 };
+      this->S.IsHeld ? this->ComputePath(0.0) : Vector3{ 0.0, 0.0, 2e-4 };
     double given = 0.0;
     const int ticks = static_cast<int>(this->S.Seconds * this->S.Rate);
     double low = 1.0;
@@ -194,7 +194,7 @@ public:
       input.MotionTime = input.Fresh ? this->S.Every * period : 0.0;
       input.IsNew = this->Publish(time);
       input.Drag = {};
-      input.Force = this->FindForce(input.Tip);
+      input.Force = this->ComputeForce(input.Tip);
       if (this->S.What == Matter::Fluid && input.Fresh && i > 0)
       {
         this->Drag = (-0.3 * this->S.Stiffness * period) * (1.0 / (this->S.Every * period)) *
@@ -207,7 +207,7 @@ public:
       const bool isField = this->S.What >= Matter::Fluid;
       input.Stiffness = isField ? 0.0 : this->S.Stiffness;
       input.Stretch = isField ? 0.0 : Norm(input.Force) / this->S.Stiffness;
-      gate.NoteData(1.0, period);
+      gate.ReportData(1.0, period);
       const Vector3 sent = stage.Apply(input, limits, gate);
       onTheWay.push_back(sent);
       const Vector3 acting = onTheWay.front();
@@ -251,7 +251,8 @@ private:
   using State = std::array<Vector3, 4>; ///< device, its velocity, arm, its velocity
 
   static constexpr double Pi = 3.14159265358979323846;
-  static constexpr double RippleShare = 0.4; ///< of the stiffness, so that no direction is stiffer
+  /** Of the stiffness, so that no direction is stiffer. */
+  static constexpr double RippleFraction = 0.4;
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
 
   Vector3 Measure() const
@@ -263,7 +264,7 @@ private:
   }
 
   /// The target to which the muscles lead the arm. The wall is below z = 0.
-  Vector3 FindPath(double time) const
+  Vector3 ComputePath(double time) const
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
@@ -314,7 +315,7 @@ private:
     return true;
   }
 
-  Vector3 FindForce(const Vector3& tip)
+  Vector3 ComputeForce(const Vector3& tip)
   {
     const double k = this->S.Stiffness;
     switch (this->S.What)
@@ -340,7 +341,7 @@ private:
         const double turn = 2.0 * Pi / this->WaveLength;
         const double depth = this->WaveHeight * std::sin(turn * tip.X) - tip.Z;
         const double slope = this->WaveHeight * turn * std::cos(turn * tip.X);
-        return depth > 0.0 ? RippleShare * k * depth * Vector3{ -slope, 0.0, 1.0 } : Vector3{};
+        return depth > 0.0 ? RippleFraction * k * depth * Vector3{ -slope, 0.0, 1.0 } : Vector3{};
       }
       case Matter::Fluid:
         return {};
@@ -398,7 +399,7 @@ private:
     return this->Push(tip, place(tip), tip.Z < level, place);
   }
 
-  Vector3 FindFriction(const Vector3& v) const
+  Vector3 ComputeFriction(const Vector3& v) const
   {
     constexpr double Still = 2e-3;
     constexpr double Stribeck = 1e-2;
@@ -412,10 +413,10 @@ private:
     return (-level * std::tanh(speed / Still) / speed) * v;
   }
 
-  State FindRate(
+  State ComputeRate(
     const State& b, const Vector3& path, const Vector3& wish, const Vector3& force) const
   {
-    Vector3 push = force - this->S.Damping * b[1] + this->FindFriction(b[1]);
+    Vector3 push = force - this->S.Damping * b[1] + this->ComputeFriction(b[1]);
     if (!this->S.IsHeld)
     {
       push.Z -= this->S.Weight;
@@ -438,16 +439,16 @@ private:
     const double period = 1.0 / this->S.Rate;
     const int steps = this->S.Rate < 1500.0 ? 8 : this->S.Rate < 3000.0 ? 4 : 2;
     const double h = period / steps;
-    const Vector3 from = this->FindPath(time);
-    const Vector3 wish = this->S.Rate * (this->FindPath(time + period) - from);
+    const Vector3 from = this->ComputePath(time);
+    const Vector3 wish = this->S.Rate * (this->ComputePath(time + period) - from);
     const Vector3 start = this->Body[0];
     for (int i = 0; i < steps; ++i)
     {
       const auto path = [&](double part) { return from + (h * (i + part)) * wish; };
-      const State a = this->FindRate(this->Body, path(0.0), wish, force);
-      const State b = this->FindRate(Add(this->Body, 0.5 * h, a), path(0.5), wish, force);
-      const State c = this->FindRate(Add(this->Body, 0.5 * h, b), path(0.5), wish, force);
-      const State d = this->FindRate(Add(this->Body, h, c), path(1.0), wish, force);
+      const State a = this->ComputeRate(this->Body, path(0.0), wish, force);
+      const State b = this->ComputeRate(Add(this->Body, 0.5 * h, a), path(0.5), wish, force);
+      const State c = this->ComputeRate(Add(this->Body, 0.5 * h, b), path(0.5), wish, force);
+      const State d = this->ComputeRate(Add(this->Body, h, c), path(1.0), wish, force);
       this->Body = Add(Add(Add(Add(this->Body, h / 6.0, a), h / 3.0, b), h / 3.0, c), h / 6.0, d);
     }
     return Dot(force, this->Body[0] - start);

@@ -13,15 +13,15 @@
 
 namespace coretest
 {
-/// Sets the share at one sample, whatever it was before.
-inline void SetShare(
-  CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k, std::uint8_t share)
+/// Sets the fraction at one sample, whatever it was before.
+inline void SetFraction(
+  CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k, std::uint8_t fraction)
 {
   const std::uint32_t brick = bricks.FindOrAdd(CarvedBricks::KeyOf({ i / 8, j / 8, k / 8 }));
   const auto row = static_cast<int>(j % 8 + 8 * (k % 8));
   const auto shift = static_cast<int>(8 * (i % 8));
   const std::uint64_t others = bricks.GetRow(brick, row) & ~(std::uint64_t{ 255 } << shift);
-  bricks.SetRow(brick, row, others | std::uint64_t{ share } << shift);
+  bricks.SetRow(brick, row, others | std::uint64_t{ fraction } << shift);
   bricks.MarkChanged(brick);
 }
 
@@ -35,8 +35,8 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
     [&](std::int64_t i, std::int64_t j, std::int64_t k)
     {
       const double value = volume(i, j, k);
-      const std::uint8_t share = bricks.GetShare(first[0] + i, first[1] + j, first[2] + k);
-      return value - 1.0 / 255.0 * (255 - share) * (value - air);
+      const std::uint8_t fraction = bricks.GetFraction(first[0] + i, first[1] + j, first[2] + k);
+      return value - 1.0 / 255.0 * (255 - fraction) * (value - air);
     });
   std::copy(first, first + 3, left.View.First);
   std::copy(volume.View.Whole, volume.View.Whole + 3, left.View.Whole);
@@ -44,21 +44,21 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
   return left;
 }
 
-/// The shares of all samples, x first.
-inline std::vector<std::uint8_t> CopyShares(const CarvedBricks& bricks, const std::int64_t* n)
+/// The fractions of all samples, x first.
+inline std::vector<std::uint8_t> CopyTissue(const CarvedBricks& bricks, const std::int64_t* n)
 {
-  std::vector<std::uint8_t> shares;
+  std::vector<std::uint8_t> fractions;
   for (std::int64_t k = 0; k < n[2]; ++k)
   {
     for (std::int64_t j = 0; j < n[1]; ++j)
     {
       for (std::int64_t i = 0; i < n[0]; ++i)
       {
-        shares.push_back(bricks.GetShare(i, j, k));
+        fractions.push_back(bricks.GetFraction(i, j, k));
       }
     }
   }
-  return shares;
+  return fractions;
 }
 
 /// The share at which a sample of a solid value reaches the level: r = (V_c - V_air)/(V - V_air),
@@ -68,23 +68,23 @@ inline double EdgeOf(double value, double level, double air)
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// The fraction of a voxel's volume that the share rho leaves: it falls from 1 at r + 1/12 to 0 at
-/// r - 1/12, or at 1 and 0 if those are nearer.
+/// The fraction of a voxel's volume that the fraction rho leaves: it falls from 1 at r + 1/12 to 0
+/// at r - 1/12, or at 1 and 0 if those are nearer.
 inline double LeftOf(double rho, double edge)
 {
   const double low = std::max(edge - 1.0 / 12.0, 0.0);
   const double high = std::min(edge + 1.0 / 12.0, 1.0);
   return std::clamp((rho - low) / (high - low), 0.0, 1.0);
 }
-inline double LeftOf(std::uint8_t share, double edge = 0.5)
+inline double LeftOf(std::uint8_t fraction, double edge = 0.5)
 {
-  return LeftOf(share / 255.0, edge);
+  return LeftOf(fraction / 255.0, edge);
 }
 
 /// Sets rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) at all samples. Their level is half of their
 /// value; voxels have size 1, w = 3.
 inline void CarveSlowly(
-  std::vector<std::uint8_t>& shares, const std::int64_t* n, const Vector3& centre, double radius)
+  std::vector<std::uint8_t>& fractions, const std::int64_t* n, const Vector3& centre, double radius)
 {
   std::size_t at = 0;
   for (std::int64_t k = 0; k < n[2]; ++k)
@@ -95,7 +95,8 @@ inline void CarveSlowly(
       {
         const Vector3 from = Vector3{ double(i), double(j), double(k) } - centre;
         const double rho = std::clamp(0.5 + (Norm(from) - radius) / 3.0, 0.0, 1.0);
-        shares[at] = std::min(shares[at], static_cast<std::uint8_t>(std::lround(255.0 * rho)));
+        fractions[at] =
+          std::min(fractions[at], static_cast<std::uint8_t>(std::lround(255.0 * rho)));
       }
     }
   }

@@ -24,7 +24,7 @@ inline std::vector<double> ReadPixels(
 }
 
 /// The mean difference of levels.
-inline double FindMeanDifference(const std::vector<double>& a, const std::vector<double>& b)
+inline double ComputeMeanDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -107,8 +107,8 @@ protected:
       return this->Push({ 0.0, 0.0, 2.0 }, [&] { return this->Falcon.GetPackets() >= end; });
     };
     const bool arrived = pass(1);
-    this->Falcon.TakeLargestCommand();
-    return arrived && pass(packets) && this->Falcon.TakeLargestCommand() == 0.0;
+    this->Falcon.DrainLargestCommand();
+    return arrived && pass(packets) && this->Falcon.DrainLargestCommand() == 0.0;
   }
   /** Expects that the device is lost, says why, and has zero as last commands. */
   void ExpectLost(const std::string& why)

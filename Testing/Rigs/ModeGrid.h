@@ -75,28 +75,28 @@ public:
   {
     PrimitiveSet set;
     const PrimitiveField field = this->Field->GetField();
-    field.Find(field.Context, 1e-3 * place, set);
+    field.Collect(field.Context, 1e-3 * place, set);
     return set;
   }
 
   /// Runs a tick; mm.
   void Move(const Vector3& tip)
   {
-    this->Motion = FollowPrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
+    this->Motion = SolvePrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
       this->Motion.Proxy, 1e-3 * tip, this->Memory);
     const double force = Norm(this->Motion.Force);
     if (force > this->At(1e3 * this->Motion.Proxy).SumStrengths())
     {
-      EXPECT_LE(force, this->FindStrengths());
+      EXPECT_LE(force, this->ComputeStrengths());
     }
   }
   void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
 
   /// The largest total pull (N) of the primitives near the proxy: at the corners of a cube around
   /// it, as large as the last part of a step, by which the proxy may be ahead of its force.
-  double FindStrengths() const
+  double ComputeStrengths() const
   {
-    const double part = PrimitiveFollower::FinishedShare * this->QuarterVoxel;
+    const double part = PrimitiveFollower::FinishedFraction * this->QuarterVoxel;
     double most = 0.0;
     for (int corner = 0; corner < 8; ++corner)
     {

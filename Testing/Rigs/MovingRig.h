@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A pulsating ball and an approaching wall, in frames, and a hand that rests in them.
+ * A pulsating ball and an approaching wall, in time steps, and a hand that rests in them.
  */
 #ifndef MovingRig_h
 #define MovingRig_h
@@ -34,8 +34,8 @@ inline double BallRadius(double t)
   return 20.0 + 2.0 * std::sin(2.0 * Pi * t / Period);
 }
 
-/// Frames of a volume of 25 mm along x, whose x side has its middle at `From`: 26 x 25 x 25 voxels
-/// of 1 mm, or as wide in voxels of another size (mm).
+/// Time steps of a volume of 25 mm along x, whose x side has its middle at `From`: 26 x 25 x 25
+/// voxels of 1 mm, or as wide in voxels of another size (mm).
 class Movie
 {
 public:
@@ -49,22 +49,22 @@ public:
     for (int i = 0; i * step < end + 0.5 * step; ++i)
     {
       const double t = i * step;
-      TestVolume& frame = this->Volumes.emplace_back(
+      TestVolume& timeStep = this->Volumes.emplace_back(
         ScalarType::Float64, std::array<std::int64_t, 3>{ along, 25, 25 });
-      frame.Fill<double>(
+      timeStep.Fill<double>(
         [&](std::int64_t x, std::int64_t y, std::int64_t z)
         {
           return value(from + voxel * static_cast<double>(x),
             voxel * (static_cast<double>(y) - 12.0), voxel * (static_cast<double>(z) - 12.0), t);
         });
-      this->Frames.push_back({ t, frame.View, nullptr });
+      this->TimeSteps.push_back({ t, timeStep.View, nullptr });
     }
   }
 
   HapticModelDescription Describe() const
   {
     HapticModelDescription description = coretest::Describe(this->Volumes.front());
-    description.Frames = this->Frames;
+    description.TimeSteps = this->TimeSteps;
     description.IndexToWorld.Linear = this->Voxel * Matrix3{};
     description.IndexToWorld.Offset = { this->From, -12.0 * this->Voxel, -12.0 * this->Voxel };
     description.Material.Stiffness = ConstantPolyline(K);
@@ -77,7 +77,7 @@ private:
   const double Voxel;
   const double From;
   std::list<TestVolume> Volumes;
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
 };
 
 inline Movie MakeBall(double step, double voxel = 1.0)

@@ -108,7 +108,7 @@ public:
   }
   void Kill() { this->Daemon.Kill(); }
   /// What the test's system lacks; null if nothing is missing.
-  const char* FindMissing() const
+  const char* DetectMissing() const
   {
     return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"
       : system("/usr/bin/python3 -c 'from gi.repository import Gio'") != 0

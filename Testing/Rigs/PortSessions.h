@@ -88,14 +88,14 @@ public:
       input.Fresh = i % this->Every == 0;
       input.Tip = input.Fresh ? this->Measure() : input.Tip;
       input.MotionTime = input.Fresh ? this->Every * this->Period : 0.0;
-      input.Force = this->FindWallForce(input.Tip);
+      input.Force = this->ComputeWallForce(input.Tip);
       input.Stretch = this->IsInside ? Norm(this->Proxy - input.Tip) : 0.0;
       if (input.Fresh)
       {
         watch.Observe(input.Tip, input.MotionTime);
       }
       const Vector3 sent = stage.Apply(input, limits, gate);
-      watch.NoteSent(sent);
+      watch.RecordSent(sent);
       result.Rising = std::max(result.Rising, watch.GetRisingRunAway());
       result.RunAway = std::max(result.RunAway, watch.GetRunAway());
       result.IsFound = gate.GetFault() == GateReason::Active;
@@ -220,7 +220,7 @@ private:
     return c * c * c * (10.0 - 15.0 * c + 6.0 * c * c);
   }
 
-  Vector3 FindTarget(double time) const
+  Vector3 ComputeTarget(double time) const
   {
     const Vector3 tremor = this->Tremor * std::sin(this->TremorRate * time) * this->TremorAxis;
     const double s = std::max(0.0, time - 0.1);
@@ -243,7 +243,7 @@ private:
    * The force of a half space with a proxy: friction holds the proxy, and it sinks if the tissue
    * yields.
    */
-  Vector3 FindWallForce(const Vector3& tip)
+  Vector3 ComputeWallForce(const Vector3& tip)
   {
     const double depth = -Dot(tip, this->Normal);
     if (depth <= 0.0)
@@ -283,8 +283,8 @@ private:
       if (this->IsHeld)
       {
         constexpr double Small = 1e-4;
-        const Vector3 target = this->FindTarget(t);
-        const Vector3 speed = (1.0 / Small) * (this->FindTarget(t + Small) - target);
+        const Vector3 target = this->ComputeTarget(t);
+        const Vector3 speed = (1.0 / Small) * (this->ComputeTarget(t + Small) - target);
         push +=
           this->HandStiffness * (target - this->Tip) + this->HandDamping * (speed - this->Velocity);
       }

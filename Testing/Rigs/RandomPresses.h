@@ -116,9 +116,9 @@ private:
     return this->IsSphere ? (depth > 0.0 ? -force / depth : 0.0) * x
                           : VolumeHaptics::Vector3{ 0.0, 0.0, force };
   }
-  void FollowProxy()
+  void UpdateProxy()
   {
-    const bool restarts = this->Stage.Gate.TakeRestart() && this->HasProxy;
+    const bool restarts = this->Stage.Gate.DrainRestart() && this->HasProxy;
     const double depth = this->Depth(this->Input.Tip);
     this->Start = std::max(this->Surface(), restarts ? depth : std::min(this->Start, depth));
   }
@@ -164,7 +164,7 @@ private:
     const VolumeHaptics::Vector3 before = this->Input.Tip;
     const bool wasFelt = Norm(this->Field(before)) > 0.0;
     this->Input.Tip = isSilent ? before : this->Hand;
-    this->FollowProxy();
+    this->UpdateProxy();
     this->Input.Force = this->Field(this->Input.Tip);
     const bool isFelt = wasFelt || Norm(this->Input.Force) > 0.0;
     const VolumeHaptics::Vector3 leap = this->Input.Tip - before;
@@ -196,7 +196,7 @@ private:
       this->IsHeld = !this->IsHeld;
     }
     gate.SetHeld(this->IsHeld);
-    gate.NoteData(this->Residency, Period);
+    gate.ReportData(this->Residency, Period);
     if (this->Active.Gap && this->Happens(5.0))
     {
       this->Silence = static_cast<int>(this->Draw(1.0, 60.0));
@@ -218,13 +218,13 @@ private:
           gate.Disarm();
           break;
         case 1:
-          gate.NoteFault(VolumeHaptics::GateReason::OverSpeed);
+          gate.ReportFault(VolumeHaptics::GateReason::OverSpeed);
           break;
         case 2:
           gate.FadeOut();
           break;
         case 3:
-          gate.NoteSilence();
+          gate.ReportSilence();
           break;
         default:
           gate.SetClutched(true);

@@ -71,14 +71,14 @@ private:
     this->SilentSince = sample.Fresh || sample.Alive ? now : this->SilentSince;
     this->LongestSilence =
       std::max(this->LongestSilence, 1e-9 * static_cast<double>(now - this->SilentSince));
-    const double way = this->Timing.NoteSample(sample, now);
+    const double way = this->Timing.RecordSample(sample, now);
     if (way > 0.0)
     {
       this->LargestSpeed = std::max(this->LargestSpeed, Norm(sample.Tip - this->Tip) / way);
     }
     this->Tip = sample.Fresh ? sample.Tip : this->Tip;
     this->Device.Write({});
-    this->Timing.NoteTaken(sample.Taken);
+    this->Timing.RecordTaken(sample.Taken);
   }
 
   std::int64_t SilentSince = VolumeHaptics::ServoClock::Now();

@@ -36,7 +36,7 @@ struct Hole
   double Middle[3]; ///< index
   double Radius;    ///< samples
 
-  unsigned char GetShare(int i, int j, int k) const
+  unsigned char GetFraction(int i, int j, int k) const
   {
     const double from = std::sqrt((i - this->Middle[0]) * (i - this->Middle[0]) +
       (j - this->Middle[1]) * (j - this->Middle[1]) +
@@ -46,13 +46,13 @@ struct Hole
   }
 };
 
-/// The remaining value V' = V - (1 - rho) (V - V_air), rho the share.
-inline double LeftOf(double value, double share, double air)
+/// The remaining value V' = V - (1 - rho) (V - V_air), rho the fraction.
+inline double LeftOf(double value, double fraction, double air)
 {
-  return value - (1.0 - share / 255.0) * (value - air);
+  return value - (1.0 - fraction / 255.0) * (value - air);
 }
 
-/// Loads the shares of a hole into a removal, through a file.
+/// Loads the fractions of a hole into a removal, through a file.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
   // Use a name of its own: tests may run at the same time in one folder.
@@ -60,19 +60,19 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
   image->CopyStructure(volume);
-  vtkNew<vtkUnsignedCharArray> shares;
-  shares->SetName("RemainingShares");
+  vtkNew<vtkUnsignedCharArray> fractions;
+  fractions->SetName("RemainingShares");
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
     for (int j = extent[2]; j <= extent[3]; ++j)
     {
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
-        shares->InsertNextValue(hole.GetShare(i, j, k));
+        fractions->InsertNextValue(hole.GetFraction(i, j, k));
       }
     }
   }
-  image->GetPointData()->SetScalars(shares);
+  image->GetPointData()->SetScalars(fractions);
   vtkNew<vtkIntArray> whole;
   whole->SetName("VolumeExtent");
   whole->SetNumberOfComponents(6);
@@ -110,7 +110,7 @@ inline vtkSmartPointer<vtkImageData> MakeLeft(
         double sum = 0.0;
         for (int n = 0; n < step * step * step; ++n)
         {
-          sum += hole.GetShare(
+          sum += hole.GetFraction(
             step * i + n % step, step * j + n / step % step, step * k + n / (step * step));
         }
         const double value =

@@ -19,7 +19,7 @@ namespace
 /** Ports that are taken, a bit each. The first three are those of the tests of USB devices. */
 unsigned int Taken = 7;
 
-int TakePort()
+int ClaimPort()
 {
   int port = 0;
   while ((Taken >> port & 1) != 0)
@@ -55,7 +55,7 @@ std::string FindNode(const std::string& port)
 struct EmulatedHid::Plug
 {
   explicit Plug(HidModel& model)
-    : Port(TakePort())
+    : Port(ClaimPort())
     , Device(model)
     , Usb(this->Device, NameOf(this->Port))
   {

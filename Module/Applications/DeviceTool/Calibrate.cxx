@@ -59,8 +59,8 @@ constexpr double OrderTime = 2.0;
 constexpr double RiseTime = 1.0;  // s
 constexpr double Patience = 60.0; // s, without --seconds
 /// The fraction of the largest force that suitable weights use, if the device's newtons are true.
-constexpr double LightShare = 0.1;
-constexpr double HeavyShare = 0.6;
+constexpr double LightFraction = 0.1;
+constexpr double HeavyFraction = 0.6;
 /// Fractions of the largest force at which the scale is pressed. The first has to exceed twice the
 /// friction, which may be in the wrong direction before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
@@ -219,8 +219,8 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
     "good. "
     "Hold the handle in the middle of the workspace, without the weight, and press Enter; Ctrl+C "
     "ends at once.",
-    most, 1e3 * LightShare * most / HungWeight::Gravity,
-    1e3 * HeavyShare * most / HungWeight::Gravity);
+    most, 1e3 * LightFraction * most / HungWeight::Gravity,
+    1e3 * HeavyFraction * most / HungWeight::Gravity);
   if (!streams.AskForEnter(text))
   {
     return false;

@@ -11,19 +11,19 @@ namespace
 
 /// At rest, place (m) and force (fraction of the largest) stay within these, for a time (s).
 constexpr double RestPlace = 0.3e-3;
-constexpr double RestShare = 0.02;
+constexpr double RestFraction = 0.02;
 constexpr double RestTime = 2.0;
 /// The force is at its limit from this fraction on; after this time (s) it counts as staying there.
-constexpr double SaturatedShare = 0.97;
+constexpr double SaturatedFraction = 0.97;
 constexpr double MostSaturation = 1.0;
 /// A released handle comes to rest within this time (s).
 constexpr double SettleTime = 20.0;
 /// A weight is noticed if it changes the force by this fraction of the largest and this multiple of
 /// the friction: without a weight, the friction may hold in either direction.
-constexpr double NoticedShare = 0.01;
+constexpr double NoticedFraction = 0.01;
 constexpr double NoticedFriction = 1.2;
 /// Without friction, the weight has to change the force by this fraction of the largest.
-constexpr double LeastShare = 0.04;
+constexpr double LeastFraction = 0.04;
 /// The largest range of the readings, drift of the zero, and pull across the axis, as fractions of
 /// the change.
 constexpr double MostRange = 0.1;
@@ -67,7 +67,7 @@ double RangeOf(const std::vector<double>& values)
 
 HungWeight::HungWeight(const Settings& settings)
   : Given(settings)
-  , Rest(RestPlace, RestShare * settings.MostForce, RestTime)
+  , Rest(RestPlace, RestFraction * settings.MostForce, RestTime)
 {
 }
 
@@ -118,7 +118,7 @@ void HungWeight::Begin(Phase phase, const HeldSample& sample)
   }
 }
 
-void HungWeight::FollowSweep(const HeldSample& sample, Phase next)
+void HungWeight::UpdateSweep(const HeldSample& sample, Phase next)
 {
   this->Sweep.Step(sample);
   this->Shift = this->Sweep.GetShift();
@@ -146,7 +146,7 @@ void HungWeight::FollowSweep(const HeldSample& sample, Phase next)
 
 void HungWeight::WaitForWeight(const HeldSample& sample)
 {
-  const double noticed = NoticedShare * this->Given.MostForce + NoticedFriction * this->Friction;
+  const double noticed = NoticedFraction * this->Given.MostForce + NoticedFriction * this->Friction;
   const double without =
     MedianOf(Along(this->Without.begin(), this->Without.end(), this->Given.Axis));
   const double force = sample.Force[this->Given.Axis];
@@ -203,7 +203,7 @@ void HungWeight::Judge()
       MedianOf(Along(this->Without.begin(), this->Without.end(), i));
     across = i == axis ? across : std::hypot(across, other);
   }
-  const double least = LeastShare * this->Given.MostForce;
+  const double least = LeastFraction * this->Given.MostForce;
   if (size < least)
   {
     this->Refuse(Format("The weight is too light: it changes the force by %.2f N, and it has to be "
@@ -247,7 +247,7 @@ void HungWeight::Step(const HeldSample& sample)
   }
   const std::array<double, 3>& f = sample.Force;
   const double size = std::hypot(f[0], f[1], f[2]);
-  const bool isSaturated = size >= SaturatedShare * this->Given.MostForce;
+  const bool isSaturated = size >= SaturatedFraction * this->Given.MostForce;
   this->SaturatedTime = isSaturated ? this->SaturatedTime + sample.Elapsed : 0.0;
   this->PhaseTime += sample.Elapsed;
   if (this->SaturatedTime > MostSaturation)
@@ -274,19 +274,19 @@ void HungWeight::Step(const HeldSample& sample)
       }
       break;
     case Phase::Before:
-      this->FollowSweep(sample, Phase::Hang);
+      this->UpdateSweep(sample, Phase::Hang);
       break;
     case Phase::Hang:
       this->WaitForWeight(sample);
       break;
     case Phase::With:
-      this->FollowSweep(sample, Phase::TakeOff);
+      this->UpdateSweep(sample, Phase::TakeOff);
       break;
     case Phase::TakeOff:
       this->WaitForRemoval(sample);
       break;
     case Phase::After:
-      this->FollowSweep(sample, Phase::Done);
+      this->UpdateSweep(sample, Phase::Done);
       break;
     case Phase::Done:
     case Phase::Refused:

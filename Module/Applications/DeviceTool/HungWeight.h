@@ -74,7 +74,7 @@ private:
   };
 
   void Begin(Phase phase, const HeldSample& sample);
-  void FollowSweep(const HeldSample& sample, Phase next);
+  void UpdateSweep(const HeldSample& sample, Phase next);
   void WaitForWeight(const HeldSample& sample);
   void WaitForRemoval(const HeldSample& sample);
   void Refuse(const std::string& fault);

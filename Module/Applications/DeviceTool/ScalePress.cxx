@@ -17,14 +17,14 @@ constexpr double ScaleRestShare = 0.02;   ///< fraction of the largest force
 constexpr double ScaleRestTime = 0.5;     ///< s
 constexpr double ScaleSettleTime = 10.0;  ///< s
 constexpr double HeldPlace = 1e-3;        ///< m
-constexpr double HeldShare = 0.05;        ///< fraction of the largest force
+constexpr double HeldFraction = 0.05;     ///< fraction of the largest force
 
 } // namespace
 
 ScalePress::ScalePress(const Settings& settings)
   : Given(settings)
   , Rest(ScaleRestPlace, ScaleRestShare * settings.MostForce, ScaleRestTime)
-  , Held(HeldPlace, HeldShare * settings.MostForce, 0.5 * ReadTime)
+  , Held(HeldPlace, HeldFraction * settings.MostForce, 0.5 * ReadTime)
 {
 }
 

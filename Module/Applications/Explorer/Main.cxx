@@ -104,7 +104,7 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   window->SetMultiSamples(0);
   window->SetSize(options.Width, HeightOf(options.Width));
   window->SetWindowName("VTK Volume Haptics");
-  Explore::FollowScreen(window);
+  Explore::ApplyScreen(window);
   return window;
 }
 
@@ -178,11 +178,11 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
 {
   const vtkSmartPointer<vtkRenderWindow> window = OpenWindow(options);
   auto loading = window ? std::make_unique<Explore::LoadingScreen>(window) : nullptr;
-  const auto tell = [&](const std::string& step, double share)
+  const auto tell = [&](const std::string& step, double fraction)
   {
     if (loading)
     {
-      loading->Tell(step, share);
+      loading->Report(step, fraction);
     }
   };
   std::cout << "Reading " << options.VolumePath << std::endl;
@@ -203,7 +203,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   }
   if (options.AsLabels)
   {
-    Explore::TakeAsLabels(volume, options.VolumePath, options.Materials);
+    Explore::UseAsLabels(volume, options.VolumePath, options.Materials);
   }
   else if (volume.MayBeLabels)
   {

@@ -21,7 +21,7 @@ struct Options
   std::string VolumePath;
   int Series = 0;                     // of a DICOM folder; 0: the largest
   std::string Array;                  // the array to show and feel
-  std::vector<std::string> MorePaths; // further frames of a volume that moves
+  std::vector<std::string> MorePaths; // further time steps of a volume that moves
   std::string Displacements;          // array with the motion of its material
   bool AsLabels = false;              // its values are labels
   std::string Notice;                 // the window's, at the beginning

@@ -23,8 +23,8 @@ CarvedBricks::CarvedBricks(std::uint32_t most)
     [](auto& slot) { slot.store(None, std::memory_order_relaxed); });
   this->Keys.reset(new std::uint64_t[this->Most]());
   const std::size_t rows = std::size_t{ this->Most } * Rows;
-  this->Shares.reset(new std::atomic<std::uint64_t>[rows]);
-  std::for_each(this->Shares.get(), this->Shares.get() + rows,
+  this->Fractions.reset(new std::atomic<std::uint64_t>[rows]);
+  std::for_each(this->Fractions.get(), this->Fractions.get() + rows,
     [](auto& row) { row.store(WholeRow, std::memory_order_relaxed); });
   const std::size_t words = this->Most / BricksOfWord + 1;
   this->Changed.reset(new std::atomic<std::uint64_t>[words]);
@@ -32,7 +32,8 @@ CarvedBricks::CarvedBricks(std::uint32_t most)
     [](auto& word) { word.store(0, std::memory_order_relaxed); });
 }
 
-std::uint8_t CarvedBricks::GetShare(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept
+std::uint8_t CarvedBricks::GetFraction(
+  std::int64_t i, std::int64_t j, std::int64_t k) const noexcept
 {
   const std::uint32_t brick = this->Find(KeyOf({ i >> Shift, j >> Shift, k >> Shift }));
   if (brick == None)
@@ -63,7 +64,7 @@ bool CarvedBricks::HasBricks(const std::int64_t* low, const std::int64_t* high) 
 
 bool CarvedBricks::IsWhole(std::uint32_t brick) const noexcept
 {
-  auto* const begin = this->Shares.get() + RowAt(brick, 0);
+  auto* const begin = this->Fractions.get() + RowAt(brick, 0);
   return std::all_of(begin, begin + Rows,
     [](const auto& row) { return row.load(std::memory_order_relaxed) == WholeRow; });
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The remaining share of the tissue at each sample of a volume.
+ * The remaining fraction of the tissue at each sample of a volume.
  *
  * Shares are bytes, 255 for all of it. They need memory only where tissue was removed: in bricks of
  * 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size locates them, so
@@ -93,10 +93,10 @@ public:
   std::uint64_t GetKey(std::uint32_t brick) const noexcept { return this->Keys[brick]; }
   std::uint64_t GetRow(std::uint32_t brick, int row) const noexcept
   {
-    return this->Shares[RowAt(brick, row)].load(std::memory_order_relaxed);
+    return this->Fractions[RowAt(brick, row)].load(std::memory_order_relaxed);
   }
   /** The share at a sample, whose index is not negative. */
-  std::uint8_t GetShare(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
+  std::uint8_t GetFraction(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
   /** Whether any sample in a box of indices, both ends included, is in a brick. */
   bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
   ///@}
@@ -104,9 +104,9 @@ public:
   ///@{
   /** Called by the writer. A new brick has all of its tissue; None if there is no room for it. */
   std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
-  void SetRow(std::uint32_t brick, int row, std::uint64_t shares) noexcept
+  void SetRow(std::uint32_t brick, int row, std::uint64_t fractions) noexcept
   {
-    this->Shares[RowAt(brick, row)].store(shares, std::memory_order_relaxed);
+    this->Fractions[RowAt(brick, row)].store(fractions, std::memory_order_relaxed);
   }
   /** Call it after setting rows of a brick. */
   void MarkChanged(std::uint32_t brick) noexcept
@@ -135,7 +135,7 @@ public:
    * data read then are at least as new as the change.
    */
   template <typename F>
-  void TakeChanged(int follower, F&& f)
+  void DrainChanged(int follower, F&& f)
   {
     constexpr std::uint64_t first = 0x0101010101010101; // a follower's bits
     const std::uint64_t mine = first << follower;
@@ -179,7 +179,7 @@ private:
   int SlotShift = 0;
   std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< at least twice as many as bricks
   std::unique_ptr<std::uint64_t[]> Keys;               ///< each written before its slot
-  std::unique_ptr<std::atomic<std::uint64_t>[]> Shares;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Fractions;
   /** For each brick, one bit per possible follower. */
   std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;
   std::atomic<std::uint64_t> Changes{ 0 };

@@ -33,7 +33,7 @@ void RemovalJournal::Begin() noexcept
     std::fill(this->Stamps.begin(), this->Stamps.end(), 0);
     this->Stamp = 1;
   }
-  this->Tell();
+  this->Report();
 }
 
 void RemovalJournal::Keep(std::uint32_t brick) noexcept
@@ -48,11 +48,11 @@ void RemovalJournal::Keep(std::uint32_t brick) noexcept
     if (this->First == this->Last)
     {
       this->IsTooLarge = true;
-      this->Tell();
+      this->Report();
       return;
     }
     ++this->First;
-    this->Tell();
+    this->Report();
   }
   const bool isFirst = this->Head == this->At(this->Last).Begin;
   Entry& entry = this->Entries[this->Head++ % this->Entries.size()];
@@ -63,7 +63,7 @@ void RemovalJournal::Keep(std::uint32_t brick) noexcept
   }
   if (isFirst)
   {
-    this->Tell();
+    this->Report();
   }
 }
 
@@ -94,7 +94,7 @@ void RemovalJournal::End() noexcept
   if (stroke.End > stroke.Begin)
   {
     this->Applied = ++this->Last;
-    this->Tell();
+    this->Report();
   }
 }
 
@@ -102,7 +102,7 @@ void RemovalJournal::Forget() noexcept
 {
   this->End();
   this->First = this->Applied = this->Last;
-  this->Tell();
+  this->Report();
 }
 
 bool RemovalJournal::StartUndo() noexcept
@@ -198,11 +198,11 @@ void RemovalJournal::Continue(std::size_t bricks) noexcept
         break;
     }
     this->Work = Kind::None;
-    this->Tell();
+    this->Report();
   }
 }
 
-void RemovalJournal::Tell() noexcept
+void RemovalJournal::Report() noexcept
 {
   const bool hasOne = this->HasOpen && !this->IsTooLarge && this->Head > this->At(this->Last).Begin;
   this->Undoable.store(static_cast<std::size_t>(this->Applied - this->First) + (hasOne ? 1 : 0));

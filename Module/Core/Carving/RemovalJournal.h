@@ -90,7 +90,7 @@ private:
 
   Stroke& At(std::uint64_t stroke) noexcept { return this->Strokes[stroke % MostStrokes]; }
   void Exchange(Entry& entry) noexcept;
-  void Tell() noexcept;
+  void Report() noexcept;
   void AddVolume(double volume) noexcept
   {
     this->Volume.store(this->GetVolume() + volume, std::memory_order_relaxed);

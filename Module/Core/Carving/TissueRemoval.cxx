@@ -66,15 +66,15 @@ bool TissueRemoval::TakeSnapshot() noexcept
   return true;
 }
 
-std::vector<BrickShares> TissueRemoval::EndSnapshot()
+std::vector<BrickTissue> TissueRemoval::EndSnapshot()
 {
-  std::vector<BrickShares> shares;
+  std::vector<BrickTissue> fractions;
   if (this->Snapshot)
   {
-    shares = this->Snapshot->Collect();
+    fractions = this->Snapshot->Collect();
     this->Snapshot.reset();
   }
-  return shares;
+  return fractions;
 }
 
 } // namespace VolumeHaptics

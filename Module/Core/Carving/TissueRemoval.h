@@ -10,7 +10,7 @@
 
 #include "Core/Carving/CarvedBricks.h"
 #include "Core/Carving/RemovalJournal.h"
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 
 #include <atomic>
 #include <cstddef>
@@ -78,11 +78,11 @@ public:
    * is being carried out, or so much has changed that the copy has to be begun again
    * (IsSnapshotLate). From then on, earlier strokes can no longer be undone or redone.
    */
-  void BeginSnapshot() { this->Snapshot = std::make_unique<ShareSnapshot>(this->Bricks); }
+  void BeginSnapshot() { this->Snapshot = std::make_unique<TissueSnapshot>(this->Bricks); }
   bool TakeSnapshot() noexcept;
   bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
   /** Ends it and returns the copy; empty if it was not completed. */
-  std::vector<BrickShares> EndSnapshot();
+  std::vector<BrickTissue> EndSnapshot();
   ///@}
 
   CarvedBricks Bricks;
@@ -97,7 +97,7 @@ private:
   std::atomic<std::size_t> Head{ 0 }; ///< the number of requests so far
   std::atomic<std::size_t> Done{ 0 }; ///< the number of requests carried out
   std::atomic<bool> UsedUp{ false };
-  std::unique_ptr<ShareSnapshot> Snapshot;
+  std::unique_ptr<TissueSnapshot> Snapshot;
 };
 
 } // namespace VolumeHaptics

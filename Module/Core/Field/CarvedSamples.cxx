@@ -9,15 +9,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Copies what remains of samples along x; the share of the first one is the lowest byte. */
+/** Copies what remains of samples along x; the fraction of the first one is the lowest byte. */
 template <typename T>
-inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t shares, int last,
+inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t fractions, int last,
   const CarvedView& carved, double* to)
 {
   const CarvedView view = carved;
-  for (int i = 0; i <= last; ++i, shares >>= 8)
+  for (int i = 0; i <= last; ++i, fractions >>= 8)
   {
-    to[i] = view.Left(static_cast<double>(from[i * stride]), static_cast<std::uint8_t>(shares));
+    to[i] = view.Left(static_cast<double>(from[i * stride]), static_cast<std::uint8_t>(fractions));
   }
 }
 
@@ -75,12 +75,12 @@ void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox&
         static_cast<const T*>(whole.Data) + k * whole.Stride[2] + j * whole.Stride[1];
       for (std::int64_t i = box.Low[0]; i <= box.High[0]; ++number)
       {
-        const std::uint64_t shares = *number == CarvedBricks::None
+        const std::uint64_t fractions = *number == CarvedBricks::None
           ? CarvedBricks::WholeRow
           : carved.Bricks->GetRow(*number, row);
         const std::int64_t last = std::min(box.High[0], i | mask);
-        CopyRun(from + i * stride, stride, shares >> (8 * (i & mask)), static_cast<int>(last - i),
-          carved, to);
+        CopyRun(from + i * stride, stride, fractions >> (8 * (i & mask)),
+          static_cast<int>(last - i), carved, to);
         to += last - i + 1;
         i = last + 1;
       }
@@ -90,7 +90,8 @@ void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox&
 
 } // namespace
 
-CarvedBox FindBox(const VolumeView& view, const double* position, int before, int behind) noexcept
+CarvedBox ComputeBox(
+  const VolumeView& view, const double* position, int before, int behind) noexcept
 {
   CarvedBox box;
   for (int a = 0; a < 3; ++a)

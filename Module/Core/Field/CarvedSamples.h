@@ -6,9 +6,9 @@
  *
  *   V' = V - (1 - rho) (V - V_air),
  *
- * rho the share that remains. Where something was removed, a kernel reads a copy of the few samples
- * that it needs, as doubles; elsewhere it reads the samples themselves, with the same bits as
- * without removal.
+ * rho the fraction that remains. Where something was removed, a kernel reads a copy of the few
+ * samples that it needs, as doubles; elsewhere it reads the samples themselves, with the same bits
+ * as without removal.
  */
 #ifndef CarvedSamples_h
 #define CarvedSamples_h
@@ -31,12 +31,12 @@ struct CarvedView
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
   /**
    * The remaining value; to the bit the value itself if all of its tissue remains.
-   * @param share 0 to CarvedBricks::Whole, or a mean of such shares
+   * @param fraction 0 to CarvedBricks::Whole, or a mean of such fractions
    */
-  double Left(double value, double share) const noexcept
+  double Left(double value, double fraction) const noexcept
   {
     constexpr double scale = 1.0 / CarvedBricks::Whole;
-    return value - scale * (CarvedBricks::Whole - share) * (value - this->Air);
+    return value - scale * (CarvedBricks::Whole - fraction) * (value - this->Air);
   }
 };
 
@@ -56,7 +56,8 @@ struct CarvedBox
  * All samples from `before` a position's cell to `behind` the sample after it, as far as they are
  * resident. The position is clamped to them.
  */
-CarvedBox FindBox(const VolumeView& view, const double* position, int before, int behind) noexcept;
+CarvedBox ComputeBox(
+  const VolumeView& view, const double* position, int before, int behind) noexcept;
 
 /**
  * If tissue was removed in the box, writes the remaining samples, x first, and returns a view whose

@@ -12,7 +12,9 @@ namespace
 constexpr int MostNewtonSteps = 3;
 /** Voxels; a step as short as this is the last one. */
 constexpr double ShortNewtonStep = 0.01;
-/** Below this determinant of the map from the first frame, the displacements fold the volume. */
+/**
+ * Below this determinant of the map from the first time step, the displacements fold the volume.
+ */
 constexpr double LeastVolume = 0.05;
 
 VectorView MakeVectorView(const DisplacementView& displacements, const VolumeView& volume)
@@ -27,9 +29,9 @@ VectorView MakeVectorView(const DisplacementView& displacements, const VolumeVie
   return view;
 }
 
-Matrix3 PlusIdentity(double share, const Matrix3& m) noexcept
+Matrix3 PlusIdentity(double fraction, const Matrix3& m) noexcept
 {
-  Matrix3 sum = share * m;
+  Matrix3 sum = fraction * m;
   sum.Row[0].X += 1.0;
   sum.Row[1].Y += 1.0;
   sum.Row[2].Z += 1.0;
@@ -71,7 +73,7 @@ DisplacementField::Sample DisplacementField::Read(const Vector3& index) const no
     this->WorldToIndex * slope };
 }
 
-MaterialPlace DisplacementField::Find(const Vector3& index, double share) const noexcept
+MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) const noexcept
 {
   Vector3 first = index;
   Vector3 motion;
@@ -80,7 +82,7 @@ MaterialPlace DisplacementField::Find(const Vector3& index, double share) const 
   for (int i = 0; i < MostNewtonSteps && !isThere; ++i)
   {
     const Sample u = this->Read(first);
-    const Matrix3 map = PlusIdentity(share, u.Slope);
+    const Matrix3 map = PlusIdentity(fraction, u.Slope);
     // Also false for NaN.
     if (!(Determinant(map) > LeastVolume))
     {
@@ -90,14 +92,14 @@ MaterialPlace DisplacementField::Find(const Vector3& index, double share) const 
     }
     place.FirstSlope = Inverse(map);
     place.SecondSlope = PlusIdentity(1.0, u.Slope) * place.FirstSlope;
-    const Vector3 step = place.FirstSlope * (index - first - share * u.Value);
+    const Vector3 step = place.FirstSlope * (index - first - fraction * u.Value);
     first += step;
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
   // In terms of the motion: where there is none, this is the index itself, to the bit.
-  place.First = index - share * motion;
-  place.Second = index + (1.0 - share) * motion;
+  place.First = index - fraction * motion;
+  place.Second = index + (1.0 - fraction) * motion;
   return place;
 }
 

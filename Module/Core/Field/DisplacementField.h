@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Follows the material of a moving volume from one frame to the next.
+ * Follows the material of a moving volume from one time step to the next.
  *
- * With u(X) the displacement of the material at X in the first frame, this material is at X + u(X)
- * in the second one, and at
+ * With u(X) the displacement of the material at X in the first time step, this material is at X +
+ * u(X) in the second one, and at
  *
  *   x = X + share u(X)
  *
  * in between. Given x, X is found by Newton's method from X = x, with u and its derivatives at X:
- * so u is read at the material's place in the first frame, not at x. After a step of e voxels, X is
- * off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most, and
- * a step of 0.01 voxel is the last one. The remaining error is zero where u is linear (a rigid
- * motion, or an even stretch), and 2e-6 voxel for a breath that moves by 5 voxels a frame and comes
- * and goes over 100. Where the displacements fold the volume, u is read at x.
+ * so u is read at the material's place in the first time step, not at x. After a step of e voxels,
+ * X is off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most,
+ * and a step of 0.01 voxel is the last one. The remaining error is zero where u is linear (a rigid
+ * motion, or an even stretch), and 2e-6 voxel for a breath that moves by 5 voxels a time step and
+ * comes and goes over 100. Where the displacements fold the volume, u is read at x.
  *
  * Between the points, u is the smoothing cubic B-spline of VectorSampler, since its derivatives
  * must be continuous: normals turn with them. It reproduces linear displacements, and rounds others
@@ -39,7 +39,7 @@ struct DisplacementView
   ScalarType Type = ScalarType::Float64;
 };
 
-/** The material of the first frame, the second one, and an instant in between, at one place. */
+/** The material of the first time step, the second one, and an instant in between, at one place. */
 struct MaterialPlace
 {
   Vector3 First;  ///< X, an index
@@ -61,8 +61,10 @@ public:
   DisplacementField(
     const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld);
 
-  /** The material at a place (an index), at a fraction of the time between the frames, 0 to 1. */
-  MaterialPlace Find(const Vector3& index, double share) const noexcept;
+  /**
+   * The material at a place (an index), at a fraction of the time between the time steps, 0 to 1.
+   */
+  MaterialPlace Compute(const Vector3& index, double fraction) const noexcept;
 
   const DisplacementView& GetView() const noexcept { return this->Given; }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A volume that moves, at one instant: two frames, blended.
+ * A volume that moves, at one instant: two time steps, blended.
  *
  *   V(x) = V_a(x) + share (V_b(x) - V_a(x))
  *
@@ -10,8 +10,9 @@
  *
  *   V(x) = V_a(X) + share (V_b(X + u(X)) - V_a(X)),   X + share u(X) = x.
  *
- * Where both frames have the same samples, the values are those of either
- * frame, to the bit, unless the material goes elsewhere. A volume that does not move has one frame.
+ * Where both time steps have the same samples, the values are those of either
+ * time step, to the bit, unless the material goes elsewhere. A volume that does not move has one
+ * time step.
  */
 #ifndef FieldAtTime_h
 #define FieldAtTime_h
@@ -22,7 +23,7 @@
 namespace VolumeHaptics
 {
 
-/** Borrows the frames, which have the same geometry. */
+/** Borrows the time steps, which have the same geometry. */
 class FieldAtTime
 {
 public:
@@ -33,26 +34,28 @@ public:
   {
   }
   /**
-   * @param share of the second frame, 0 to 1
-   * @param motion of the material from the first frame to the second one; null if it is not known
+   * @param fraction of the second time step, 0 to 1
+   * @param motion of the material from the first time step to the second one; null if it is not
+   * known
    * @param memory holds the last gradients; may be null
-   * @param frame the number of the first frame, for the memory
+   * @param timeStep the number of the first time step, for the memory
    */
-  FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
+  FieldAtTime(const FieldSampler& first, const FieldSampler& second, double fraction,
     const DisplacementField* motion = nullptr, TickMemory* memory = nullptr,
-    std::size_t frame = 0) noexcept
-    : FieldAtTime(first, { second, share, first.BlendsSamples(second) }, motion, memory, frame)
+    std::size_t timeStep = 0) noexcept
+    : FieldAtTime(
+        first, { second, fraction, first.BlendsSamples(second) }, motion, memory, timeStep)
   {
   }
-  /** With a second frame; `areSamplesBlended` tells whether samples are blended. */
-  FieldAtTime(const FieldSampler& first, const FieldSampler::OtherFrame& second,
-    const DisplacementField* motion, TickMemory* memory, std::size_t frame) noexcept
-    : First(second.Share < 1.0 ? first : second.Field)
-    , Second(second.Share > 0.0 && second.Share < 1.0 ? &second.Field : nullptr)
-    , Share(second.Share)
+  /** With a second time step; `areSamplesBlended` tells whether samples are blended. */
+  FieldAtTime(const FieldSampler& first, const FieldSampler::OtherTimeStep& second,
+    const DisplacementField* motion, TickMemory* memory, std::size_t timeStep) noexcept
+    : First(second.Fraction < 1.0 ? first : second.Field)
+    , Second(second.Fraction > 0.0 && second.Fraction < 1.0 ? &second.Field : nullptr)
+    , Fraction(second.Fraction)
     , AreSamplesBlended(this->Second && second.AreSamplesBlended)
     , Motion(motion)
-    , Memories(MakeMemories(memory, second.Share < 1.0 ? frame : frame + 1))
+    , Memories(MakeMemories(memory, second.Fraction < 1.0 ? timeStep : timeStep + 1))
   {
   }
 
@@ -61,19 +64,20 @@ public:
   {
     if (this->FollowsMaterial())
     {
-      const MaterialPlace at = this->Motion->Find(index, this->Share);
+      const MaterialPlace at = this->Motion->Compute(index, this->Fraction);
       return FieldSampler::Blend(this->First.Value(this->First.Nearest(at.First)),
-        this->Second->Value(this->First.Nearest(at.Second)), this->Share);
+        this->Second->Value(this->First.Nearest(at.Second)), this->Fraction);
     }
     return this->Second ? this->First.Value(this->GetOther(), index) : this->First.Value(index);
   }
   /** The values at two instants, which is faster than two calls of Value. */
-  static SharePair Values(const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
+  static FractionPair Values(
+    const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
   {
     const bool isOneBlend =
       a.Second && a.Second == b.Second && !a.FollowsMaterial() && !b.FollowsMaterial();
-    return isOneBlend ? a.First.Values(a.GetOther(), b.Share, index)
-                      : SharePair{ a.Value(index), b.Value(index) };
+    return isOneBlend ? a.First.Values(a.GetOther(), b.Fraction, index)
+                      : FractionPair{ a.Value(index), b.Value(index) };
   }
 
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
@@ -99,36 +103,36 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
-  /** Whether each frame is read at its own place. */
+  /** Whether each time step is read at its own place. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
-  FieldSampler::OtherFrame GetOther() const noexcept
+  FieldSampler::OtherTimeStep GetOther() const noexcept
   {
-    return { *this->Second, this->Share, this->AreSamplesBlended };
+    return { *this->Second, this->Fraction, this->AreSamplesBlended };
   }
 
-  static BlendMemories MakeMemories(TickMemory* memory, std::size_t frame) noexcept
+  static BlendMemories MakeMemories(TickMemory* memory, std::size_t timeStep) noexcept
   {
-    return memory ? BlendMemories{ &memory->Of(frame), &memory->Of(frame + 1), memory }
+    return memory ? BlendMemories{ &memory->Of(timeStep), &memory->Of(timeStep + 1), memory }
                   : BlendMemories{};
   }
 
   FieldSample GradientOfMaterial(const Vector3& index) const noexcept
   {
-    const MaterialPlace at = this->Motion->Find(index, this->Share);
+    const MaterialPlace at = this->Motion->Compute(index, this->Fraction);
     const FieldSample first =
       ReadMaterial(this->First, at.First, at.FirstSlope, this->Memories.First);
     const FieldSample second =
       ReadMaterial(*this->Second, at.Second, at.SecondSlope, this->Memories.Second);
-    return FieldSampler::Blend(first, second, this->Share);
+    return FieldSampler::Blend(first, second, this->Fraction);
   }
 
-  /** Reads a frame at the place that the material has in it, with the gradient there. */
-  static FieldSample ReadMaterial(const FieldSampler& frame, const Vector3& place,
+  /** Reads a time step at the place that the material has in it, with the gradient there. */
+  static FieldSample ReadMaterial(const FieldSampler& timeStep, const Vector3& place,
     const Matrix3& slope, TapMemory* memory) noexcept
   {
-    const Vector3 inside = frame.Nearest(place);
-    const FieldSample sample = frame.Gradient(inside, memory);
+    const Vector3 inside = timeStep.Nearest(place);
+    const FieldSample sample = timeStep.Gradient(inside, memory);
     // Beyond the border, the value does not change.
     const Vector3 gradient{ inside.X == place.X ? sample.Gradient.X : 0.0,
       inside.Y == place.Y ? sample.Gradient.Y : 0.0,
@@ -139,18 +143,18 @@ private:
   /** The offset turns and stretches with the material. */
   ValuePair ValuesOfMaterial(const Vector3& index, const Vector3& offset) const noexcept
   {
-    const MaterialPlace at = this->Motion->Find(index, this->Share);
+    const MaterialPlace at = this->Motion->Compute(index, this->Fraction);
     const ValuePair first =
       this->First.Values(this->First.Nearest(at.First), at.FirstSlope * offset);
     const ValuePair second =
       this->Second->Values(this->First.Nearest(at.Second), at.SecondSlope * offset);
-    return { FieldSampler::Blend(first.Ahead, second.Ahead, this->Share),
-      FieldSampler::Blend(first.Behind, second.Behind, this->Share) };
+    return { FieldSampler::Blend(first.Ahead, second.Ahead, this->Fraction),
+      FieldSampler::Blend(first.Behind, second.Behind, this->Fraction) };
   }
 
   const FieldSampler& First;
-  const FieldSampler* const Second = nullptr; ///< null if the instant is that of a frame
-  const double Share = 0.0;
+  const FieldSampler* const Second = nullptr; ///< null if the instant is that of a time step
+  const double Fraction = 0.0;
   const bool AreSamplesBlended = false;
   const DisplacementField* const Motion = nullptr; ///< null if it is not known
   const BlendMemories Memories;

@@ -84,7 +84,7 @@ FieldSampler::FieldSampler(const VolumeView& view, const GradientKernel& kernel,
 double FieldSampler::CarvedValue(const Vector3& index) const noexcept
 {
   const double position[3] = { index.X, index.Y, index.Z };
-  const CarvedBox box = FindBox(this->Given, position, this->ValueReach, this->ValueReach);
+  const CarvedBox box = ComputeBox(this->Given, position, this->ValueReach, this->ValueReach);
   double samples[4 * 4 * 4];
   FieldView copy = this->View;
   const bool isCarved = CopyCarved(this->View.Volume, this->Carved, box, samples, copy.Volume);
@@ -97,7 +97,7 @@ bool FieldSampler::ReadCarved(const Vector3& index, FieldSample& sample) const n
   const double position[3] = { index.X, index.Y, index.Z };
   const int reach = this->View.Kernel.Radius;
   // A read at a distance may be rounded up into the next cell.
-  const CarvedBox box = FindBox(this->Given, position, reach, reach + 1);
+  const CarvedBox box = ComputeBox(this->Given, position, reach, reach + 1);
   if (!this->Carved.Bricks->HasBricks(box.Low, box.High))
   {
     return false;

@@ -53,22 +53,24 @@ struct ValuePair
   double Behind;
 };
 
-/** Two frames; Share (0 to 1) is the second one's. */
-struct FrameBlend
+/** Two time steps; Fraction (0 to 1) is the second one's. */
+struct TimeStepBlend
 {
   const FieldView& First;
   const FieldView& Second;
-  double Share;
+  double Fraction;
 };
 
 /** Values of a blend at two shares. */
-struct SharePair
+struct FractionPair
 {
   double First = std::numeric_limits<double>::quiet_NaN();
   double Second = std::numeric_limits<double>::quiet_NaN();
 };
 
-/** The memories of a tick, including those of frames that are read separately; all may be null. */
+/**
+ * The memories of a tick, including those of time steps that are read separately; all may be null.
+ */
 struct BlendMemories
 {
   TapMemory* First = nullptr;
@@ -82,23 +84,24 @@ using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** As above, for a blend of two frames with the same geometry, type and kernel. */
-using BlendedValueFunction = double (*)(const FrameBlend&, double x, double y, double z) noexcept;
-using SharedValuesFunction = SharePair (*)(
-  const FrameBlend&, double share, double x, double y, double z) noexcept;
+/** As above, for a blend of two time steps with the same geometry, type and kernel. */
+using BlendedValueFunction = double (*)(
+  const TimeStepBlend&, double x, double y, double z) noexcept;
+using SharedValuesFunction = FractionPair (*)(
+  const TimeStepBlend&, double fraction, double x, double y, double z) noexcept;
 using BlendedPairFunction = ValuePair (*)(
-  const FrameBlend&, double x, double y, double z, double dx, double dy, double dz) noexcept;
+  const TimeStepBlend&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using BlendedGradientFunction = FieldSample (*)(
-  const FrameBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
+  const TimeStepBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 ///@{
-/** As the functions above, for values of a blend, from a memory of both frames. */
+/** As the functions above, for values of a blend, from a memory of both time steps. */
 using TapValueFunction = double (*)(
-  const FrameTaps&, const FieldView&, double share, double x, double y, double z) noexcept;
-using SharedTapValuesFunction = SharePair (*)(const FrameTaps&, const FieldView&,
-  const SharePair& shares, double x, double y, double z) noexcept;
-using TapPairFunction = ValuePair (*)(const FrameTaps&, const FieldView&, double share, double x,
-  double y, double z, double dx, double dy, double dz) noexcept;
+  const TimeStepTaps&, const FieldView&, double fraction, double x, double y, double z) noexcept;
+using SharedTapValuesFunction = FractionPair (*)(const TimeStepTaps&, const FieldView&,
+  const FractionPair& fractions, double x, double y, double z) noexcept;
+using TapPairFunction = ValuePair (*)(const TimeStepTaps&, const FieldView&, double fraction,
+  double x, double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
 /** Reads all taps from the first one on; false if some are outside the samples. */
 using FillFunction = bool (*)(
@@ -145,17 +148,17 @@ InstructionSet DetectInstructionSet();
 
 /**
  * A volume and an estimator, ready to be sampled. Borrows the samples, the kernel's table, and the
- * shares of removed tissue.
+ * fractions of removed tissue.
  */
 class FieldSampler
 {
 public:
-  /** Another frame of the volume, with its share from 0 to 1. */
-  struct OtherFrame
+  /** Another time step of the volume, with its fraction from 0 to 1. */
+  struct OtherTimeStep
   {
     const FieldSampler& Field;
-    double Share;
-    bool AreSamplesBlended; ///< BlendsSamples() with this frame
+    double Fraction;
+    bool AreSamplesBlended; ///< BlendsSamples() with this time step
   };
 
   FieldSampler() = default;
@@ -212,17 +215,17 @@ public:
 
   ///@{
   /**
-   * As above, with another frame of the volume, whose share is from 0 to 1. Blends samples before
-   * they are summed where possible, else sums. Reads values from `taps` if they are there:
-   * FindTaps() of a gradient's memory.
+   * As above, with another time step of the volume, whose fraction is from 0 to 1. Blends samples
+   * before they are summed where possible, else sums. Reads values from `taps` if they are there:
+   * GetTaps() of a gradient's memory.
    */
-  double Value(
-    const OtherFrame& other, const Vector3& index, const FrameTaps* taps = nullptr) const noexcept
+  double Value(const OtherTimeStep& other, const Vector3& index,
+    const TimeStepTaps* taps = nullptr) const noexcept
   {
     if (taps)
     {
       const double value =
-        this->Functions.TapValue(*taps, this->View, other.Share, index.X, index.Y, index.Z);
+        this->Functions.TapValue(*taps, this->View, other.Fraction, index.X, index.Y, index.Z);
       if (std::isfinite(value))
       {
         return value;
@@ -237,20 +240,20 @@ public:
         return value;
       }
     }
-    return this->BlendValue(other, other.Share, index);
+    return this->BlendValue(other, other.Fraction, index);
   }
   /**
-   * The values at the other frame's share and at a second share, which is faster than two calls of
-   * Value.
+   * The values at the other time step's fraction and at a second fraction, which is faster than two
+   * calls of Value.
    */
-  SharePair Values(const OtherFrame& other, double share, const Vector3& index,
-    const FrameTaps* taps = nullptr) const noexcept
+  FractionPair Values(const OtherTimeStep& other, double fraction, const Vector3& index,
+    const TimeStepTaps* taps = nullptr) const noexcept
   {
-    SharePair pair;
+    FractionPair pair;
     if (taps)
     {
       pair = this->Functions.SharedTapValues(
-        *taps, this->View, { other.Share, share }, index.X, index.Y, index.Z);
+        *taps, this->View, { other.Fraction, fraction }, index.X, index.Y, index.Z);
       if (std::isfinite(pair.First) && std::isfinite(pair.Second))
       {
         return pair;
@@ -258,18 +261,20 @@ public:
     }
     if (other.AreSamplesBlended)
     {
-      pair = this->Functions.SharedValues(this->Blended(other), share, index.X, index.Y, index.Z);
+      pair =
+        this->Functions.SharedValues(this->Blended(other), fraction, index.X, index.Y, index.Z);
     }
-    return { std::isfinite(pair.First) ? pair.First : this->BlendValue(other, other.Share, index),
-      std::isfinite(pair.Second) ? pair.Second : this->BlendValue(other, share, index) };
+    return { std::isfinite(pair.First) ? pair.First
+                                       : this->BlendValue(other, other.Fraction, index),
+      std::isfinite(pair.Second) ? pair.Second : this->BlendValue(other, fraction, index) };
   }
-  ValuePair Values(const OtherFrame& other, const Vector3& index, const Vector3& offset,
-    const FrameTaps* taps = nullptr) const noexcept
+  ValuePair Values(const OtherTimeStep& other, const Vector3& index, const Vector3& offset,
+    const TimeStepTaps* taps = nullptr) const noexcept
   {
     if (taps)
     {
       const ValuePair pair = this->Functions.TapPair(
-        *taps, this->View, other.Share, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+        *taps, this->View, other.Fraction, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
       if (std::isfinite(pair.Ahead) && std::isfinite(pair.Behind))
       {
         return pair;
@@ -286,37 +291,40 @@ public:
     }
     const ValuePair first = this->Values(index, offset);
     const ValuePair second = other.Field.Values(index, offset);
-    return { Blend(first.Ahead, second.Ahead, other.Share),
-      Blend(first.Behind, second.Behind, other.Share) };
+    return { Blend(first.Ahead, second.Ahead, other.Fraction),
+      Blend(first.Behind, second.Behind, other.Fraction) };
   }
-  /** The samples of both frames that a gradient has stored; null if they are of other frames. */
-  const FrameTaps* FindTaps(const OtherFrame& other, const TickMemory& memory) const noexcept
+  /**
+   * The samples of both time steps that a gradient has stored; null if they are of other time
+   * steps.
+   */
+  const TimeStepTaps* GetTaps(const OtherTimeStep& other, const TickMemory& memory) const noexcept
   {
-    const FrameTaps& taps = memory.Pair;
+    const TimeStepTaps& taps = memory.Pair;
     const bool isOfBoth =
       taps.Field == this->View.Number && taps.SecondField == other.Field.View.Number;
     return isOfBoth && this->Functions.TapValue && other.AreSamplesBlended ? &taps : nullptr;
   }
-  FieldSample Gradient(const OtherFrame& other, const Vector3& index,
+  FieldSample Gradient(const OtherTimeStep& other, const Vector3& index,
     const BlendMemories& memories = {}) const noexcept
   {
     if (!this->Functions.BlendedGradient || !other.AreSamplesBlended)
     {
       return Blend(this->Gradient(index, memories.First),
-        other.Field.Gradient(index, memories.Second), other.Share);
+        other.Field.Gradient(index, memories.Second), other.Fraction);
     }
     return this->Functions.BlendedGradient(
       this->Blended(other), index.X, index.Y, index.Z, memories);
   }
-  static double Blend(double first, double second, double share) noexcept
+  static double Blend(double first, double second, double fraction) noexcept
   {
-    return first + share * (second - first);
+    return first + fraction * (second - first);
   }
   static FieldSample Blend(
-    const FieldSample& first, const FieldSample& second, double share) noexcept
+    const FieldSample& first, const FieldSample& second, double fraction) noexcept
   {
-    return { Blend(first.Value, second.Value, share),
-      first.Gradient + share * (second.Gradient - first.Gradient) };
+    return { Blend(first.Value, second.Value, fraction),
+      first.Gradient + fraction * (second.Gradient - first.Gradient) };
   }
   ///@}
   /**
@@ -352,7 +360,7 @@ public:
   }
 
   /**
-   * Whether kernel, type and resident samples of another frame are the same, and no tissue was
+   * Whether kernel, type and resident samples of another time step are the same, and no tissue was
    * removed.
    */
   bool BlendsSamples(const FieldSampler& other) const noexcept
@@ -369,13 +377,14 @@ public:
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
 private:
-  FrameBlend Blended(const OtherFrame& other) const noexcept
+  TimeStepBlend Blended(const OtherTimeStep& other) const noexcept
   {
-    return { this->View, other.Field.View, other.Share };
+    return { this->View, other.Field.View, other.Fraction };
   }
-  double BlendValue(const OtherFrame& other, double share, const Vector3& index) const noexcept
+  double BlendValue(
+    const OtherTimeStep& other, double fraction, const Vector3& index) const noexcept
   {
-    return Blend(this->Value(index), other.Field.Value(index), share);
+    return Blend(this->Value(index), other.Field.Value(index), fraction);
   }
   double Checked(double value) const noexcept
   {

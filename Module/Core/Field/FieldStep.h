@@ -9,16 +9,16 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving volume at two instants between the same two frames: as two FieldAtTime, to the bit, but
- * with less work, since both have the same samples, and the samples of the last gradient are
- * stored. Neither instant is that of a frame.
+ * A moving volume at two instants between the same two time steps: as two FieldAtTime, to the bit,
+ * but with less work, since both have the same samples, and the samples of the last gradient are
+ * stored. Neither instant is that of a time step.
  */
 class FieldStep
 {
 public:
   /**
-   * Borrows the frames, whose samples are blended, and a memory.
-   * @param before, now shares of the second frame, more than 0 and less than 1
+   * Borrows the time steps, whose samples are blended, and a memory.
+   * @param before, now fractions of the second time step, more than 0 and less than 1
    */
   FieldStep(const FieldSampler& first, const FieldSampler& second, double before, double now,
     TickMemory& memory) noexcept
@@ -35,18 +35,18 @@ public:
   /** At the later instant. Call it first: it reads the samples for the other calls. */
   FieldSample Gradient(const Vector3& index) noexcept
   {
-    const FieldSampler::OtherFrame now = this->GetNow();
-    // Blended frames have no separate memories.
+    const FieldSampler::OtherTimeStep now = this->GetNow();
+    // Blended time steps have no separate memories.
     const FieldSample sample =
       this->First.Gradient(now, index, { nullptr, nullptr, &this->Memory });
-    this->Taps = this->First.FindTaps(now, this->Memory);
+    this->Taps = this->First.GetTaps(now, this->Memory);
     return sample;
   }
 
   /** Values at both instants. */
-  SharePair Values(const Vector3& index) const noexcept
+  FractionPair Values(const Vector3& index) const noexcept
   {
-    const SharePair pair = this->First.Values(this->GetNow(), this->Before, index, this->Taps);
+    const FractionPair pair = this->First.Values(this->GetNow(), this->Before, index, this->Taps);
     return { pair.Second, pair.First };
   }
 
@@ -63,14 +63,14 @@ public:
   ///@}
 
 private:
-  FieldSampler::OtherFrame GetNow() const noexcept { return { this->Second, this->Now, true }; }
+  FieldSampler::OtherTimeStep GetNow() const noexcept { return { this->Second, this->Now, true }; }
 
   const FieldSampler& First;
   const FieldSampler& Second;
   const double Before;
   const double Now;
   TickMemory& Memory;
-  const FrameTaps* Taps = nullptr;
+  const TimeStepTaps* Taps = nullptr;
 };
 
 } // namespace VolumeHaptics

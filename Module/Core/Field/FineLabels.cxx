@@ -22,8 +22,8 @@ namespace
 constexpr double AwaySlices = 12.0;
 constexpr double Farthest = 120.0;
 /**
- * Fine voxels: nearer than this to another label in its slice, a pixel may have a share of it above
- * 0.
+ * Fine voxels: nearer than this to another label in its slice, a pixel may have a fraction of it
+ * above 0.
  */
 constexpr double ActiveWidth = 4.0;
 /** The number of slices that are processed at once. */
@@ -83,7 +83,7 @@ struct Place
    * The other label's share, in parts. The boundary is half the difference of the distances away,
    * within the slice.
    */
-  std::uint8_t FindShare() const
+  std::uint8_t ComputeFraction() const
   {
     const float rise = 0.5F * (this->Rise - this->NextRise);
     const float away = 0.5F * (this->Best - this->Next) / std::sqrt(1.0F + rise * rise);
@@ -175,7 +175,7 @@ struct FineLabels::Pass
   }
 
   /** The slices whose hash has changed since the last time; all if there is no last time. */
-  std::vector<char> FindChanged(const std::vector<std::uint64_t>& last) const
+  std::vector<char> CollectChanged(const std::vector<std::uint64_t>& last) const
   {
     std::vector<char> changed(static_cast<std::size_t>(this->Slices), 1);
     for (std::size_t i = 0; i < changed.size() && last.size() == changed.size(); ++i)
@@ -197,7 +197,7 @@ struct FineLabels::Pass
         const std::vector<std::int64_t> labels = this->ReadSlice(slice);
         const auto at = static_cast<std::size_t>(slice);
         this->Hashes[at] = HashSlice(labels);
-        const SliceShapes shapes = FindShapes(this->Grid, labels);
+        const SliceShapes shapes = ExtractShapes(this->Grid, labels);
         facts[at] = { shapes.front().Label, shapes.back().Label, 0 };
         for (const LabelShape& shape : shapes)
         {
@@ -236,7 +236,7 @@ struct FineLabels::Pass
   /** Computes the labels from a slice up to the next one, or of the last slice. */
   template <typename T>
   void FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice, const VolumeView& view,
-    T* labels, std::uint8_t* shares) const;
+    T* labels, std::uint8_t* fractions) const;
 
   const VolumeView Image;
   const int Axis;
@@ -324,7 +324,7 @@ std::vector<PieceRun> FineLabels::Pass::FindActive(
 
 template <typename T>
 void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice,
-  const VolumeView& view, T* labels, std::uint8_t* shares) const
+  const VolumeView& view, T* labels, std::uint8_t* fractions) const
 {
   // The slices around the gap; the first and last slices of the image repeat.
   const SliceShapes* around[4];
@@ -441,7 +441,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
       {
         const std::int64_t to = begin + i * across[0] + j * across[1];
         labels[to] = static_cast<T>(row[i]);
-        shares[to] = 0;
+        fractions[to] = 0;
       }
     }
   }
@@ -454,13 +454,13 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
       for (std::int64_t layer = 0; layer < layers; ++layer, ++place, to += up)
       {
         labels[to] = place->Winner;
-        shares[to] = place->FindShare();
+        fractions[to] = place->ComputeFraction();
       }
     }
   }
 }
 
-Vector3 FineLabels::FindSteps(
+Vector3 FineLabels::ChooseSteps(
   const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels)
 {
   const double length[3] = { spacing.X, spacing.Y, spacing.Z };
@@ -492,7 +492,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
   double step[3] = { spacing.X, spacing.Y, spacing.Z };
   const double finest = std::min({ step[0], step[1], step[2] });
   VolumeView image = view.GetView();
-  const Vector3 steps = FindSteps(view, spacing, mostVoxels);
+  const Vector3 steps = ChooseSteps(view, spacing, mostVoxels);
   const int factors[3] = { static_cast<int>(steps.X), static_cast<int>(steps.Y),
     static_cast<int>(steps.Z) };
   const auto passes = 3 - std::count(factors, factors + 3, 1);
@@ -525,18 +525,18 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
     if (isAgain)
     {
       fine->Labels = last->Labels;
-      fine->Shares = last->Shares;
+      fine->Fractions = last->Fractions;
     }
     else
     {
       const std::size_t bytes =
         WithSampleType(found.Type, [](auto sample) { return sizeof(sample); });
       fine->Labels.assign(static_cast<std::size_t>(voxels) * bytes, std::byte{});
-      fine->Shares.assign(static_cast<std::size_t>(voxels), 0);
+      fine->Fractions.assign(static_cast<std::size_t>(voxels), 0);
     }
     found.Data = fine->Labels.data();
     const std::vector<char> changed =
-      pass.FindChanged(isAgain ? last->Hashes : std::vector<std::uint64_t>());
+      pass.CollectChanged(isAgain ? last->Hashes : std::vector<std::uint64_t>());
     const auto isNear = [&](std::int64_t slice, std::int64_t below, std::int64_t above)
     {
       const auto from = changed.begin() + std::max<std::int64_t>(slice - below, 0);
@@ -574,7 +574,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
           const std::int64_t slice = slices[static_cast<std::size_t>(i)];
           const std::vector<std::int64_t> labels = pass.ReadSlice(slice);
           SliceShapes& made = shapes[static_cast<std::size_t>(slice)];
-          made = FindShapes(pass.Grid, labels);
+          made = ExtractShapes(pass.Grid, labels);
           MeasureShapes(pass.Grid, labels, made);
         });
       each(static_cast<std::int64_t>(gaps.size()),
@@ -585,7 +585,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
             {
               using T = decltype(sample);
               pass.FillGap(shapes, gaps[static_cast<std::size_t>(i)], found,
-                reinterpret_cast<T*>(fine->Labels.data()), fine->Shares.data());
+                reinterpret_cast<T*>(fine->Labels.data()), fine->Fractions.data());
             });
         });
       fine->SlicesFound += static_cast<std::int64_t>(gaps.size());

@@ -13,7 +13,7 @@
  * - in each slice a label has a signed distance S to its boundary, above 0 inside;
  * - along the slices' axis S is a cubic between slices, without overshoot (F. N. Fritsch and R. E.
  *   Carlson, SIAM Journal on Numerical Analysis 17, 1980);
- * - at a fine voxel the label with the largest S wins, and the share of the next one gives the
+ * - at a fine voxel the label with the largest S wins, and the fraction of the next one gives the
  *   place of the boundary between both voxels.
  *
  * The distances are smoothed along the slice, since pixels make stairs, too; but not where a label
@@ -54,7 +54,7 @@ public:
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
   /** Fine voxels in a voxel of the image, along each axis: 1 if there is no finer grid. */
-  static Vector3 FindSteps(
+  static Vector3 ChooseSteps(
     const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels = MostVoxels);
 
   /**
@@ -78,11 +78,11 @@ public:
    * For each sample of GetView(), how much of it has another label, in Parts: the label of its
    * first different neighbour, in the order of axes and down before up.
    */
-  const std::uint8_t* GetShares() const noexcept { return this->Shares.data(); }
+  const std::uint8_t* GetFractions() const noexcept { return this->Fractions.data(); }
   /** In bytes. */
   std::size_t GetMemorySize() const noexcept
   {
-    return sizeof(*this) + this->Labels.capacity() + this->Shares.capacity() +
+    return sizeof(*this) + this->Labels.capacity() + this->Fractions.capacity() +
       this->Hashes.capacity() * sizeof(std::uint64_t);
   }
   /** The slices that Make computed, and did not take over from the last one. */
@@ -96,7 +96,7 @@ private:
   LabelView View;
   Vector3 Steps{ 1, 1, 1 };
   std::vector<std::byte> Labels;
-  std::vector<std::uint8_t> Shares;
+  std::vector<std::uint8_t> Fractions;
   ///@{
   /** Data of the image that Make() compares. */
   std::vector<std::uint64_t> Hashes; ///< one per slice; empty if more than one axis was refined

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The labels around a position and their shares, weighted by a Gaussian of 8 taps.
+ * The labels around a position and their fractions, weighted by a Gaussian of 8 taps.
  *
- * Find() reads the 8^3 voxels and stores a bit for each label and voxel: whether the voxel has the
- * label. Share() sums the kernel's weights over the bits of a label. A row along x has 8 bits; the
- * sums of its weights over all patterns of 4 bits are in a table (LabelWeights), so that a row
- * costs two lookups, for any labels.
+ * Collect() reads the 8^3 voxels and stores a bit for each label and voxel: whether the voxel has
+ * the label. Fraction() sums the kernel's weights over the bits of a label. A row along x has 8
+ * bits; the sums of its weights over all patterns of 4 bits are in a table (LabelWeights), so that
+ * a row costs two lookups, for any labels.
  *
  * Across a wall, rows mostly begin or end with a label: then the sums over the first and over the
  * last voxels suffice, and a row costs one lookup (LabelSteps, StepWeights).
@@ -98,10 +98,10 @@ struct LabelField
 /** The kernels for one scalar type. */
 struct LabelFunctions
 {
-  void (*Find)(const LabelField&, double x, double y, double z, LabelBlock&) noexcept = nullptr;
+  void (*Collect)(const LabelField&, double x, double y, double z, LabelBlock&) noexcept = nullptr;
   void (*Weigh)(const LabelField&, double x, double y, double z, LabelWeights&) noexcept = nullptr;
-  FieldSample (*Share)(const LabelWeights&, const std::uint64_t* planes) noexcept = nullptr;
-  FieldSample (*ShareSteps)(
+  FieldSample (*Fraction)(const LabelWeights&, const std::uint64_t* planes) noexcept = nullptr;
+  FieldSample (*FractionSteps)(
     const LabelField&, double x, double y, double z, const LabelSteps&) noexcept = nullptr;
 };
 
@@ -121,9 +121,9 @@ public:
   LabelSampler& operator=(const LabelSampler&) = delete;
 
   /** The labels around a continuous index within the image, whose border repeats beyond it. */
-  void Find(const Vector3& index, LabelBlock& block) const noexcept
+  void Collect(const Vector3& index, LabelBlock& block) const noexcept
   {
-    this->Functions.Find(this->View, index.X, index.Y, index.Z, block);
+    this->Functions.Collect(this->View, index.X, index.Y, index.Z, block);
   }
 
   /** The weights at a continuous index within the image. */
@@ -132,16 +132,16 @@ public:
     this->Functions.Weigh(this->View, index.X, index.Y, index.Z, weights);
   }
 
-  /** The share of a label around a position, and its gradient per index step. */
-  FieldSample Share(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
+  /** The fraction of a label around a position, and its gradient per index step. */
+  FieldSample Fraction(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
   {
-    return this->Functions.Share(weights, planes);
+    return this->Functions.Fraction(weights, planes);
   }
 
   /** As above, at a continuous index within the image, for a label whose rows are steps. */
-  FieldSample Share(const Vector3& index, const LabelSteps& steps) const noexcept
+  FieldSample Fraction(const Vector3& index, const LabelSteps& steps) const noexcept
   {
-    return this->Functions.ShareSteps(this->View, index.X, index.Y, index.Z, steps);
+    return this->Functions.FractionSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{

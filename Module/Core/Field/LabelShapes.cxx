@@ -96,7 +96,7 @@ public:
   }
 
   /** Above 0 where `is` is set. */
-  std::vector<std::int16_t> Find(const std::vector<std::uint8_t>& is)
+  std::vector<std::int16_t> Compute(const std::vector<std::uint8_t>& is)
   {
     const std::vector<float> inside = this->Transform(is, 0);
     std::vector<float> raw = this->Transform(is, 1);
@@ -117,9 +117,10 @@ public:
       for (std::int64_t i = 0; i < this->Size[0]; ++i)
       {
         const auto at = static_cast<std::size_t>(i + this->Size[0] * j);
-        const float share = std::abs(raw[at]) < Thick ? this->ThickShare(raw, smooth, i, j) : 1.0F;
+        const float fraction =
+          std::abs(raw[at]) < Thick ? this->ThickFraction(raw, smooth, i, j) : 1.0F;
         found[at] = static_cast<std::int16_t>(
-          std::lround(DistanceParts * (raw[at] + share * (smooth[at] - raw[at]))));
+          std::lround(DistanceParts * (raw[at] + fraction * (smooth[at] - raw[at]))));
       }
     }
     return found;
@@ -225,8 +226,8 @@ private:
   }
 
   /** 1 at a boundary that is thick on both sides, 0 if one side is thin. */
-  float ThickShare(const std::vector<float>& raw, const std::vector<float>& smooth, std::int64_t i,
-    std::int64_t j) const
+  float ThickFraction(const std::vector<float>& raw, const std::vector<float>& smooth,
+    std::int64_t i, std::int64_t j) const
   {
     const auto acrossX = static_cast<float>(this->Grid.Pixel[0]);
     const auto acrossY = static_cast<float>(this->Grid.Pixel[1]);
@@ -260,7 +261,7 @@ private:
  * In the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
  * difference -2 step^2. A piece that does not become smaller ends halfway.
  */
-float FindEnd(float here, float before, float most, float mostBefore, float step)
+float ComputeEnd(float here, float before, float most, float mostBefore, float step)
 {
   constexpr float half = 0.5F;
   constexpr float last = 0.95F;
@@ -278,14 +279,14 @@ float FindEnd(float here, float before, float most, float mostBefore, float step
 }
 
 /** The decrease of the radius of such a piece up to the next slice; 0 if there is none. */
-float FindFall(float most, float mostBefore, float step)
+float ComputeFall(float most, float mostBefore, float step)
 {
   const float fall = (mostBefore * mostBefore + step * step - most * most) / (2.0F * most);
   return mostBefore > 0.0F ? std::max(fall, 0.0F) : 0.0F;
 }
 
 /** Connected pieces of pixels within the label, by their neighbours along rows and columns. */
-void FindPieces(LabelShape& shape)
+void CollectPieces(LabelShape& shape)
 {
   std::vector<std::size_t> parents;
   const auto root = [&parents](std::size_t run)
@@ -350,7 +351,7 @@ const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label)
   return found != shapes.end() && found->Label == label ? &*found : nullptr;
 }
 
-SliceShapes FindShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels)
+SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels)
 {
   struct Extent
   {
@@ -409,8 +410,8 @@ void MeasureShapes(
         is.push_back(row[i] == shape.Label ? 1 : 0);
       }
     }
-    shape.Distances = DistanceMap(grid, box).Find(is);
-    FindPieces(shape);
+    shape.Distances = DistanceMap(grid, box).Compute(is);
+    CollectPieces(shape);
   }
 }
 
@@ -473,10 +474,10 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
     for (std::int64_t i = run.Begin; i < run.End && isEnd[run.Piece] != 0; ++i)
     {
       falls[static_cast<std::size_t>(i - box.Low[0] + width * (run.Row - box.Low[1]))] =
-        FindFall(of.Here, of.Before, step);
+        ComputeFall(of.Here, of.Before, step);
       const float here = DistanceAt(&shape, grid, i, run.Row);
       const float end =
-        FindEnd(here, DistanceAt(before, grid, i, run.Row), of.Here, of.Before, step);
+        ComputeEnd(here, DistanceAt(before, grid, i, run.Row), of.Here, of.Before, step);
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }

@@ -69,7 +69,7 @@ struct SliceGrid
 const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label);
 
 /** The labels of a slice, one after another; MeasureShapes() computes their distances. */
-SliceShapes FindShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels);
+SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels);
 
 void MeasureShapes(
   const SliceGrid& grid, const std::vector<std::int64_t>& labels, SliceShapes& shapes);

@@ -44,13 +44,13 @@ bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
 }
 
 /** Trilinear shares at fractions of a cell. */
-void SetShares(double x, double y, double z, LabelCell& cell) noexcept
+void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
 {
   const double along[2] = { 1.0 - x, x };
   const double across[4] = { (1.0 - y) * (1.0 - z), y * (1.0 - z), (1.0 - y) * z, y * z };
   for (int c = 0; c < LabelCell::Corners; ++c)
   {
-    cell.Share[c] = along[c & 1] * across[c >> 1];
+    cell.Fraction[c] = along[c & 1] * across[c >> 1];
   }
 }
 
@@ -80,7 +80,7 @@ LabelCell ReadAtBorder(const VolumeView& view, double x, double y, double z) noe
     cell.Label[c] = exists ? ToLabel(data[offset]) : NoLabel;
     cell.IsUniform = cell.IsUniform && cell.Label[c] == cell.Label[0];
   }
-  SetShares(axes[0].Fraction, axes[1].Fraction, axes[2].Fraction, cell);
+  SetFractions(axes[0].Fraction, axes[1].Fraction, axes[2].Fraction, cell);
   return cell;
 }
 
@@ -116,7 +116,7 @@ LabelCell ReadLabels(const VolumeView& view, double x, double y, double z) noexc
   {
     cell.Label[c] = ToLabel(samples[c]);
   }
-  SetShares(
+  SetFractions(
     x - static_cast<double>(i), y - static_cast<double>(j), z - static_cast<double>(k), cell);
   return cell;
 }

@@ -27,7 +27,7 @@ struct LabelCell
   static constexpr int Corners = 8;
 
   std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first one is set
-  std::array<double, Corners> Share;       ///< sum to 1; not set if the cell is uniform
+  std::array<double, Corners> Fraction;    ///< sum to 1; not set if the cell is uniform
   bool IsUniform;                          ///< all labels equal the first one
 };
 

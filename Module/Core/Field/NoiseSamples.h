@@ -47,7 +47,7 @@ struct NoiseSamples
   double Inside[2] = { 1.0, 0.0 };
 
   /** The index along each axis of the sample whose value is Values[s]. */
-  std::array<std::int64_t, 3> FindPlace(std::size_t s) const
+  std::array<std::int64_t, 3> ComputePlace(std::size_t s) const
   {
     const std::int64_t number = this->Indices[s];
     return { number % this->Dimensions[0], number / this->Dimensions[0] % this->Dimensions[1],
@@ -57,9 +57,9 @@ struct NoiseSamples
   /**
    * The number of the corner whose value is Values[s]: bit a is set at the end of axis a. Else -1.
    */
-  int FindCorner(std::size_t s) const
+  int GetCorner(std::size_t s) const
   {
-    const std::array<std::int64_t, 3> at = this->FindPlace(s);
+    const std::array<std::int64_t, 3> at = this->ComputePlace(s);
     int corner = 0;
     for (int a = 0; a < 3; ++a)
     {

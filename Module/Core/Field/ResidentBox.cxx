@@ -5,9 +5,9 @@
 namespace VolumeHaptics
 {
 
-ResidentBox::ResidentBox(const VolumeView& view, double share) noexcept
-  : Whole(share == 1.0)
-  , Share(share)
+ResidentBox::ResidentBox(const VolumeView& view, double fraction) noexcept
+  : Whole(fraction == 1.0)
+  , Fraction(fraction)
 {
   double low[3];
   double high[3];
@@ -23,7 +23,7 @@ ResidentBox::ResidentBox(const VolumeView& view, double share) noexcept
   this->High = { high[0], high[1], high[2] };
 }
 
-double ResidentBox::Find(
+double ResidentBox::Compute(
   const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept
 {
   const Vector3 before = low - margin - this->Low;
@@ -31,7 +31,7 @@ double ResidentBox::Find(
   const Vector3 nearest = Least(before, behind);
   const double clearance = std::fmin(std::fmin(nearest.X, nearest.Y), nearest.Z);
   const double t = std::fmin(std::fmax(clearance / ResidencyBand, 0.0), 1.0);
-  return this->Share * (t * t * (3.0 - 2.0 * t));
+  return this->Fraction * (t * t * (3.0 - 2.0 * t));
 }
 
 } // namespace VolumeHaptics

@@ -20,22 +20,23 @@ constexpr double ResidencyBand = 4.0;
 class ResidentBox
 {
 public:
-  /** `share` is below 1 if the samples of the view only stand in for the volume's. */
-  explicit ResidentBox(const VolumeView& view, double share = 1.0) noexcept;
+  /** `fraction` is below 1 if the samples of the view only stand in for the volume's. */
+  explicit ResidentBox(const VolumeView& view, double fraction = 1.0) noexcept;
 
   /** Whether all samples of the volume are resident. */
   bool IsWhole() const noexcept { return this->Whole; }
 
   /**
-   * The residency of the box between two corners, with a margin along each axis; at most `share`.
+   * The residency of the box between two corners, with a margin along each axis; at most
+   * `fraction`.
    */
-  double Find(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
+  double Compute(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:
   Vector3 Low; ///< infinite if the border is the volume's own
   Vector3 High;
   bool Whole = true;
-  double Share;
+  double Fraction;
 };
 
 } // namespace VolumeHaptics

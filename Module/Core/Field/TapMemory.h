@@ -24,10 +24,10 @@ struct TapMemory
 };
 
 /**
- * The samples around the last gradient in two blended frames, to blend them with any share. Rows
- * lie along x as in a volume, so that values can be read from them, too.
+ * The samples around the last gradient in two blended time steps, to blend them with any fraction.
+ * Rows lie along x as in a volume, so that values can be read from them, too.
  */
-struct FrameTaps
+struct TimeStepTaps
 {
   static constexpr int MostTaps = TapMemory::MostTaps;
   /** The numbers in a row of N taps: whole vectors. */
@@ -35,34 +35,34 @@ struct FrameTaps
   static constexpr int Line = (N + 3) / 4 * 4;
   static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
 
-  std::uint64_t Field = 0;       ///< number of the first frame, as TapMemory::Field
-  std::uint64_t SecondField = 0; ///< number of the second frame
+  std::uint64_t Field = 0;       ///< number of the first time step, as TapMemory::Field
+  std::uint64_t SecondField = 0; ///< number of the second time step
   std::int64_t First[3] = { 0, 0, 0 };
-  alignas(64) double Taps[Most];    ///< the first frame's
-  alignas(64) double Changes[Most]; ///< the second frame's minus the first frame's
+  alignas(64) double Taps[Most];    ///< the first time step's
+  alignas(64) double Changes[Most]; ///< the second time step's minus the first time step's
 };
 
-/** The samples of two frames, blended: TapMemory::Field is the first frame. */
+/** The samples of two time steps, blended: TapMemory::Field is the first time step. */
 struct BlendMemory : TapMemory
 {
   std::uint64_t SecondField = 0;
-  double Share = 0.0; ///< the second frame's
+  double Fraction = 0.0; ///< the second time step's
 };
 
 /**
- * The memories of a tick: one for each of the two frames between which a volume moves, if each is
- * read at its own place; one for both, if they are blended; and one for each of two blends, as a
- * tick goes from one instant to another. A frame has the same memory before and after it; a volume
- * that stands still has the first one.
+ * The memories of a tick: one for each of the two time steps between which a volume moves, if each
+ * is read at its own place; one for both, if they are blended; and one for each of two blends, as a
+ * tick goes from one instant to another. A time step has the same memory before and after it; a
+ * volume that stands still has the first one.
  */
 struct TickMemory
 {
-  TapMemory Frames[2];
-  FrameTaps Pair;
+  TapMemory TimeSteps[2];
+  TimeStepTaps Pair;
   BlendMemory Blends[2];
   int OldBlend = 0; ///< the blend to replace next
 
-  TapMemory& Of(std::size_t frame) noexcept { return this->Frames[frame % 2]; }
+  TapMemory& Of(std::size_t timeStep) noexcept { return this->TimeSteps[timeStep % 2]; }
 };
 
 } // namespace VolumeHaptics

@@ -16,10 +16,11 @@ Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
 }
 
 /** The wall at the stand-off from forbidden labels. False if the position is not at it. */
-bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
+bool ComputeForbidden(
+  const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
 {
   const ForbiddenZone& zone = *model.Baked->GetZone();
-  const ForbiddenPlace place = model.Baked->Labels->FindForbidden(labelIndex);
+  const ForbiddenPlace place = model.Baked->Labels->ComputeForbidden(labelIndex);
   const double depth = zone.GetStandOff() - place.Distance;
   const Vector3 gradient = model.LabelGradientToDevice * place.Gradient;
   const double magnitude = Norm(gradient);
@@ -38,7 +39,7 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
 }
 
 /** The nearest wall between labels, or the scalars' surface. */
-Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   const Vector3& labelIndex, LabelMemory& memory) noexcept
 {
   const BakedVolume& baked = *model.Baked;
@@ -47,7 +48,7 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
   {
     // A wall stands in where the scalars have less than half a surface.
     constexpr double least = 0.5;
-    surface = FindFieldSurface(model, field, index);
+    surface = ComputeFieldSurface(model, field, index);
     if (model.DistinctnessOf(surface.GradientMagnitude, surface.Normal)[0] >= least &&
       surface.Fade > 0.0)
     {
@@ -58,7 +59,7 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
   {
     return surface;
   }
-  const LabelWall wall = baked.Walls->Find(labelIndex, memory.Wall);
+  const LabelWall wall = baked.Walls->Compute(labelIndex, memory.Wall);
   const Vector3 gradient = model.LabelGradientToDevice * wall.Gradient;
   const double square = Dot(gradient, gradient);
   // A wall far away leaves the scalars' surface alone.
@@ -86,11 +87,11 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
 }
 
 /** The surface that labels or the scalars make. */
-Surface FindWholeSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
-  LabelMemory& memory) noexcept
+Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept
 {
-  return model.Baked->Walls ? FindWall(model, field, index, model.IndexToLabel(index), memory)
-                            : FindFieldSurface(model, field, index);
+  return model.Baked->Walls ? ComputeWall(model, field, index, model.IndexToLabel(index), memory)
+                            : ComputeFieldSurface(model, field, index);
 }
 
 /** The face of a cut, with its material a voxel behind it. */
@@ -104,26 +105,26 @@ Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPla
   surface.GradientMagnitude = 1.0 / place.Voxel;
   surface.Value = surface.Depth = place.Depth / place.Voxel;
   surface.Fade = model.BorderFade(index);
-  surface.DragShare = 0.0;
+  surface.DragFraction = 0.0;
   surface.IsWall = surface.IsOneSided = true;
   return surface;
 }
 
 /** The surface of a volume of which a part is cut away. */
-Surface FindKeptSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+Surface ComputeKeptSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   LabelMemory& memory) noexcept
 {
   const CutAway& cut = *model.Baked->Cut;
-  const CutPlace place = cut.Find(index);
+  const CutPlace place = cut.Compute(index);
   const double depth = place.Depth / place.Voxel;
   if (cut.IsSolid() && depth > -CutAway::TouchDistance && depth < WallEnds && field.IsInside(index))
   {
     return MakeCutFace(model, index, place);
   }
   Surface surface =
-    depth > 0.0 ? FindWholeSurface(model, field, index, memory) : MakeNoSurface(model);
-  surface.DragShare = place.Share();
-  surface.Fade *= cut.IsSolid() ? 1.0 : surface.DragShare;
+    depth > 0.0 ? ComputeUncutSurface(model, field, index, memory) : MakeNoSurface(model);
+  surface.DragFraction = place.Fraction();
+  surface.Fade *= cut.IsSolid() ? 1.0 : surface.DragFraction;
   return surface;
 }
 
@@ -159,17 +160,17 @@ Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3
                                    : to + Inverse(model.DeviceToIndex.Linear) * (stopped - end);
 }
 
-Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
-  LabelMemory& memory) noexcept
+Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept
 {
   Surface surface;
   // Also in a part that is cut away: nothing gives access to a forbidden label.
-  if (model.Baked->GetZone() && FindForbidden(model, model.IndexToLabel(index), surface))
+  if (model.Baked->GetZone() && ComputeForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;
   }
-  return model.Baked->Cut ? FindKeptSurface(model, field, index, memory)
-                          : FindWholeSurface(model, field, index, memory);
+  return model.Baked->Cut ? ComputeKeptSurface(model, field, index, memory)
+                          : ComputeUncutSurface(model, field, index, memory);
 }
 
 } // namespace Law

@@ -31,9 +31,10 @@ struct Surface
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0;         ///< the estimator's own value, whose gradient this is
-  double Fade = 0.0;          ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
-  double DragShare = 1.0;     ///< felt share of the medium's drag: 0 in a part that is cut away
+  double Value = 0.0; ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;  ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  /** Felt fraction of the medium's drag: 0 in a part that is cut away. */
+  double DragFraction = 1.0;
   bool IsWall = false;        ///< a wall between labels (Value: LabelWall's), or the face of a cut
   double Depth = 0.0;         ///< for a wall: its value, with the sign of the normal
   bool IsOneSided = false;    ///< the normal belongs to the structure, wherever the tip is
@@ -65,7 +66,7 @@ struct Balance
 
 namespace Law
 {
-/** A gradient below this share of the value per voxel is rounding. */
+/** A gradient below this fraction of the value per voxel is rounding. */
 constexpr double RelativeGradientEpsilon = 1e-12;
 constexpr double SmallestSquare = std::numeric_limits<double>::min();
 /** Distances (m) and forces (N) below these are zero. */
@@ -95,7 +96,7 @@ struct Slope
 };
 
 /** False if there is no gradient. */
-VOLUME_HAPTICS_INLINE bool FindSlope(
+VOLUME_HAPTICS_INLINE bool ComputeSlope(
   const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
 {
   const double floor = RelativeGradientEpsilon * sample.Value;
@@ -111,7 +112,7 @@ VOLUME_HAPTICS_INLINE bool FindSlope(
   slope.Magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * slope.Magnitude;
   slope.Normal = inverse * gradient;
-  slope.Reach = model.FindReach(inverse * (model.GradientToReach * sample.Gradient));
+  slope.Reach = model.ComputeReach(inverse * (model.GradientToReach * sample.Gradient));
   return true;
 }
 
@@ -121,7 +122,7 @@ inline Surface MakeFieldSurface(
 {
   Surface surface = MakeNoSurface(model);
   Slope slope;
-  if (FindSlope(model, sample, slope))
+  if (ComputeSlope(model, sample, slope))
   {
     surface.Normal = slope.Normal;
     surface.Reach = slope.Reach;
@@ -133,7 +134,7 @@ inline Surface MakeFieldSurface(
 }
 
 /** The scalars' surface through an index, with an ascending normal. */
-inline Surface FindFieldSurface(
+inline Surface ComputeFieldSurface(
   const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
 {
   return field.IsInside(index) ? MakeFieldSurface(model, index, field.Gradient(index))
@@ -141,15 +142,15 @@ inline Surface FindFieldSurface(
 }
 
 /** Finds the surface where labels or a cut matter, not only the scalars. In FieldSurface.cxx. */
-Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
-  LabelMemory& memory) noexcept;
+Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept;
 
 /** The surface through an index, with an ascending normal. */
-inline Surface FindSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
-  LabelMemory& memory) noexcept
+inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept
 {
-  return model.Baked->HasOtherSurfaces ? FindOtherSurface(model, field, index, memory)
-                                       : FindFieldSurface(model, field, index);
+  return model.Baked->HasOtherSurfaces ? ComputeOtherSurface(model, field, index, memory)
+                                       : ComputeFieldSurface(model, field, index);
 }
 
 /** The voxels along the normal over which a drag may hold a proxy, however soft the material is. */
@@ -215,7 +216,7 @@ inline double DistinctnessOfWall(double depth) noexcept
 }
 
 /** W_d, and the visibility of the gradient. */
-inline DistinctnessTable::Values FindDistinctness(
+inline DistinctnessTable::Values ComputeDistinctness(
   const HapticModel& model, const Surface& surface) noexcept
 {
   return surface.IsWall ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
@@ -267,7 +268,7 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
 /** The material of a surface with these values and materials inside and outside (eq. 13). */
 inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
   const MaterialTable::Values& inside, const MaterialTable::Values& outside,
-  const DistinctnessTable::Values& distinct, double fade, double dragShare,
+  const DistinctnessTable::Values& distinct, double fade, double dragFraction,
   MaterialPoint& point) noexcept
 {
   point.SurfaceValue = values.Ahead;
@@ -275,7 +276,7 @@ inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
   point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * fade) * (inside[4] * distinct[1]);
-  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * dragShare;
+  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * dragFraction;
 }
 
 /**
@@ -296,7 +297,8 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   }
   point.Normal = surface.Normal;
   point.GradientMagnitude = surface.GradientMagnitude;
-  JoinMaterials(model, values, inside, outside, distinct, surface.Fade, surface.DragShare, point);
+  JoinMaterials(
+    model, values, inside, outside, distinct, surface.Fade, surface.DragFraction, point);
   if (surface.IsForbidden)
   {
     point.Stiffness = Capped(std::max(inside[0], ForbiddenStiffness), model.Caps.Stiffness);
@@ -309,7 +311,7 @@ inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, co
   const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
 {
   // Look up first: the sampling of the values then hides the lookup's latency.
-  const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
+  const DistinctnessTable::Values distinct = ComputeDistinctness(model, surface);
   SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
 }
 
@@ -373,11 +375,11 @@ inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, c
   Vector3 proxy = start;
   if (drag < b.Excess)
   {
-    const double share = 1.0 - drag / b.ExcessSquare * b.Excess;
-    proxy += (share * (std::copysign(b.NormalExcess, lag.Push) / k)) * point.Normal;
+    const double fraction = 1.0 - drag / b.ExcessSquare * b.Excess;
+    proxy += (fraction * (std::copysign(b.NormalExcess, lag.Push) / k)) * point.Normal;
     if (b.Slides)
     {
-      proxy += (share * (b.TangentExcess / b.Pull)) * lag.Tangent;
+      proxy += (fraction * (b.TangentExcess / b.Pull)) * lag.Tangent;
     }
   }
   return proxy;

@@ -58,9 +58,9 @@ public:
     {
       return this->Now = this->High;
     }
-    const double share =
+    const double fraction =
       trial % 3 == 2 ? 0.5 : std::clamp(this->AtLow / (this->AtLow - this->AtHigh), 0.02, 0.98);
-    return this->Now = this->Low + share * (this->High - this->Low);
+    return this->Now = this->Low + fraction * (this->High - this->Low);
   }
 
   /** Narrows the bracket by the function's value at the argument that Next returned. */

@@ -47,7 +47,7 @@ void RotateAxes(double (&a)[3][3], double (&v)[3][3], int p, int q) noexcept
 
 } // namespace
 
-SymmetricEigen FindEigen(const Matrix3& matrix) noexcept
+SymmetricEigen ComputeEigen(const Matrix3& matrix) noexcept
 {
   SymmetricEigen eigen;
   const Vector3* const rows = matrix.Row;

@@ -21,7 +21,7 @@ struct SymmetricEigen
 };
 
 /** Reads the upper triangle. If the matrix is not finite, all values are 0. */
-SymmetricEigen FindEigen(const Matrix3& matrix) noexcept;
+SymmetricEigen ComputeEigen(const Matrix3& matrix) noexcept;
 
 } // namespace VolumeHaptics
 

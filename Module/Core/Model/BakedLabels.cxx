@@ -24,17 +24,17 @@ void BakedLabels::Refine(std::shared_ptr<const FineLabels> fine)
   }
 }
 
-ForbiddenPlace BakedLabels::FindForbidden(const Vector3& labelIndex) const noexcept
+ForbiddenPlace BakedLabels::ComputeForbidden(const Vector3& labelIndex) const noexcept
 {
   if (!this->Fine)
   {
-    return this->Zone->Find(labelIndex);
+    return this->Zone->Compute(labelIndex);
   }
   const Vector3& steps = this->Fine->GetSteps();
   const auto divide = [&steps](const Vector3& x) {
     return Vector3{ x.X / steps.X, x.Y / steps.Y, x.Z / steps.Z };
   };
-  ForbiddenPlace place = this->Zone->Find(divide(labelIndex));
+  ForbiddenPlace place = this->Zone->Compute(divide(labelIndex));
   place.Gradient = divide(place.Gradient);
   return place;
 }
@@ -54,7 +54,7 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
 {
   constexpr int channels = LabelMaterial::Channels;
   std::array<double, channels> sum{};
-  std::array<double, channels> share{};
+  std::array<double, channels> fraction{};
   const auto add = [&](std::int64_t label, double whole)
   {
     if (const LabelMaterial* const material = this->Table.Find(label))
@@ -63,20 +63,20 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
       {
         const double part = material->IsSet[c] ? whole : 0.0;
         sum[c] += part * material->Value[c];
-        share[c] += part;
+        fraction[c] += part;
       }
     }
   };
   // Mostly there are two labels: no branch depends on where they are.
   const std::int64_t first = cell.Label[0];
   std::int64_t second = first;
-  double shares[2] = { 0.0, 0.0 };
+  double fractions[2] = { 0.0, 0.0 };
   for (int corner = 0; corner < LabelCell::Corners; ++corner)
   {
     const bool isFirst = cell.Label[corner] == first;
     second = isFirst ? second : cell.Label[corner];
-    shares[0] += isFirst ? cell.Share[corner] : 0.0;
-    shares[1] += isFirst ? 0.0 : cell.Share[corner];
+    fractions[0] += isFirst ? cell.Fraction[corner] : 0.0;
+    fractions[1] += isFirst ? 0.0 : cell.Fraction[corner];
   }
   bool areTwo = true;
   for (const std::int64_t label : cell.Label)
@@ -85,19 +85,19 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
   }
   if (areTwo)
   {
-    add(first, shares[0]);
-    add(second, shares[1]);
+    add(first, fractions[0]);
+    add(second, fractions[1]);
   }
   for (int corner = 0; corner < LabelCell::Corners && !areTwo; ++corner)
   {
-    add(cell.Label[corner], cell.Share[corner]);
+    add(cell.Label[corner], cell.Fraction[corner]);
   }
   for (int c = 0; c < channels; ++c)
   {
-    if (share[c] > 0.0)
+    if (fraction[c] > 0.0)
     {
-      // Rounding must not leave a share below 0.
-      const double rest = share[c] < 1.0 ? 1.0 - share[c] : 0.0;
+      // Rounding must not leave a fraction below 0.
+      const double rest = fraction[c] < 1.0 ? 1.0 - fraction[c] : 0.0;
       values[c] = sum[c] + rest * values[c];
     }
   }

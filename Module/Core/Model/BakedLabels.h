@@ -60,11 +60,11 @@ struct BakedLabels
   void Refine(std::shared_ptr<const FineLabels> fine);
 
   /** The distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
-  ForbiddenPlace FindForbidden(const Vector3& labelIndex) const noexcept;
+  ForbiddenPlace ComputeForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
    * Replaces the functions' values at a position by the materials of the labels there, mixed by the
-   * trilinear shares of the eight voxels around it. The share of labels without a value keeps
+   * trilinear fractions of the eight voxels around it. The fraction of labels without a value keeps
    * the functions' value; if no label has one, the values stay the same to the bit. `baked` is the
    * number of the volume with these labels.
    */

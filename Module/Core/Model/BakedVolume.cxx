@@ -62,7 +62,7 @@ std::shared_ptr<const LabelWalls> MakeWalls(
   }
   // The default radius of 2 gives a scale of 1.4 voxels.
   return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1,
-    labels->Fine ? labels->Fine->GetShares() : nullptr);
+    labels->Fine ? labels->Fine->GetFractions() : nullptr);
 }
 
 std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
@@ -80,66 +80,66 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
 }
 
 /** In a tick; the servo has no time for more. */
-constexpr int MostFramesFollowed = 4;
+constexpr int MostTimeStepsCrossed = 4;
 
-FrameSeries MakeSeries(const HapticModelDescription& d)
+TimeStepSeries MakeSeries(const HapticModelDescription& d)
 {
-  const std::vector<VolumeFrame>& frames = d.Frames;
-  if (frames.size() < 2 || d.Series.LoopInterval > 0.0)
+  const std::vector<VolumeTimeStep>& timeSteps = d.TimeSteps;
+  if (timeSteps.size() < 2 || d.Series.LoopInterval > 0.0)
   {
     return d.Series;
   }
-  const bool isLoop = frames.back().Time == frames.front().Time;
-  const std::size_t count = frames.size() - (isLoop ? 1 : 0);
-  const double first = frames.front().Time;
-  const double last = frames[count - 1].Time;
+  const bool isLoop = timeSteps.back().Time == timeSteps.front().Time;
+  const std::size_t count = timeSteps.size() - (isLoop ? 1 : 0);
+  const double first = timeSteps.front().Time;
+  const double last = timeSteps[count - 1].Time;
   return { first, last, (last - first) / static_cast<double>(count - 1) };
 }
 
-std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const FrameSeries& series,
-  const Matrix3& indexToWorld, const GradientKernel& kernel)
+std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& given,
+  const TimeStepSeries& series, const Matrix3& indexToWorld, const GradientKernel& kernel)
 {
-  std::vector<FieldFrame> frames;
-  frames.reserve(given.size());
-  for (const VolumeFrame& frame : given)
+  std::vector<FieldTimeStep> timeSteps;
+  timeSteps.reserve(given.size());
+  for (const VolumeTimeStep& timeStep : given)
   {
-    if (!frames.empty())
+    if (!timeSteps.empty())
     {
-      FieldFrame& last = frames.back();
-      // The first frame follows the last one.
-      last.Interval = frame.Time > last.Time ? frame.Time - last.Time : series.LoopInterval;
+      FieldTimeStep& last = timeSteps.back();
+      // The first time step follows the last one.
+      last.Interval = timeStep.Time > last.Time ? timeStep.Time - last.Time : series.LoopInterval;
     }
-    frames.push_back({ frame.Time, 0.0, false, FieldSampler(frame.View, kernel), frame.Samples, {},
-      frame.DisplacementSamples, frame.Mesh });
-    // The motion of the material from the last frame back to the first one is not known.
-    if (frame.Displacements.Data && frame.Time < series.Last)
+    timeSteps.push_back({ timeStep.Time, 0.0, false, FieldSampler(timeStep.View, kernel),
+      timeStep.Samples, {}, timeStep.DisplacementSamples, timeStep.Mesh });
+    // The motion of the material from the last time step back to the first one is not known.
+    if (timeStep.Displacements.Data && timeStep.Time < series.Last)
     {
-      frames.back().Motion.emplace(frame.Displacements, frame.View, indexToWorld);
+      timeSteps.back().Motion.emplace(timeStep.Displacements, timeStep.View, indexToWorld);
     }
   }
-  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+  for (std::size_t i = 0; i + 1 < timeSteps.size(); ++i)
   {
-    frames[i].BlendsNext = frames[i].Field.BlendsSamples(frames[i + 1].Field);
+    timeSteps[i].BlendsNext = timeSteps[i].Field.BlendsSamples(timeSteps[i + 1].Field);
   }
-  return frames;
+  return timeSteps;
 }
 
-bool KnowMotion(const std::vector<FieldFrame>& frames)
+bool KnowMotion(const std::vector<FieldTimeStep>& timeSteps)
 {
-  return std::any_of(
-    frames.begin(), frames.end(), [](const FieldFrame& frame) { return frame.Motion.has_value(); });
+  return std::any_of(timeSteps.begin(), timeSteps.end(),
+    [](const FieldTimeStep& timeStep) { return timeStep.Motion.has_value(); });
 }
 
 } // namespace
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
   : Kernel(MakeKernel(d))
-  , Removal(d.Frames.empty() ? d.Removal : nullptr)
+  , Removal(d.TimeSteps.empty() ? d.Removal : nullptr)
   , Field(d.View, this->Kernel,
       CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, d.AirValue })
   , Series(MakeSeries(d))
-  , Frames(MakeFrames(d.Frames, this->Series, d.IndexToWorld.Linear, this->Kernel))
-  , HasMotion(KnowMotion(this->Frames))
+  , TimeSteps(MakeTimeSteps(d.TimeSteps, this->Series, d.IndexToWorld.Linear, this->Kernel))
+  , HasMotion(KnowMotion(this->TimeSteps))
   , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
@@ -161,15 +161,15 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
 }
 
 BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal,
-  double airValue, const VolumeFrame& shown, const std::vector<VolumeFrame>& frames,
-  const FrameSeries& series)
+  double airValue, const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,
+  const TimeStepSeries& series)
   : Kernel(other.Kernel)
   , Removal(std::move(removal))
   , Field(shown.View, this->Kernel,
       CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, airValue })
   , Series(series)
-  , Frames(MakeFrames(frames, this->Series, other.IndexToWorld.Linear, this->Kernel))
-  , HasMotion(KnowMotion(this->Frames))
+  , TimeSteps(MakeTimeSteps(timeSteps, this->Series, other.IndexToWorld.Linear, this->Kernel))
+  , HasMotion(KnowMotion(this->TimeSteps))
   , Materials(other.Materials)
   , Distinctness(other.Distinctness)
   , IsDistinctFromNoise(other.IsDistinctFromNoise)
@@ -189,144 +189,147 @@ BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval
 {
 }
 
-BakedVolume::BakedVolume(
-  const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series)
-  : BakedVolume(other, nullptr, 0.0, frames.front(), frames, series)
+BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
+  const TimeStepSeries& series)
+  : BakedVolume(other, nullptr, 0.0, timeSteps.front(), timeSteps, series)
 {
 }
 
 BakedVolume::BakedVolume(
   const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue)
   : BakedVolume(other, std::move(removal), airValue,
-      VolumeFrame{ 0.0, other.Field.GetView(), other.Samples, {}, {}, other.Mesh }, {},
+      VolumeTimeStep{ 0.0, other.Field.GetView(), other.Samples, {}, {}, other.Mesh }, {},
       other.Series)
 {
 }
 
-std::size_t BakedVolume::FindFrame(double time) const noexcept
+std::size_t BakedVolume::FindTimeStep(double time) const noexcept
 {
-  // Earlier times belong to the frames that follow the last one of the series.
-  const double front = this->Frames.front().Time;
-  const double turn = front < this->Frames.back().Time ? -HUGE_VAL : front;
+  // Earlier times belong to the time steps that follow the last one of the series.
+  const double front = this->TimeSteps.front().Time;
+  const double turn = front < this->TimeSteps.back().Time ? -HUGE_VAL : front;
   const auto isBefore = [turn, time](double other)
   { return (time < turn) == (other < turn) ? time < other : other < turn; };
-  // Not the last frame: it has no next one.
-  std::size_t frame = 0;
-  for (std::size_t above = this->Frames.size() - 1; above - frame > 1;)
+  // Not the last time step: it has no next one.
+  std::size_t timeStep = 0;
+  for (std::size_t above = this->TimeSteps.size() - 1; above - timeStep > 1;)
   {
-    const std::size_t middle = (frame + above) / 2;
-    (isBefore(this->Frames[middle].Time) ? above : frame) = middle;
+    const std::size_t middle = (timeStep + above) / 2;
+    (isBefore(this->TimeSteps[middle].Time) ? above : timeStep) = middle;
   }
-  return frame;
+  return timeStep;
 }
 
-double BakedVolume::FindShare(std::size_t frame, double time) const noexcept
+double BakedVolume::ComputeFraction(std::size_t timeStep, double time) const noexcept
 {
-  const FieldFrame& before = this->Frames[frame];
-  if (frame + 1 == this->Frames.size())
+  const FieldTimeStep& before = this->TimeSteps[timeStep];
+  if (timeStep + 1 == this->TimeSteps.size())
   {
     return 0.0; // the only one
   }
   // A time span may end where the series begins again.
-  const bool isPast = time < before.Time && this->Frames[frame + 1].Time < before.Time;
+  const bool isPast = time < before.Time && this->TimeSteps[timeStep + 1].Time < before.Time;
   return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
 }
 
-std::size_t BakedVolume::FindNearestFrame(double time) const noexcept
+std::size_t BakedVolume::FindNearestTimeStep(double time) const noexcept
 {
-  const std::size_t frame = this->FindFrame(time);
-  return this->FindShare(frame, time) < 0.5 ? frame : frame + 1;
+  const std::size_t timeStep = this->FindTimeStep(time);
+  return this->ComputeFraction(timeStep, time) < 0.5 ? timeStep : timeStep + 1;
 }
 
-FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noexcept
+FieldAtTime BakedVolume::BlendTimeSteps(double time, TickMemory* memory) const noexcept
 {
-  const std::size_t frame = this->FindFrame(time);
-  const FieldFrame& before = this->Frames[frame];
-  if (this->Frames.size() == 1)
+  const std::size_t timeStep = this->FindTimeStep(time);
+  const FieldTimeStep& before = this->TimeSteps[timeStep];
+  if (this->TimeSteps.size() == 1)
   {
     return FieldAtTime(before.Field, memory);
   }
   return { before.Field,
-    { this->Frames[frame + 1].Field, this->FindShare(frame, time), before.BlendsNext },
-    before.Motion ? &*before.Motion : nullptr, memory, frame };
+    { this->TimeSteps[timeStep + 1].Field, this->ComputeFraction(timeStep, time),
+      before.BlendsNext },
+    before.Motion ? &*before.Motion : nullptr, memory, timeStep };
 }
 
-std::optional<FieldStep> BakedVolume::FindStep(
+std::optional<FieldStep> BakedVolume::ComputeStep(
   double before, double now, TickMemory& memory) const noexcept
 {
-  if (this->HasMotion || this->Frames.size() < 2)
+  if (this->HasMotion || this->TimeSteps.size() < 2)
   {
     return {};
   }
-  const std::size_t frame = this->FindFrame(now);
-  const FieldFrame& first = this->Frames[frame];
-  const auto isBetween = [](double share) { return share > 0.0 && share < 1.0; };
-  const double from = this->FindShare(frame, before);
-  const double to = this->FindShare(frame, now);
-  if (!first.BlendsNext || !isBetween(from) || !isBetween(to) || this->FindFrame(before) != frame)
+  const std::size_t timeStep = this->FindTimeStep(now);
+  const FieldTimeStep& first = this->TimeSteps[timeStep];
+  const auto isBetween = [](double fraction) { return fraction > 0.0 && fraction < 1.0; };
+  const double from = this->ComputeFraction(timeStep, before);
+  const double to = this->ComputeFraction(timeStep, now);
+  if (!first.BlendsNext || !isBetween(from) || !isBetween(to) ||
+    this->FindTimeStep(before) != timeStep)
   {
     return {};
   }
-  return FieldStep(first.Field, this->Frames[frame + 1].Field, from, to, memory);
+  return FieldStep(first.Field, this->TimeSteps[timeStep + 1].Field, from, to, memory);
 }
 
-Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept
+Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to) const noexcept
 {
   if (!this->HasMotion)
   {
     return index;
   }
-  const double front = this->Frames.front().Time;
-  const double back = this->Frames.back().Time;
-  const bool isWindowOfLoop = back <= front;
+  const double front = this->TimeSteps.front().Time;
+  const double back = this->TimeSteps.back().Time;
+  const bool isSpanOfLoop = back <= front;
   const bool isOverEnd =
     std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
-  if (isWindowOfLoop && (isOverEnd || (from < front) != (to < front)))
+  if (isSpanOfLoop && (isOverEnd || (from < front) != (to < front)))
   {
     // Both times are in one tick over the end of the loop.
     return index;
   }
   const auto within = [&](double time)
-  { return isWindowOfLoop ? time : std::clamp(time, front, back); };
+  { return isSpanOfLoop ? time : std::clamp(time, front, back); };
   const double end = within(to);
   const double begin = within(from);
   Vector3 at = index;
-  std::size_t frame = this->FindFrame(begin);
-  // Time leaves this frame backwards.
-  frame -= end < begin && begin == this->Frames[frame].Time && frame > 0 ? 1 : 0;
+  std::size_t timeStep = this->FindTimeStep(begin);
+  // Time leaves this time step backwards.
+  timeStep -= end < begin && begin == this->TimeSteps[timeStep].Time && timeStep > 0 ? 1 : 0;
   double time = begin;
-  for (int i = 0; i < MostFramesFollowed && time != end && frame + 1 < this->Frames.size(); ++i)
+  for (int i = 0; i < MostTimeStepsCrossed && time != end && timeStep + 1 < this->TimeSteps.size();
+       ++i)
   {
-    const FieldFrame& before = this->Frames[frame];
-    const FieldFrame& after = this->Frames[frame + 1];
+    const FieldTimeStep& before = this->TimeSteps[timeStep];
+    const FieldTimeStep& after = this->TimeSteps[timeStep + 1];
     const double length = before.Interval;
     const double stop = after.Time > before.Time ? after.Time : before.Time + length;
     const double next = std::clamp(end, before.Time, stop);
     if (before.Motion)
     {
-      const MaterialPlace place = before.Motion->Find(at, (time - before.Time) / length);
+      const MaterialPlace place = before.Motion->Compute(at, (time - before.Time) / length);
       at = this->Field.Nearest(at + ((next - time) / length) * (place.Second - place.First));
     }
     time = next;
-    frame = end > time ? frame + 1 : (frame > 0 ? frame - 1 : 0);
+    timeStep = end > time ? timeStep + 1 : (timeStep > 0 ? timeStep - 1 : 0);
   }
   return at;
 }
 
-int BakedVolume::FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept
+int BakedVolume::CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept
 {
   if (!this->IsMoving())
   {
     ways[0] = { this->Mesh.get(), 0.0, 0.0, false };
     return 1;
   }
-  const std::size_t first = this->FindFrame(from);
-  const std::size_t last = this->FindFrame(to);
-  const double begin = this->FindShare(first, from);
-  const double end = this->FindShare(last, to);
-  const auto way = [this](std::size_t frame, double begin, double end)
+  const std::size_t first = this->FindTimeStep(from);
+  const std::size_t last = this->FindTimeStep(to);
+  const double begin = this->ComputeFraction(first, from);
+  const double end = this->ComputeFraction(last, to);
+  const auto way = [this](std::size_t timeStep, double begin, double end)
   {
-    const FieldFrame& of = this->Frames[frame];
+    const FieldTimeStep& of = this->TimeSteps[timeStep];
     return MeshWay{ of.Mesh.get(), begin, end, of.Motion.has_value() };
   };
   if (first == last)
@@ -334,12 +337,12 @@ int BakedVolume::FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]
     ways[0] = way(first, begin, end);
     return 1;
   }
-  // The first frame may follow the last one.
+  // The first time step may follow the last one.
   const bool isOverEnd = std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   const bool isForward = (to > from) != isOverEnd;
   const std::size_t before = isForward ? first : last;
   const std::size_t after = isForward ? last : first;
-  if (after == before + 1 || (isOverEnd && after == 0 && before + 2 == this->Frames.size()))
+  if (after == before + 1 || (isOverEnd && after == 0 && before + 2 == this->TimeSteps.size()))
   {
     ways[0] = way(first, begin, isForward ? 1.0 : 0.0);
     ways[1] = way(last, isForward ? 0.0 : 1.0, end);

@@ -14,9 +14,9 @@
 #include "Core/Model/BakedMode.h"
 #include "Core/Model/BakedTool.h"
 #include "Core/Model/CutAway.h"
-#include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/LabelWalls.h"
+#include "Core/Model/TimeStepSeries.h"
 
 #include <memory>
 #include <optional>
@@ -26,17 +26,20 @@ namespace VolumeHaptics
 {
 
 /** A volume that moves, at an instant. */
-struct FieldFrame
+struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
-  double Interval; ///< data time to the next frame; 0: no next frame
-  bool BlendsNext; ///< FieldSampler::BlendsSamples() of the next frame
+  double Interval; ///< data time to the next time step; 0: no next time step
+  bool BlendsNext; ///< FieldSampler::BlendsSamples() of the next time step
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
-  /** The motion of the material until the next frame, if known. */
+  /** The motion of the material until the next time step, if known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
-  /** The isosurface on its way to the next frame; null if there is no mesh, or no next frame. */
+  /**
+   * The isosurface on its way to the next time step; null if there is no mesh, or no next time
+   * step.
+   */
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
@@ -54,9 +57,9 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** The same volume with other frames of its series. Bakes nothing again. */
-  BakedVolume(
-    const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
+  /** The same volume with other time steps of its series. Bakes nothing again. */
+  BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
+    const TimeStepSeries& series);
   /** The same volume, which does not move, with another removal. Bakes nothing again. */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
   BakedVolume(const BakedVolume&) = delete;
@@ -68,14 +71,14 @@ struct BakedVolume
   const GradientKernel Kernel;
   /** Null if no tool removes tissue. A tick may change the object, but not the pointer. */
   const std::shared_ptr<TissueRemoval> Removal;
-  const FieldSampler Field; ///< the first frame, if there are several
-  const FrameSeries Series; ///< the series of which Frames are a part
+  const FieldSampler Field;    ///< the first time step, if there are several
+  const TimeStepSeries Series; ///< the series of which Time steps are a part
   /**
-   * In ascending time, except frames that follow the last one of the series; empty if the volume
-   * does not move.
+   * In ascending time, except time steps that follow the last one of the series; empty if the
+   * volume does not move.
    */
-  const std::vector<FieldFrame> Frames;
-  const bool HasMotion;                 ///< the material's motion is known between some frames
+  const std::vector<FieldTimeStep> TimeSteps;
+  const bool HasMotion;                 ///< the material's motion is known between some time steps
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const bool IsDistinctFromNoise;       ///< see HapticMaterial
@@ -95,49 +98,50 @@ struct BakedVolume
   const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
   /** The share that is felt at an index of a cut volume: see CutPlace::Share. */
-  double KeptShare(const Vector3& index) const noexcept
+  double KeptFraction(const Vector3& index) const noexcept
   {
-    return this->Cut ? this->Cut->Find(index).Share() : 1.0;
+    return this->Cut ? this->Cut->Compute(index).Fraction() : 1.0;
   }
-  bool IsMoving() const noexcept { return !this->Frames.empty(); }
+  bool IsMoving() const noexcept { return !this->TimeSteps.empty(); }
   /** Whether surfaces and materials come from its scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * The volume at a data time; before the first frame and after the last one, it stands still.
+   * The volume at a data time; before the first time step and after the last one, it stands still.
    * `memory` holds the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time, memory) : FieldAtTime(this->Field, memory);
+    return this->IsMoving() ? this->BlendTimeSteps(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * The step between two data times that lie between the same two frames, if the material's motion
-   * is unknown; none if either time is that of a frame, or if samples are not blended.
+   * The step between two data times that lie between the same two time steps, if the material's
+   * motion is unknown; none if either time is that of a time step, or if samples are not blended.
    */
-  std::optional<FieldStep> FindStep(double before, double now, TickMemory& memory) const noexcept;
-  FrameWindow GetWindow() const noexcept
+  std::optional<FieldStep> ComputeStep(
+    double before, double now, TickMemory& memory) const noexcept;
+  TimeSpan GetTimeSpan() const noexcept
   {
-    return { this->Series, this->Frames.front().Time, this->Frames.back().Time,
-      this->Frames.size() == 1 };
+    return { this->Series, this->TimeSteps.front().Time, this->TimeSteps.back().Time,
+      this->TimeSteps.size() == 1 };
   }
-  /** The number of the frame that a data time follows, and to which At blends the next one. */
-  std::size_t FindFrame(double time) const noexcept;
-  /** The number of the frame that is nearest to a data time. */
-  std::size_t FindNearestFrame(double time) const noexcept;
+  /** The number of the time step that a data time follows, and to which At blends the next one. */
+  std::size_t FindTimeStep(double time) const noexcept;
+  /** The number of the time step that is nearest to a data time. */
+  std::size_t FindNearestTimeStep(double time) const noexcept;
   /**
    * The index, at another data time, of the material at an index, within the volume; the same index
-   * if the motion is not known. It crosses at most four frames.
+   * if the motion is not known. It crosses at most four time steps.
    */
-  Vector3 FollowMaterial(const Vector3& index, double from, double to) const noexcept;
+  Vector3 TrackMaterial(const Vector3& index, double from, double to) const noexcept;
 
   ///@{
   /**
-   * The meshes on the way from one data time to another: the one of the frame in which the way
-   * begins, and the one of the frame in which it ends. If the way crosses more frames, or the end
-   * of a series, only the end.
+   * The meshes on the way from one data time to another: the one of the time step in which the way
+   * begins, and the one of the time step in which it ends. If the way crosses more time steps, or
+   * the end of a series, only the end.
    */
   static constexpr int MostMeshWays = 2;
-  int FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
+  int CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
   ///@}
 
   const ForbiddenZone* GetZone() const noexcept
@@ -148,21 +152,22 @@ struct BakedVolume
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /**
    * Identifies volume, material and settings; only regions of one volume, and parts of one series
-   * of frames, may share it.
+   * of time steps, may share it.
    */
   const std::uint64_t Number;
 
 private:
   /**
-   * With another removal and other frames; `shown` is the first frame, or the volume if it does not
-   * move.
+   * With another removal and other time steps; `shown` is the first time step, or the volume if it
+   * does not move.
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
-    const VolumeFrame& shown, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
+    const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,
+    const TimeStepSeries& series);
 
-  FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
-  /** The fraction of the way from this frame to the next one, at a data time. */
-  double FindShare(std::size_t frame, double time) const noexcept;
+  FieldAtTime BlendTimeSteps(double time, TickMemory* memory) const noexcept;
+  /** The fraction of the way from this time step to the next one, at a data time. */
+  double ComputeFraction(std::size_t timeStep, double time) const noexcept;
 };
 
 } // namespace VolumeHaptics

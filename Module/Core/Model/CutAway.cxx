@@ -60,9 +60,10 @@ CutAway::CutAway(std::vector<CutPlane> planes, const CutRegions& regions,
   }
 }
 
-CutPlace CutAway::Find(const Vector3& index) const noexcept
+CutPlace CutAway::Compute(const Vector3& index) const noexcept
 {
-  CutPlace nearest = this->Regions.Kept == CutRegions::All ? CutPlace{} : this->FindRegion(index);
+  CutPlace nearest =
+    this->Regions.Kept == CutRegions::All ? CutPlace{} : this->ComputeRegion(index);
   const Vector3 world = this->IndexToWorld(index);
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
@@ -75,7 +76,7 @@ CutPlace CutAway::Find(const Vector3& index) const noexcept
   }
   if (this->Hidden.Flags)
   {
-    const CutPlace hidden = this->FindHidden(index);
+    const CutPlace hidden = this->ComputeHidden(index);
     nearest = hidden.Depth < nearest.Depth ? hidden : nearest;
   }
   return nearest;
@@ -94,7 +95,7 @@ double HiddenVoxels::IsKept(std::int64_t i, std::int64_t j, std::int64_t k) cons
   return (this->Flags[offset] & this->Hidden) != 0 ? 0.0 : 1.0;
 }
 
-CutPlace CutAway::FindHidden(const Vector3& index) const noexcept
+CutPlace CutAway::ComputeHidden(const Vector3& index) const noexcept
 {
   const double low[3] = { std::floor(index.X), std::floor(index.Y), std::floor(index.Z) };
   const double u[3] = { index.X - low[0], index.Y - low[1], index.Z - low[2] };
@@ -105,13 +106,13 @@ CutPlace CutAway::FindHidden(const Vector3& index) const noexcept
   for (int corner = 0; corner < 8; ++corner)
   {
     const int c[3] = { corner & 1, corner >> 1 & 1, corner >> 2 & 1 };
-    const double share = this->Hidden.IsKept(at[0] + c[0], at[1] + c[1], at[2] + c[2]);
+    const double fraction = this->Hidden.IsKept(at[0] + c[0], at[1] + c[1], at[2] + c[2]);
     const double w[3] = { c[0] ? u[0] : 1.0 - u[0], c[1] ? u[1] : 1.0 - u[1],
       c[2] ? u[2] : 1.0 - u[2] };
-    kept += share * (w[0] * w[1] * w[2]);
-    slope[0] += (c[0] ? share : -share) * (w[1] * w[2]);
-    slope[1] += (c[1] ? share : -share) * (w[0] * w[2]);
-    slope[2] += (c[2] ? share : -share) * (w[0] * w[1]);
+    kept += fraction * (w[0] * w[1] * w[2]);
+    slope[0] += (c[0] ? fraction : -fraction) * (w[1] * w[2]);
+    slope[1] += (c[1] ? fraction : -fraction) * (w[0] * w[2]);
+    slope[2] += (c[2] ? fraction : -fraction) * (w[0] * w[1]);
   }
   const Vector3 gradient = Transpose(this->WorldToIndex) * Vector3{ slope[0], slope[1], slope[2] };
   const double steepness = Norm(gradient);
@@ -129,7 +130,7 @@ CutPlace CutAway::FindHidden(const Vector3& index) const noexcept
   return place;
 }
 
-CutAway::Beyond CutAway::FindBeyond(const Vector3& index, int region) const noexcept
+CutAway::Beyond CutAway::ComputeBeyond(const Vector3& index, int region) const noexcept
 {
   Beyond beyond;
   int rest = region;
@@ -165,7 +166,7 @@ int CutAway::FindNearest(const Vector3& index, bool isKept, double& distance) co
   for (int region = 0; region < 27; ++region)
   {
     const double far =
-      this->IsKept(region) == isKept ? this->FindBeyond(index, region).Distance() : HUGE_VAL;
+      this->IsKept(region) == isKept ? this->ComputeBeyond(index, region).Distance() : HUGE_VAL;
     nearest = far < distance ? region : nearest;
     distance = std::min(far, distance);
   }
@@ -181,7 +182,7 @@ bool CutAway::HasFace(int region, int face) const noexcept
     this->IsKept(isLow ? region - Strides[axis] : region + Strides[axis]);
 }
 
-CutPlace CutAway::FindRegion(const Vector3& index) const noexcept
+CutPlace CutAway::ComputeRegion(const Vector3& index) const noexcept
 {
   const int here = this->FindRegionOf(index);
   const bool isKept = this->IsKept(here);
@@ -194,7 +195,7 @@ CutPlace CutAway::FindRegion(const Vector3& index) const noexcept
     return place;
   }
   const int away = isKept ? there : here;
-  const Beyond beyond = this->FindBeyond(index, away);
+  const Beyond beyond = this->ComputeBeyond(index, away);
   double farthest = -HUGE_VAL;
   for (int face = 0; face < 6; ++face)
   {
@@ -210,7 +211,7 @@ CutPlace CutAway::FindRegion(const Vector3& index) const noexcept
   // Beside an edge, the shortest way is oblique.
   if (distance > 0.0)
   {
-    const Vector3 shortest = this->FindBeyond(index, there).Direction(this->Axes);
+    const Vector3 shortest = this->ComputeBeyond(index, there).Direction(this->Axes);
     place.Normal = ((isKept ? 1.0 : -1.0) / distance) * shortest;
   }
   place.Depth = isKept ? distance : -distance;
@@ -231,8 +232,8 @@ Vector3 CutAway::StopAtFaces(const Vector3& from, const Vector3& to) const noexc
   {
     return to;
   }
-  const Beyond beyond = this->FindBeyond(from, away);
-  const Beyond after = this->FindBeyond(to, away);
+  const Beyond beyond = this->ComputeBeyond(from, away);
+  const Beyond after = this->ComputeBeyond(to, away);
   double stopped[3] = { to.X, to.Y, to.Z };
   for (int face = 0; face < 6; ++face)
   {

@@ -12,10 +12,10 @@
  *   depth(x) = min_i s_i(x)
  *
  * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. Axes
- * of the index are perpendicular to one another in the world. For hidden voxels, let t be the share
- * of the eight surrounding voxels that are kept, interpolated linearly: faces are where t = 1/2,
- * halfway between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a voxel,
- * if t is neither 0 nor 1.
+ * of the index are perpendicular to one another in the world. For hidden voxels, let t be the
+ * fraction of the eight surrounding voxels that are kept, interpolated linearly: faces are where t
+ * = 1/2, halfway between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a
+ * voxel, if t is neither 0 nor 1.
  */
 #ifndef CutAway_h
 #define CutAway_h
@@ -94,7 +94,7 @@ struct CutPlace
   std::uint32_t Faces = 0;
 
   /** The share that is felt: falls from 1 to 0 over the last voxel in front of a face. */
-  double Share() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
+  double Fraction() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
 };
 
 /** Immutable. */
@@ -107,7 +107,7 @@ public:
   CutAway(std::vector<CutPlane> planes, const CutRegions& regions, const Affine3& indexToWorld,
     bool isSolid, HiddenVoxels hidden = {});
 
-  CutPlace Find(const Vector3& index) const noexcept;
+  CutPlace Compute(const Vector3& index) const noexcept;
   /** The normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
   Vector3 GetNormal(int face) const noexcept
   {
@@ -158,9 +158,9 @@ private:
   int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
   /** Whether a kept part lies behind a face of a region that is cut away. */
   bool HasFace(int region, int face) const noexcept;
-  Beyond FindBeyond(const Vector3& index, int region) const noexcept;
-  CutPlace FindRegion(const Vector3& index) const noexcept;
-  CutPlace FindHidden(const Vector3& index) const noexcept;
+  Beyond ComputeBeyond(const Vector3& index, int region) const noexcept;
+  CutPlace ComputeRegion(const Vector3& index) const noexcept;
+  CutPlace ComputeHidden(const Vector3& index) const noexcept;
 
   const std::vector<CutPlane> Planes;
   std::vector<double> Voxels; ///< length of a voxel along each plane's normal

@@ -163,13 +163,13 @@ struct BoundaryPoint
 /** Outwards, in index steps; zero without a wall. */
 Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
 {
-  const LabelWall wall = walls.Find(at);
+  const LabelWall wall = walls.Compute(at);
   const double norm = Norm(wall.Gradient);
   return wall.IsThere && norm > 0.0 ? (-1.0 / norm) * wall.Gradient : Vector3{};
 }
 
 /** The sum of the principal curvatures (1 / voxel) of the boundary with this normal. */
-double FindCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
+double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
 {
   constexpr double h = 3.0;
   constexpr double most = 0.5;
@@ -195,7 +195,7 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
   Vector3 at = voxel;
   for (int trial = 0; trial < trials; ++trial)
   {
-    const LabelWall wall = walls.Find(at);
+    const LabelWall wall = walls.Compute(at);
     const double square = Dot(wall.Gradient, wall.Gradient);
     if (!wall.IsThere || !(square > 1e-6))
     {
@@ -203,7 +203,7 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
     }
     at += ClampNorm((-wall.Value / square) * wall.Gradient, 1.0);
   }
-  const LabelWall wall = walls.Find(at);
+  const LabelWall wall = walls.Compute(at);
   if (!wall.IsThere || std::abs(wall.Value) > 0.05 || Norm(at - voxel) > farthest)
   {
     return false;
@@ -211,7 +211,7 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
   const Vector3 normal = gradientToWorld * wall.Gradient;
   point.Normal = (-1.0 / Norm(normal)) * normal;
   const Vector3 outward = OutwardAt(walls, at);
-  point.Position = at + (HalfVariance * FindCurvature(walls, at, outward)) * outward;
+  point.Position = at + (HalfVariance * ComputeCurvature(walls, at, outward)) * outward;
   return true;
 }
 
@@ -241,7 +241,7 @@ public:
         }
         const bool isForbidden = mask.Is[static_cast<std::size_t>(mask.Index(i, j, k))] != 0;
         // If there is no boundary nearby, smoothing has removed a thin part.
-        const bool isTaken = isForbidden && walls.Find(voxel).Value < TakenAway;
+        const bool isTaken = isForbidden && walls.Compute(voxel).Value < TakenAway;
         if (isTaken || !FindBoundary(walls, voxel, gradientToWorld, point))
         {
           if (!isForbidden)
@@ -393,10 +393,10 @@ std::shared_ptr<const ForbiddenZone> ForbiddenZone::MakeWhole(const LabelView& v
   }
   const std::shared_ptr<ForbiddenZone> zone(new ForbiddenZone);
   zone->StandOff = standOff;
-  constexpr double share = 5e-3;
+  constexpr double fraction = 5e-3;
   const Matrix3 columns = Transpose(indexToWorld.Linear);
   zone->Tolerance =
-    share * std::min({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
+    fraction * std::min({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
   std::copy(mask.First, mask.First + 3, zone->First);
   zone->Distances.reserve(mask.Is.size());
   for (std::int64_t k = 0; k < mask.Size[2]; ++k)
@@ -417,7 +417,7 @@ std::shared_ptr<const ForbiddenZone> ForbiddenZone::MakeWhole(const LabelView& v
   return zone;
 }
 
-ForbiddenPlace ForbiddenZone::Find(const Vector3& labelIndex) const noexcept
+ForbiddenPlace ForbiddenZone::Compute(const Vector3& labelIndex) const noexcept
 {
   const Vector3 index = labelIndex -
     Vector3{ static_cast<double>(this->First[0]), static_cast<double>(this->First[1]),

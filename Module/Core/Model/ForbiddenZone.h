@@ -50,7 +50,7 @@ public:
   ForbiddenZone(const ForbiddenZone&) = delete;
   ForbiddenZone& operator=(const ForbiddenZone&) = delete;
 
-  ForbiddenPlace Find(const Vector3& labelIndex) const noexcept;
+  ForbiddenPlace Compute(const Vector3& labelIndex) const noexcept;
 
   double GetStandOff() const noexcept { return this->StandOff; }
   /** The world units over which the wall begins to hold. */

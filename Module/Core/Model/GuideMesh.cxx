@@ -29,10 +29,10 @@ GuideMesh::GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding)
   : Mesh(std::move(mesh))
   , Rounding(rounding)
 {
-  this->FindFaces();
+  this->CollectFaces();
   const std::vector<SurfaceMesh::Indices> merged = this->MergeCorners();
-  this->FindCorners(merged);
-  this->FindEdges(merged);
+  this->ComputeCorners(merged);
+  this->CollectEdges(merged);
   this->CornersOf = merged;
 }
 
@@ -43,7 +43,7 @@ std::size_t GuideMesh::GetMemorySize() const noexcept
     this->CornersOf.capacity() * sizeof(SurfaceMesh::Indices);
 }
 
-void GuideMesh::FindFaces()
+void GuideMesh::CollectFaces()
 {
   const std::int64_t count = this->Mesh->GetNumberOfTriangles();
   this->Faces.resize(static_cast<std::size_t>(count));
@@ -90,7 +90,7 @@ std::vector<SurfaceMesh::Indices> GuideMesh::MergeCorners()
   return merged;
 }
 
-void GuideMesh::FindCorners(const std::vector<SurfaceMesh::Indices>& merged)
+void GuideMesh::ComputeCorners(const std::vector<SurfaceMesh::Indices>& merged)
 {
   for (Corner& corner : this->Corners)
   {
@@ -117,7 +117,7 @@ void GuideMesh::FindCorners(const std::vector<SurfaceMesh::Indices>& merged)
   }
 }
 
-void GuideMesh::FindEdges(const std::vector<SurfaceMesh::Indices>& merged)
+void GuideMesh::CollectEdges(const std::vector<SurfaceMesh::Indices>& merged)
 {
   struct Edge
   {
@@ -173,19 +173,20 @@ GuideMeshPlace GuideMesh::Find(const Vector3& position) const noexcept
   Vector3 mixed = sum * face.Normal;
   for (int e = 0; e < 3; ++e)
   {
-    const double share = (1.0 - u[e]) * u[(e + 1) % 3] * u[(e + 2) % 3];
-    sum += share;
-    mixed += share * face.AtEdge[e];
+    const double fraction = (1.0 - u[e]) * u[(e + 1) % 3] * u[(e + 2) % 3];
+    sum += fraction;
+    mixed += fraction * face.AtEdge[e];
   }
   const int nearest = weight[0] > weight[1] ? (weight[0] > weight[2] ? 0 : 2)
     : weight[1] > weight[2]                 ? 1
                                             : 2;
   const Vector3& at = this->Mesh->GetPoints()[this->Mesh->GetCorners(place.Triangle)[nearest]];
   const Corner& corner = this->Corners[this->CornersOf[place.Triangle][nearest]];
-  const double share = std::min(1.0, Norm(place.Point.Position - at) / corner.Turn);
+  const double fraction = std::min(1.0, Norm(place.Point.Position - at) / corner.Turn);
   // At a corner itself, no edge contributes.
-  const Vector3 along = sum > 0.0 ? (share / sum) * mixed : Vector3{};
-  return { place.Point.Position, UnitOf(along + (1.0 - share) * corner.Normal, face.Normal), true };
+  const Vector3 along = sum > 0.0 ? (fraction / sum) * mixed : Vector3{};
+  return { place.Point.Position, UnitOf(along + (1.0 - fraction) * corner.Normal, face.Normal),
+    true };
 }
 
 } // namespace VolumeHaptics

@@ -66,11 +66,11 @@ private:
   /** Boxes: many more than a place near the mesh needs; takes some tens of microseconds. */
   static constexpr int Budget = 2000;
 
-  void FindFaces();
+  void CollectFaces();
   /** The corner numbers of the triangles, with corners at the same place merged. */
   std::vector<SurfaceMesh::Indices> MergeCorners();
-  void FindCorners(const std::vector<SurfaceMesh::Indices>& merged);
-  void FindEdges(const std::vector<SurfaceMesh::Indices>& merged);
+  void ComputeCorners(const std::vector<SurfaceMesh::Indices>& merged);
+  void CollectEdges(const std::vector<SurfaceMesh::Indices>& merged);
 
   std::shared_ptr<const SurfaceMesh> Mesh;
   double Rounding;

@@ -130,7 +130,7 @@ GuidePlace GuidePath::Find(const Vector3& place) const noexcept
   std::size_t count = 1;
   double least = Nowhere;
   const Segment* nearest = &this->Segments.front();
-  double share = 0.0; // position along the segment
+  double fraction = 0.0; // position along the segment
   while (count > 0)
   {
     const std::size_t box = waiting[--count];
@@ -160,15 +160,15 @@ GuidePlace GuidePath::Find(const Vector3& place) const noexcept
       {
         least = square;
         nearest = &segment;
-        share = along;
+        fraction = along;
       }
     }
   }
   GuidePlace found;
-  found.Nearest = nearest->Begin + share * nearest->Direction;
-  const double toEnd = nearest->Length - share;
-  const bool isNearBegin = share < toEnd;
-  const double turned = std::min(share, toEnd) / nearest->Turn;
+  found.Nearest = nearest->Begin + fraction * nearest->Direction;
+  const double toEnd = nearest->Length - fraction;
+  const bool isNearBegin = fraction < toEnd;
+  const double turned = std::min(fraction, toEnd) / nearest->Turn;
   const Vector3& corner = isNearBegin ? nearest->AtBegin : nearest->AtEnd;
   found.Direction = nearest->Direction;
   if (turned < 1.0)

@@ -92,9 +92,9 @@ GuideSurfacePlace GuideSurface::FindInField(const Vector3& position) const noexc
   const FieldSample sample = this->Field.Gradient(index);
   const Vector3 gradient = Transpose(this->WorldToIndex.Linear) * sample.Gradient;
   const double slope = Norm(gradient);
-  const double share = std::clamp(4.0 * slope - 1.0, 0.0, 1.0);
+  const double fraction = std::clamp(4.0 * slope - 1.0, 0.0, 1.0);
   // Also false for NaN.
-  if (!(share > 0.0 && std::isfinite(slope) && std::isfinite(sample.Value)))
+  if (!(fraction > 0.0 && std::isfinite(slope) && std::isfinite(sample.Value)))
   {
     return {};
   }
@@ -103,7 +103,7 @@ GuideSurfacePlace GuideSurface::FindInField(const Vector3& position) const noexc
   const double way = (this->Distance - sample.Value) / slope;
   place.Anchor = position + way * place.Normal;
   place.Distance = std::abs(way);
-  place.Share = fade * share;
+  place.Fraction = fade * fraction;
   return place;
 }
 

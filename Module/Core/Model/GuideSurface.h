@@ -28,7 +28,7 @@ struct GuideSurfacePlace
   Vector3 Anchor;
   Vector3 Normal;        ///< unit; outwards, where distances grow
   double Distance = 0.0; ///< from the surface to the position
-  double Share = 0.0;    ///< factor of the holding strength, 0 to 1; 0 if no place was found
+  double Fraction = 0.0; ///< factor of the holding strength, 0 to 1; 0 if no place was found
 };
 
 /** Immutable. All lengths are in world units. */

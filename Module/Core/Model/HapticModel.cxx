@@ -48,13 +48,13 @@ bool IsOfPaper(const HapticSettings& settings)
 }
 
 /** World units: KernelRadius voxels of the coarser image. */
-double FindLabelReach(const BakedVolume& baked)
+double ComputeLabelReach(const BakedVolume& baked)
 {
   return baked.Kernel.Radius *
     std::fmax(baked.LargestSpacing, LargestColumn(LabelToWorld(baked).Linear));
 }
 
-double FindMostSteps(const HapticModel& model)
+double ComputeMostSteps(const HapticModel& model)
 {
   double most = model.MostVoxelsPerMeter;
   for (const Vector3& row : model.DeviceToLabel.Linear.Row)
@@ -68,9 +68,9 @@ double FindMostSteps(const HapticModel& model)
 std::size_t GetMeshSize(const BakedVolume& baked)
 {
   std::size_t size = baked.Mesh ? baked.Mesh->GetMemorySize() : 0;
-  for (const FieldFrame& frame : baked.Frames)
+  for (const FieldTimeStep& timeStep : baked.TimeSteps)
   {
-    size += frame.Mesh && frame.Mesh != baked.Mesh ? frame.Mesh->GetMemorySize() : 0;
+    size += timeStep.Mesh && timeStep.Mesh != baked.Mesh ? timeStep.Mesh->GetMemorySize() : 0;
   }
   return size;
 }
@@ -124,10 +124,10 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
       Transpose(Inverse(LabelToWorld(*this->Baked).Linear)))
   , HasLabelLengthByDirection(this->HasLengthByDirection ||
       (!IsOfPaper(this->Baked->Settings) && !IsOfCubes(LabelToWorld(*this->Baked).Linear)))
-  , LabelReach(FindLabelReach(*this->Baked) / this->WorldUnitsPerMeter)
+  , LabelReach(ComputeLabelReach(*this->Baked) / this->WorldUnitsPerMeter)
   , LabelGradientToReach(
       this->LabelReach * (this->DeviceToIndex.Linear * this->LabelGradientToDevice))
-  , MostStepsPerMeter(FindMostSteps(*this))
+  , MostStepsPerMeter(ComputeMostSteps(*this))
 {
 }
 

@@ -72,7 +72,7 @@ public:
   const double InverseRadius; ///< 1/KernelRadius
   /**
    * Turns a gradient per index step, over its magnitude in device space, into x_s - x_p at
-   * KernelLength: see FindReach.
+   * KernelLength: see ComputeReach.
    */
   const Matrix3 GradientToReach;
   /** x_s - x_p, as index steps, without a gradient. */
@@ -110,7 +110,7 @@ public:
                                       : this->KernelLength;
   }
   /** x_s - x_p (index steps) for a vector in its direction; as GradientToReach for cubes. */
-  Vector3 FindReach(const Vector3& direction) const noexcept
+  Vector3 ComputeReach(const Vector3& direction) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
   }
@@ -132,7 +132,7 @@ public:
   bool IsCutAway(const Vector3& world) const noexcept
   {
     return this->Baked->Cut &&
-      this->Baked->Cut->Find(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
+      this->Baked->Cut->Compute(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
   }
   /** The index steps of a displacement (m), in the finer of the images that are felt. */
   double StepsOf(const Vector3& displacement) const noexcept

@@ -15,8 +15,8 @@
 #include "Core/Math/Vector3.h"
 #include "Core/Model/BakedMode.h"
 #include "Core/Model/BakedTool.h"
-#include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticSettings.h"
+#include "Core/Model/TimeStepSeries.h"
 
 #include <cstdint>
 #include <memory>
@@ -47,17 +47,18 @@ struct HapticMaterial
 };
 
 /** The samples of a volume that moves, at an instant. */
-struct VolumeFrame
+struct VolumeTimeStep
 {
   double Time = 0.0; ///< data time, in the units of the data
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * To the next frame, on the points of View; none if it is not known, or there is no next frame.
+   * To the next time step, on the points of View; none if it is not known, or there is no next time
+   * step.
    */
   DisplacementView Displacements = {};
   std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps the displacements alive
-  /** For HapticMethod::SurfaceProxy: its isosurface, which moves to the next frame. */
+  /** For HapticMethod::SurfaceProxy: its isosurface, which moves to the next time step. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
@@ -67,16 +68,16 @@ struct HapticModelDescription
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * The frames of a volume that moves, by ascending time: at least two, or one of a Series. View is
-   * the first one, and all have its geometry. After the last frame of the series, the first one may
-   * follow again.
+   * The time steps of a volume that moves, by ascending time: at least two, or one of a Series.
+   * View is the first one, and all have its geometry. After the last time step of the series, the
+   * first one may follow again.
    */
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
   /**
-   * The series to which the frames belong, if they are a part of one; with a LoopInterval of 0,
+   * The series to which the time steps belong, if they are a part of one; with a LoopInterval of 0,
    * they are all of it.
    */
-  FrameSeries Series;
+  TimeStepSeries Series;
   Affine3 IndexToWorld;  ///< not singular
   Affine3 DeviceToWorld; ///< a similarity, world units per metre
   ForceCaps DeviceCaps;  ///< the user's caps are in Settings
@@ -101,11 +102,13 @@ struct HapticModelDescription
   double AirValue = 0.0; ///< the value of a sample without tissue
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
-   * frames, with the same material and settings: a servo continues from one to the other as on the
-   * whole.
+   * time steps, with the same material and settings: a servo continues from one to the other as on
+   * the whole.
    */
   std::uint64_t Number = 0;
-  /** The share of the force that is felt; below 1 if the samples stand in for the volume's own. */
+  /**
+   * The fraction of the force that is felt; below 1 if the samples stand in for the volume's own.
+   */
   double ResidentShare = 1.0;
 };
 

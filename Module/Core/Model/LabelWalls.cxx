@@ -25,11 +25,11 @@ struct LabelWalls::Taps
   double Value[Most + 1];
   double Slope[Most + 1];
   ///@}
-  const std::uint8_t* Shares;
+  const std::uint8_t* Fractions;
   std::int64_t Place[3][Most]; ///< the indices of the voxels
 };
 
-/** The labels around a position with their shares, and the gradients of the shares. */
+/** The labels around a position with their fractions, and the gradients of the fractions. */
 struct LabelWalls::Around
 {
   static constexpr int Most = LabelBlock::Most;
@@ -37,20 +37,20 @@ struct LabelWalls::Around
   int Count = 0;
   int Latest = 0;
   std::int64_t Labels[Most];
-  FieldSample Shares[Most];
+  FieldSample Fractions[Most];
 
   FieldSample& Find(std::int64_t label) noexcept
   {
     if (this->Count > 0 && this->Labels[this->Latest] == label)
     {
-      return this->Shares[this->Latest];
+      return this->Fractions[this->Latest];
     }
     for (int i = 0; i < this->Count; ++i)
     {
       if (this->Labels[i] == label)
       {
         this->Latest = i;
-        return this->Shares[i];
+        return this->Fractions[i];
       }
     }
     if (this->Count < Most)
@@ -58,7 +58,7 @@ struct LabelWalls::Around
       this->Latest = this->Count++;
       this->Labels[this->Latest] = label;
     }
-    return this->Shares[this->Latest];
+    return this->Fractions[this->Latest];
   }
 };
 
@@ -66,7 +66,7 @@ namespace
 {
 
 /** Weights at a position within the image; returns the first tap's index. */
-std::int64_t FindWeights(const GradientKernel& kernel, double position, double* weights) noexcept
+std::int64_t ComputeWeights(const GradientKernel& kernel, double position, double* weights) noexcept
 {
   const double place = position * GradientKernel::Intervals;
   const double whole = std::floor(place);
@@ -110,11 +110,11 @@ void LabelWalls::Gather(const VolumeView& view, const Taps& taps, Around& around
         {
           continue;
         }
-        FieldSample& share = around.Find(ToLabel(row[step[begin]]));
+        FieldSample& fraction = around.Find(ToLabel(row[step[begin]]));
         const double value = taps.Value[i] - taps.Value[begin];
         const double slope = taps.Slope[i] - taps.Slope[begin];
-        share.Value += valueZ * valueY * value;
-        share.Gradient +=
+        fraction.Value += valueZ * valueY * value;
+        fraction.Gradient +=
           { valueZ * valueY * slope, valueZ * slopeY * value, slopeZ * valueY * value };
         begin = i;
       }
@@ -143,12 +143,12 @@ void LabelWalls::GatherShared(const VolumeView& view, const Taps& taps, Around& 
         const double slopeX = taps.Weights[0][count + i];
         const auto add = [&](T label, double part)
         {
-          FieldSample& share = around.Find(ToLabel(label));
-          share.Value += part * (value * valueX);
-          share.Gradient +=
+          FieldSample& fraction = around.Find(ToLabel(label));
+          fraction.Value += part * (value * valueX);
+          fraction.Gradient +=
             { part * (slope.X * slopeX), part * (slope.Y * valueX), part * (slope.Z * valueX) };
         };
-        const std::uint8_t shared = taps.Shares[row + taps.Offset[0][i]];
+        const std::uint8_t shared = taps.Fractions[row + taps.Offset[0][i]];
         if (shared == 0)
         {
           add(*voxel, 1.0);
@@ -173,7 +173,7 @@ void LabelWalls::GatherShared(const VolumeView& view, const Taps& taps, Around& 
 }
 
 LabelWalls::LabelWalls(
-  const LabelView& view, const LabelTable& table, int radius, const std::uint8_t* shares)
+  const LabelView& view, const LabelTable& table, int radius, const std::uint8_t* fractions)
   : Kernel(GradientEstimator::Gaussian, radius, GaussianWeights::OwnDerivative,
       ScalePerCut * (radius + 1))
   , View(view.GetView())
@@ -184,14 +184,14 @@ LabelWalls::LabelWalls(
     static_cast<double>(this->View.Dimensions[2] - 1) }
   , InverseRadius(1.0 / this->Kernel.Radius)
   , Sampler(this->View, this->Kernel)
-  , Shares(shares)
-  , GatherShares(WithSampleType(this->View.Type,
-      [shares](auto sample) -> GatherFunction
-      { return shares ? &GatherShared<decltype(sample)> : &Gather<decltype(sample)>; }))
+  , Fractions(fractions)
+  , GatherFractions(WithSampleType(this->View.Type,
+      [fractions](auto sample) -> GatherFunction
+      { return fractions ? &GatherShared<decltype(sample)> : &Gather<decltype(sample)>; }))
 {
 }
 
-LabelWall LabelWalls::Find(const Vector3& index, WallMemory& memory) const noexcept
+LabelWall LabelWalls::Compute(const Vector3& index, WallMemory& memory) const noexcept
 {
   // Also false for NaN.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
@@ -200,8 +200,9 @@ LabelWall LabelWalls::Find(const Vector3& index, WallMemory& memory) const noexc
   {
     return {};
   }
-  return this->Kernel.Taps == LabelBlock::Taps && !this->Shares ? this->FindInBlock(index, memory)
-                                                                : this->FindInRuns(index);
+  return this->Kernel.Taps == LabelBlock::Taps && !this->Fractions
+    ? this->ComputeInBlock(index, memory)
+    : this->ComputeInRuns(index);
 }
 
 bool LabelWalls::Remember(const LabelBlock& block, WallMemory& memory) const noexcept
@@ -225,7 +226,7 @@ bool LabelWalls::Remember(const LabelBlock& block, WallMemory& memory) const noe
   return true;
 }
 
-LabelWall LabelWalls::FindInBlock(const Vector3& index, WallMemory& memory) const noexcept
+LabelWall LabelWalls::ComputeInBlock(const Vector3& index, WallMemory& memory) const noexcept
 {
   const std::int64_t cell[3] = { static_cast<std::int64_t>(index.X),
     static_cast<std::int64_t>(index.Y), static_cast<std::int64_t>(index.Z) };
@@ -235,41 +236,41 @@ LabelWall LabelWalls::FindInBlock(const Vector3& index, WallMemory& memory) cons
   if (!isKnown)
   {
     LabelBlock block;
-    this->Sampler.Find(index, block);
+    this->Sampler.Collect(index, block);
     std::copy_n(cell, 3, memory.Cell);
     if (!this->Remember(block, memory))
     {
       this->Sampler.Weigh(index, weights);
       return this->FindNearest(block.Count, block.Label,
-        [&](int i) { return this->Sampler.Share(weights, block.Planes[i]); });
+        [&](int i) { return this->Sampler.Fraction(weights, block.Planes[i]); });
     }
   }
   if (!memory.HasWall)
   {
     return {};
   }
-  FieldSample share;
+  FieldSample fraction;
   if (memory.HasSteps)
   {
-    share = this->Sampler.Share(index, memory.Steps);
+    fraction = this->Sampler.Fraction(index, memory.Steps);
   }
   else
   {
     this->Sampler.Weigh(index, weights);
-    share = this->Sampler.Share(weights, memory.Planes);
+    fraction = this->Sampler.Fraction(weights, memory.Planes);
   }
-  return { true, 2.0 * share.Value - 1.0, 2.0 * share.Gradient };
+  return { true, 2.0 * fraction.Value - 1.0, 2.0 * fraction.Gradient };
 }
 
-LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
+LabelWall LabelWalls::ComputeInRuns(const Vector3& index) const noexcept
 {
   Taps taps;
   taps.Count = this->Kernel.Taps;
-  taps.Shares = this->Shares;
+  taps.Fractions = this->Fractions;
   const double position[3] = { index.X, index.Y, index.Z };
   for (int a = 0; a < 3; ++a)
   {
-    const std::int64_t first = FindWeights(this->Kernel, position[a], taps.Weights[a]);
+    const std::int64_t first = ComputeWeights(this->Kernel, position[a], taps.Weights[a]);
     const std::int64_t last = this->View.Dimensions[a] - 1;
     for (int i = 0; i < taps.Count; ++i)
     {
@@ -284,16 +285,17 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
     taps.Slope[i + 1] = taps.Slope[i] + taps.Weights[0][taps.Count + i];
   }
   Around around;
-  this->GatherShares(this->View, taps, around);
+  this->GatherFractions(this->View, taps, around);
   return this->FindNearest(
-    around.Count, around.Labels, [&](int i) -> const FieldSample& { return around.Shares[i]; });
+    around.Count, around.Labels, [&](int i) -> const FieldSample& { return around.Fractions[i]; });
 }
 
 template <typename F>
-LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept
+LabelWall LabelWalls::FindNearest(
+  int count, const std::int64_t* labels, F&& fraction) const noexcept
 {
-  // Sort the labels, hardest first. A wall is where the shares of the hardest ones add up to 1/2,
-  // if the next label has a lower order. Find the nearest wall.
+  // Sort the labels, hardest first. A wall is where the fractions of the hardest ones add up to
+  // 1/2, if the next label has a lower order. Find the nearest wall.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
   for (int i = 0; i < count; ++i)
@@ -311,7 +313,7 @@ LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& sha
   double nearest = 2.0;
   for (int i = 0; i + 1 < count; ++i)
   {
-    const FieldSample& part = share(sorted[i]);
+    const FieldSample& part = fraction(sorted[i]);
     sum += part.Value;
     gradient += part.Gradient;
     const double value = 2.0 * sum - 1.0;

@@ -4,23 +4,23 @@
  * @file
  * Walls between labels, straight from the label image: no distance field, no smoothing beforehand.
  *
- * The share of a set of labels around a position x,
+ * The fraction of a set of labels around a position x,
  *
  *   u(x) = sum of w(x - x_i) over the voxels i of the set,   sum of all w = 1,
  *
  * with the weights of the Gaussian kernel (GradientKernel.h), is smooth although labels are not.
  * Labels have an order (LabelTable::OrderOf), and a set is that of a label and all harder ones.
- * Where this set and the remaining labels have equal shares, there is a wall; u_in - u_out = 2 u -
- * 1 is its value and the gradient of that its normal, into the harder side. The sets are nested, so
- * that walls never cross. Near several walls, the nearest counts.
+ * Where this set and the remaining labels have equal fractions, there is a wall; u_in - u_out = 2 u
+ * - 1 is its value and the gradient of that its normal, into the harder side. The sets are nested,
+ * so that walls never cross. Near several walls, the nearest counts.
  *
  * The kernel is wider than that of gradients, and cut at r + 1 voxels of the label image for a
  * radius r: its standard deviation is s = 0.355 (r + 1), 1.4 voxels for r = 3. A wall on a ball of
  * radius R lies s^2 / R inside it, and a sheet thinner than 1.35 s between equal labels has no
  * wall.
  *
- * In FineLabels, which resolve boundaries within voxels, each voxel counts with the shares of its
- * two labels.
+ * In FineLabels, which resolve boundaries within voxels, each voxel counts with the fractions of
+ * its two labels.
  */
 #ifndef LabelWalls_h
 #define LabelWalls_h
@@ -64,21 +64,21 @@ class LabelWalls
 {
 public:
   /**
-   * `radius` (voxels of the label image) is the kernel's. `shares`, if any, belong to the
+   * `radius` (voxels of the label image) is the kernel's. `fractions`, if any, belong to the
    * FineLabels with this view.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
-    const std::uint8_t* shares = nullptr);
+    const std::uint8_t* fractions = nullptr);
   LabelWalls(const LabelWalls&) = delete;
   LabelWalls& operator=(const LabelWalls&) = delete;
 
   ///@{
   /** The wall at an index of the label image; none outside the image. */
-  LabelWall Find(const Vector3& index, WallMemory& memory) const noexcept;
-  LabelWall Find(const Vector3& index) const noexcept
+  LabelWall Compute(const Vector3& index, WallMemory& memory) const noexcept;
+  LabelWall Compute(const Vector3& index) const noexcept
   {
     WallMemory memory;
-    return this->Find(index, memory);
+    return this->Compute(index, memory);
   }
   ///@}
 
@@ -116,13 +116,13 @@ private:
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
-  LabelWall FindInBlock(const Vector3& index, WallMemory& memory) const noexcept;
+  LabelWall ComputeInBlock(const Vector3& index, WallMemory& memory) const noexcept;
   /** Returns false if there are more than two labels. */
   bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
-  LabelWall FindInRuns(const Vector3& index) const noexcept;
-  /** The nearest wall; share(i) is the share of the label i and its gradient. */
+  LabelWall ComputeInRuns(const Vector3& index) const noexcept;
+  /** The nearest wall; fraction(i) is the fraction of the label i and its gradient. */
   template <typename F>
-  LabelWall FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept;
+  LabelWall FindNearest(int count, const std::int64_t* labels, F&& fraction) const noexcept;
 
   const GradientKernel Kernel;
   const VolumeView View;
@@ -131,8 +131,8 @@ private:
   Vector3 Last;               ///< the largest index along each axis
   const double InverseRadius;
   const LabelSampler Sampler; ///< for the default radius of 3, which has LabelBlock::Taps
-  const std::uint8_t* const Shares;
-  GatherFunction GatherShares; ///< for other radii, and for voxels with shares
+  const std::uint8_t* const Fractions;
+  GatherFunction GatherFractions; ///< for other radii, and for voxels with shares
 };
 
 } // namespace VolumeHaptics

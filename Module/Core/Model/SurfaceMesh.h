@@ -4,8 +4,8 @@
  * @file
  * Triangles in the world, with an immutable tree of boxes that finds those nearby.
  *
- * The triangles of a moving surface go to their places in the next frame along straight ways, and
- * the boxes contain these ways.
+ * The triangles of a moving surface go to their places in the next time step along straight ways,
+ * and the boxes contain these ways.
  *
  * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. Each
  * box that they visit counts against a budget; they return false if the budget is spent.
@@ -39,7 +39,7 @@ public:
   /**
    * Triangles are given by indices into points (world units). `normals` are unit normals of the
    * points, for shading, or empty. Triangles without an area, or with a corner that is not finite,
-   * are left out. `motions` are the points' motions until the next frame, or empty.
+   * are left out. `motions` are the points' motions until the next time step, or empty.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals, std::vector<Vector3> motions = {});
@@ -51,21 +51,21 @@ public:
   bool HasNormals() const noexcept { return !this->Normals.empty(); }
   std::size_t GetMemorySize() const noexcept;
 
-  /** @param share fraction of the way to the next frame, 0 to 1 */
-  Triangle GetTriangle(std::int32_t i, double share = 0.0) const noexcept
+  /** @param fraction fraction of the way to the next time step, 0 to 1 */
+  Triangle GetTriangle(std::int32_t i, double fraction = 0.0) const noexcept
   {
     const Indices& corners = this->Triangles[i];
     Triangle triangle{ { this->Points[corners[0]], this->Points[corners[1]],
       this->Points[corners[2]] } };
-    for (int c = 0; c < 3 && share != 0.0 && !this->Motions.empty(); ++c)
+    for (int c = 0; c < 3 && fraction != 0.0 && !this->Motions.empty(); ++c)
     {
-      triangle.Corner[c] += share * this->Motions[corners[c]];
+      triangle.Corner[c] += fraction * this->Motions[corners[c]];
     }
     return triangle;
   }
   const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
-  /** The longest way of any point to the next frame (world units). */
+  /** The longest way of any point to the next time step (world units). */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;

@@ -14,11 +14,11 @@ constexpr int Bins = 128;
 constexpr int Cells = Bins * Bins;
 constexpr double BlurBins = 3.0; // of the histogram, standard deviation
 /** Two peaks are one if the saddle between them is higher than this fraction of the lower one. */
-constexpr double SaddleShare = 0.6;
-constexpr double LeastShare = 0.02;
+constexpr double SaddleFraction = 0.6;
+constexpr double LeastFraction = 0.02;
 constexpr std::size_t LeastLines = 8;
-/** The axis is logarithmic from this share of the largest value on. */
-constexpr double LinearShare = 0.05;
+/** The axis is logarithmic from this fraction of the largest value on. */
+constexpr double LinearFraction = 0.05;
 constexpr double NoiseReach = 4.0; // standard deviations
 
 using Histogram = std::vector<double>;
@@ -29,15 +29,15 @@ struct Weighted
   double Weight;
 };
 
-/** The value below which this share of the weight lies. */
-double Quantile(std::vector<Weighted> values, double share)
+/** The value below which this fraction of the weight lies. */
+double Quantile(std::vector<Weighted> values, double fraction)
 {
   std::sort(values.begin(), values.end(),
     [](const Weighted& a, const Weighted& b) { return a.Value < b.Value; });
   double left = 0.0;
   for (const Weighted& value : values)
   {
-    left += share * value.Weight;
+    left += fraction * value.Weight;
   }
   for (const Weighted& value : values)
   {
@@ -116,7 +116,7 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
       const bool isLower = histogram[peak] < histogram[best];
       const int lower = isLower ? peak : best;
       const int higher = isLower ? best : peak;
-      if (histogram[cell] > SaddleShare * histogram[lower])
+      if (histogram[cell] > SaddleFraction * histogram[lower])
       {
         parent[lower] = higher;
       }
@@ -153,18 +153,18 @@ double MeasureWidth(const std::vector<const EdgeLine*>& lines)
   const auto wide = static_cast<std::size_t>(
     std::count_if(lines.begin(), lines.end(), [](const EdgeLine* line) { return line->IsWide; }));
   const bool onlyWide = wide >= LeastLines;
-  std::vector<double> slope(EdgeLine::Shares, 0.0);
-  std::vector<double> bend(EdgeLine::Shares, 0.0);
+  std::vector<double> slope(EdgeLine::Fractions, 0.0);
+  std::vector<double> bend(EdgeLine::Fractions, 0.0);
   for (const EdgeLine* line : lines)
   {
     if (onlyWide && !line->IsWide)
     {
       continue;
     }
-    for (int k = 0; k < EdgeLine::Shares; ++k)
+    for (int k = 0; k < EdgeLine::Fractions; ++k)
     {
       // The edge falls back as it has risen.
-      const int mirrored = EdgeLine::Shares - 1 - k;
+      const int mirrored = EdgeLine::Fractions - 1 - k;
       slope[k] += line->Slope[k] + line->Slope[mirrored];
       bend[k] += line->Curvature[k] - line->Curvature[mirrored];
     }
@@ -188,13 +188,13 @@ Boundary Describe(const std::vector<const EdgeLine*>& lines, const Vector3& midd
     rise.push_back({ line->High - line->Low, line->Weight });
     boundary.Blur += line->Blur / static_cast<double>(lines.size());
     boundary.Voxel += line->Voxel / static_cast<double>(lines.size());
-    boundary.Share += line->Weight;
+    boundary.Fraction += line->Weight;
     inward += Dot(middle - line->Centre, line->Ahead) > 0.0 ? line->Weight : 0.0;
   }
   boundary.Low = Quantile(low, 0.5);
   boundary.High = Quantile(high, 0.5);
   boundary.LeastRise = Quantile(rise, 0.25);
-  boundary.Inward = inward / boundary.Share;
+  boundary.Inward = inward / boundary.Fraction;
   const double width = MeasureWidth(lines);
   boundary.Width = std::sqrt(std::max(0.0, width * width - boundary.Blur));
   return boundary;
@@ -218,7 +218,7 @@ ValueAxis::ValueAxis(const std::vector<EdgeLine>& lines, double noise)
   constexpr double rare = 0.002;
   const double first = Quantile(low, rare);
   const double last = Quantile(high, 1.0 - rare);
-  const double linear = LinearShare * last;
+  const double linear = LinearFraction * last;
   this->Scale = first >= -std::max(NoiseReach * noise, linear) ? linear : 0.0;
   this->First = (*this)(first);
   this->Last = (*this)(last);
@@ -230,7 +230,7 @@ double ValueAxis::operator()(double value) const noexcept
 }
 
 //------------------------------------------------------------------------------
-std::vector<Boundary> FindBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis)
+std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis)
 {
   // The histogram is somewhat larger than the values, so that its blur stays inside.
   const double origin = axis.First - 0.1 * axis.Span();
@@ -266,14 +266,14 @@ std::vector<Boundary> FindBoundaries(const std::vector<EdgeLine>& lines, const V
       continue;
     }
     Boundary boundary = Describe(cluster, middle);
-    boundary.Share /= total;
-    if (boundary.Share >= LeastShare)
+    boundary.Fraction /= total;
+    if (boundary.Fraction >= LeastFraction)
     {
       boundaries.push_back(boundary);
     }
   }
   std::sort(boundaries.begin(), boundaries.end(),
-    [](const Boundary& a, const Boundary& b) { return a.Share > b.Share; });
+    [](const Boundary& a, const Boundary& b) { return a.Fraction > b.Fraction; });
   return boundaries;
 }
 

@@ -29,8 +29,8 @@ struct Boundary
   double Blur = 0.0;
   double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
   /** Share of the area of all boundaries. */
-  double Share = 0.0;
-  /** The share of the lines that are brighter towards the middle of all edges. */
+  double Fraction = 0.0;
+  /** The fraction of the lines that are brighter towards the middle of all edges. */
   double Inward = 0.0;
 };
 
@@ -53,8 +53,8 @@ private:
   double Scale = 0.0; ///< logarithmic from here on; 0: linear
 };
 
-/** In descending order of their shares; boundaries with hardly any lines are left out. */
-std::vector<Boundary> FindBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
+/** In descending order of their fractions; boundaries with hardly any lines are left out. */
+std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
 
 } // namespace VolumeHaptics
 

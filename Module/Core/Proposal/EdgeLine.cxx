@@ -17,17 +17,17 @@ constexpr int Reach = 48; // steps to either side
 /** Steps of a plateau over which its value is averaged. */
 constexpr int PlateauSteps = 8;
 /** A plateau begins where the slope is this fraction of the largest one, or noise. */
-constexpr double PlateauShare = 0.03;
+constexpr double PlateauFraction = 0.03;
 /**
  * Recognizes a plateau that drifts, for example because of a bias field: its slope is below
- * DriftShare of the largest slope, and still more than DriftFall of the slope DriftSteps earlier
+ * DriftFraction of the largest slope, and still more than DriftFall of the slope DriftSteps earlier
  * (one voxel).
  */
-constexpr double DriftShare = 0.15;
+constexpr double DriftFraction = 0.15;
 constexpr double DriftFall = 0.9;
 constexpr int DriftSteps = 4;
-/** Another edge begins where the slope rises again by this share of the largest one. */
-constexpr double RiseShare = 0.25;
+/** Another edge begins where the slope rises again by this fraction of the largest one. */
+constexpr double RiseFraction = 0.25;
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int MostClimbs = 16; // steps, from the slope of an edge to where it is steepest
 
@@ -131,7 +131,7 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
   const int sign = side == 0 ? -1 : 1;
   const double peak = profile.At(0).Slope;
   const double perVoxel = ray.StepLength * StepsPerVoxel;
-  const double flat = std::max(this->Thresholds.Flat / perVoxel, PlateauShare * peak);
+  const double flat = std::max(this->Thresholds.Flat / perVoxel, PlateauFraction * peak);
   double lowest = peak;
   int lowestAt = 0;
   double sum = 0.0;
@@ -167,13 +167,13 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
         break;
       }
     }
-    else if (i > DriftSteps && slope < DriftShare * peak &&
+    else if (i > DriftSteps && slope < DriftFraction * peak &&
       slope > DriftFall * profile.At(sign * (i - DriftSteps)).Slope)
     {
       profile.Plateau[side] = sample.Value;
       return true;
     }
-    else if (slope > lowest + std::max(2.0 * flat, RiseShare * peak))
+    else if (slope > lowest + std::max(2.0 * flat, RiseFraction * peak))
     {
       profile.IsWide[side] = false;
       profile.End[side] = lowestAt;
@@ -214,30 +214,30 @@ double Curvature(const Profile& profile, int step, double length)
   return to > from ? (profile.At(to).Slope - profile.At(from).Slope) / ((to - from) * length) : 0.0;
 }
 
-/** Slope and curvature of a profile against the share of its rise. */
+/** Slope and curvature of a profile against the fraction of its rise. */
 template <typename Profile>
-bool KeepShares(const Profile& profile, double length, EdgeLine& line)
+bool KeepFractions(const Profile& profile, double length, EdgeLine& line)
 {
   const double rise = line.High - line.Low;
   const auto shareAt = [&](int step) { return (profile.At(step).Value - line.Low) / rise; };
   const double middle = shareAt(0);
-  for (int k = 0; k < EdgeLine::Shares; ++k)
+  for (int k = 0; k < EdgeLine::Fractions; ++k)
   {
-    const double share = (k + 0.5) / EdgeLine::Shares;
-    const int sign = share < middle ? -1 : 1;
+    const double fraction = (k + 0.5) / EdgeLine::Fractions;
+    const int sign = fraction < middle ? -1 : 1;
     const int end = sign < 0 ? profile.End[0] : profile.End[1];
     int step = 0;
-    while (step < end && sign * (shareAt(sign * step) - share) < 0.0)
+    while (step < end && sign * (shareAt(sign * step) - fraction) < 0.0)
     {
       ++step;
     }
-    if (step == 0 || sign * (shareAt(sign * step) - share) < 0.0)
+    if (step == 0 || sign * (shareAt(sign * step) - fraction) < 0.0)
     {
       return false;
     }
     const int to = sign * step;
     const int from = sign * (step - 1);
-    const double u = (share - shareAt(from)) / (shareAt(to) - shareAt(from));
+    const double u = (fraction - shareAt(from)) / (shareAt(to) - shareAt(from));
     const double slope = (1.0 - u) * profile.At(from).Slope + u * profile.At(to).Slope;
     const double curvature =
       (1.0 - u) * Curvature(profile, from, length) + u * Curvature(profile, to, length);
@@ -284,7 +284,7 @@ bool EdgeTracer::Trace(const Vector3& index, EdgeLine& line) const noexcept
   const Vector3 blur = Transpose(this->IndexToWorld) * line.Ahead;
   line.Blur = this->Variance * Dot(blur, blur);
   line.Voxel = ray.StepLength / Norm(ray.Step);
-  return KeepShares(profile, ray.StepLength, line);
+  return KeepFractions(profile, ray.StepLength, line);
 }
 
 //------------------------------------------------------------------------------

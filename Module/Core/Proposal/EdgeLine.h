@@ -6,9 +6,9 @@
  * between them.
  *
  * The values at both ends of the line, low and high, are those of an LH histogram. Slope and
- * curvature (the first and the second derivative along the line) are kept against the share of the
- * rise, (V - low) / (high - low), and divided by high - low. So the lines of one boundary can be
- * averaged wherever each of them crosses it, and a multiplicative bias has no effect on them.
+ * curvature (the first and the second derivative along the line) are kept against the fraction of
+ * the rise, (V - low) / (high - low), and divided by high - low. So the lines of one boundary can
+ * be averaged wherever each of them crosses it, and a multiplicative bias has no effect on them.
  *
  * Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
  * rendering", 1998, look at edges against their values; Sereda et al., "Visualization of boundaries
@@ -27,8 +27,8 @@ namespace VolumeHaptics
 
 struct EdgeLine
 {
-  /** The shares of the rise at which slope and curvature are kept are (k + 1/2) / Shares. */
-  static constexpr int Shares = 24;
+  /** The fractions of the rise at which slope and curvature are kept are (k + 1/2) / Fractions. */
+  static constexpr int Fractions = 24;
 
   double Low = 0.0;
   double High = 0.0;
@@ -46,9 +46,9 @@ struct EdgeLine
   double Blur = 0.0;
   double Voxel = 1.0; ///< the length of a voxel along the line (world units)
   /** First derivative / (High - Low), per world unit. */
-  std::array<float, Shares> Slope{};
+  std::array<float, Fractions> Slope{};
   /** Second derivative / (High - Low), per world unit squared. */
-  std::array<float, Shares> Curvature{};
+  std::array<float, Fractions> Curvature{};
 };
 
 /** The noise of a field, as slopes per voxel. */

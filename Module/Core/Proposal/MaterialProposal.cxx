@@ -14,18 +14,19 @@ namespace
 constexpr double LeastSalience = 0.03; // fraction of area times rise of all boundaries
 constexpr double Salient = 0.1;
 /** Values closer than this fraction of the axis are one material. */
-constexpr double MergeShare = 0.06;
-constexpr double StartShare = 0.2; // fraction of the slope of the weakest boundary: distinctness 0
-constexpr double FullShare = 0.5;  // as StartShare: distinctness 1
+constexpr double MergeFraction = 0.06;
+// Fraction of the slope of the weakest boundary: distinctness 0.
+constexpr double StartFraction = 0.2;
+constexpr double FullFraction = 0.5; // as StartFraction: distinctness 1
 /**
  * The strength rises over this fraction of the gap from the end of a noisy background to the next
  * material.
  */
-constexpr double EmptyShare = 0.15;
+constexpr double EmptyFraction = 0.15;
 /** Boundaries are felt if the noise lies below this fraction of their slope. */
-constexpr double NoiseShare = 0.4;
+constexpr double NoiseFraction = 0.4;
 /** Fraction of the gap to the next material over which a material is constant. */
-constexpr double ConstantShare = 0.2;
+constexpr double ConstantFraction = 0.2;
 /** V has reached 97.7 % of a material two widths behind the middle of its boundary. */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;
@@ -43,7 +44,7 @@ constexpr double Viscosity[2] = { 0.1, 0.4 }; // N
 
 double Salience(const Boundary& boundary)
 {
-  return boundary.Share * (boundary.High - boundary.Low);
+  return boundary.Fraction * (boundary.High - boundary.Low);
 }
 
 /** The largest slope (per world unit) of a boundary as a kernel's estimate shows it. */
@@ -109,7 +110,7 @@ std::vector<double> MergeEnds(
     {
       closest = gap(i) < gap(closest) ? i : closest;
     }
-    if (gap(closest) > MergeShare * axis.Span())
+    if (gap(closest) > MergeFraction * axis.Span())
     {
       break;
     }
@@ -168,9 +169,9 @@ Polyline Blend(const std::vector<double>& values, const std::vector<double>& qua
   {
     const double below = i > 0 ? values[i] - values[i - 1] : 0.0;
     const double above = i + 1 < values.size() ? values[i + 1] - values[i] : 0.0;
-    line.push_back({ values[i] - ConstantShare * (i > 0 ? below : above), quantity[i] });
+    line.push_back({ values[i] - ConstantFraction * (i > 0 ? below : above), quantity[i] });
     line.push_back(
-      { values[i] + ConstantShare * (i + 1 < values.size() ? above : below), quantity[i] });
+      { values[i] + ConstantFraction * (i + 1 < values.size() ? above : below), quantity[i] });
   }
   return line;
 }
@@ -245,9 +246,9 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   const bool isDark = proposal.Side == ProposedSide::Higher;
   const double end = *facts.BackgroundEnd;
   const double next = isDark ? values[1] : values[values.size() - 2];
-  const double rise = EmptyShare * (next - end);
+  const double rise = EmptyFraction * (next - end);
   const double full = end + rise;
-  const double constant = next - ConstantShare * (next - outside); // where the next material is
+  const double constant = next - ConstantFraction * (next - outside); // where the next material is
   const auto empty = [&](Polyline& line, double from, double to)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
   empty(proposal.SurfaceStrength, end, full);
@@ -316,7 +317,7 @@ MaterialProposal ProposeMaterials(
   const auto slope = [&](const Boundary& boundary)
   { return FeltSlope(boundary, proposal.KernelRadius, facts.SearchVariance); };
   const auto isNoise = [&](const Boundary& boundary)
-  { return noise > NoiseShare * slope(boundary); };
+  { return noise > NoiseFraction * slope(boundary); };
   salient.erase(std::remove_if(salient.begin(), salient.end(), isNoise), salient.end());
   if (salient.empty())
   {
@@ -345,8 +346,8 @@ MaterialProposal ProposeMaterials(
   proposal.Side = ChooseSide(proposal, sides);
   FillFunctions(proposal, sides);
   EmptyBackground(proposal, facts);
-  proposal.Distinctness = { { std::max(noise, StartShare * weakest), 0.0 },
-    { FullShare * weakest, 1.0 } };
+  proposal.Distinctness = { { std::max(noise, StartFraction * weakest), 0.0 },
+    { FullFraction * weakest, 1.0 } };
   return proposal;
 }
 

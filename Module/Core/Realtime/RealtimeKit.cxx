@@ -70,7 +70,7 @@ struct Library
   unsigned (*Send)(Connection*, Message*, PendingCall**, int timeout) = nullptr;
   unsigned (*Dispatch)(Connection*, int timeout) = nullptr;
   unsigned (*IsCompleted)(PendingCall*) = nullptr;
-  Message* (*TakeReply)(PendingCall*) = nullptr;
+  Message* (*ReceiveReply)(PendingCall*) = nullptr;
   void (*Cancel)(PendingCall*) = nullptr;
   void (*ReleaseCall)(PendingCall*) = nullptr;
   Message* (*NewCall)(
@@ -108,7 +108,7 @@ private:
       find(this->Send, "dbus_connection_send_with_reply") &&
       find(this->Dispatch, "dbus_connection_read_write_dispatch") &&
       find(this->IsCompleted, "dbus_pending_call_get_completed") &&
-      find(this->TakeReply, "dbus_pending_call_steal_reply") &&
+      find(this->ReceiveReply, "dbus_pending_call_steal_reply") &&
       find(this->Cancel, "dbus_pending_call_cancel") &&
       find(this->ReleaseCall, "dbus_pending_call_unref") &&
       find(this->NewCall, "dbus_message_new_method_call") &&
@@ -265,7 +265,7 @@ private:
     Message* reply = nullptr;
     if (this->Functions.IsCompleted(call))
     {
-      reply = this->Functions.TakeReply(call);
+      reply = this->Functions.ReceiveReply(call);
     }
     else
     {

@@ -42,7 +42,7 @@ struct SchedulingAttributes
   std::uint64_t Period = 0;
 };
 
-void TakeShortSlices() noexcept
+void RequestShortSlices() noexcept
 {
   SchedulingAttributes attributes;
   if (syscall(SYS_sched_getattr, 0, &attributes, sizeof(attributes), 0) == 0)
@@ -100,7 +100,7 @@ bool ServoPriority::RaiseThread() noexcept
   {
     return true;
   }
-  TakeShortSlices();
+  RequestShortSlices();
 #endif
   return false;
 }

@@ -13,7 +13,7 @@
  * 2. RealtimeKit, if the kernel refuses: see RealtimeKit.h.
  * 3. In any case the settings that need no privilege: wake-ups that are not delayed to save energy,
  *    and short time slices. With these, on Linux 6.12 and later, a thread that needs less than its
- *    share of a processor runs as soon as it wakes up. Otherwise it may have to wait until the
+ *    fraction of a processor runs as soon as it wakes up. Otherwise it may have to wait until the
  *    slice of a busy thread ends, which takes milliseconds.
  *
  * Documentation/devices.md has measurements.

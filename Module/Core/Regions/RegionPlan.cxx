@@ -15,8 +15,8 @@ constexpr double Longest = 1e12;
 constexpr double LeastWidth = 16.0;
 constexpr int MostHalvings = 60;
 constexpr double LeastRoom = 0.5;
-constexpr double RisingShare = 0.5;
-constexpr double FallingShare = 0.1;
+constexpr double RisingFraction = 0.5;
+constexpr double FallingFraction = 0.1;
 
 double Length(double value) noexcept
 {
@@ -31,7 +31,7 @@ struct Cube
 };
 
 /** The cube around a position (world); around the volume's middle if the position is not finite. */
-Cube FindCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
+Cube ComputeCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
 {
   const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
   const double place[3] = { at.X, at.Y, at.Z };
@@ -99,7 +99,7 @@ double FindRoom(const WholeGeometry& whole, const Cube& cube, const int region[6
 
 } // namespace
 
-double FindHalfWidth(const RegionNeeds& needs) noexcept
+double ComputeHalfWidth(const RegionNeeds& needs) noexcept
 {
   return Length(needs.MaximumSpeed) * std::min(Length(needs.Latency), MostLatency) +
     Length(needs.SpringLength) + Length(needs.Reach) + Length(needs.Band);
@@ -124,10 +124,10 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
     // A speed that is not finite counts as zero.
     const Vector3 shift =
       std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
-    return FindCube(whole, inverse, tip + shift);
+    return ComputeCube(whole, inverse, tip + shift);
   };
   const double limit = needs.MostVoxels > LeastVoxels ? needs.MostVoxels : LeastVoxels;
-  double half = FindHalfWidth(needs);
+  double half = ComputeHalfWidth(needs);
   const bool isWhole = CountVoxels(whole.Extent) <= limit;
   if (!isWhole && Cut(whole, place(half), half, wanted) > limit)
   {
@@ -155,14 +155,14 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   return !isSame && now < enough;
 }
 
-double FindSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
+double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept
 {
   if (IsEmpty(whole.Extent) || IsEmpty(region))
   {
     return -Longest;
   }
-  const Cube cube = FindCube(whole, Inverse(whole.IndexToWorld.Linear), tip);
+  const Cube cube = ComputeCube(whole, Inverse(whole.IndexToWorld.Linear), tip);
   return FindRoom(whole, cube, region) - Length(needs.SpringLength) - Length(needs.Reach) -
     Length(needs.Band);
 }
@@ -174,8 +174,8 @@ double SmoothLatency(double latency, double measured) noexcept
     return latency;
   }
   const double sample = std::min(measured, MostLatency);
-  const double share = sample > latency ? RisingShare : FallingShare;
-  return latency + share * (sample - latency);
+  const double fraction = sample > latency ? RisingFraction : FallingFraction;
+  return latency + fraction * (sample - latency);
 }
 
 } // namespace VolumeHaptics

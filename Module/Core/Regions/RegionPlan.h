@@ -53,7 +53,7 @@ struct RegionNeeds
 constexpr double LeastVoxels = 4096.0;
 
 /** h above; finite, and 0 or more, for any needs. */
-double FindHalfWidth(const RegionNeeds& needs) noexcept;
+double ComputeHalfWidth(const RegionNeeds& needs) noexcept;
 
 /**
  * Computes the wanted region, as indices, for a tip (world) with a velocity (world units per
@@ -72,7 +72,7 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
  * volume's own, less T_N/k + r + b. If it is negative, a tick there may lack samples; it is very
  * negative for an empty region, and very large for a whole one.
  */
-double FindSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
+double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;
 
 /**

@@ -15,7 +15,7 @@ namespace
  * The reach of a tool with a shape, in addition to the method's: its points around its origin, and
  * their material a kernel length farther.
  */
-Vector3 FindToolReach(const HapticModel& model) noexcept
+Vector3 ComputeToolReach(const HapticModel& model) noexcept
 {
   const BakedTool* const tool = model.Baked->Tool.get();
   if (!tool || tool->GetReach() < 0.0)
@@ -30,12 +30,12 @@ Vector3 FindToolReach(const HapticModel& model) noexcept
 
 } // namespace
 
-Vector3 FindReadReach(const HapticModel& model) noexcept
+Vector3 ComputeReadReach(const HapticModel& model) noexcept
 {
-  return GetMethod(model.Baked->Settings).Reach(model) + FindToolReach(model);
+  return GetMethod(model.Baked->Settings).Reach(model) + ComputeToolReach(model);
 }
 
-bool FindReadBox(
+bool ComputeReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
@@ -46,7 +46,7 @@ bool FindReadBox(
     return false;
   }
   box.Low = box.High = model.DeviceToIndex(tip);
-  box.Margin = FindReadReach(model);
+  box.Margin = ComputeReadReach(model);
   const Method& method = GetMethod(settings);
   if (state.Enabled && method.HasProxy)
   {
@@ -60,11 +60,12 @@ bool FindReadBox(
   return true;
 }
 
-double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
+double ComputeResidency(
+  const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
 {
   ReadBox box;
-  return !model.Resident.IsWhole() && FindReadBox(model, state, tip, box)
-    ? model.Resident.Find(box.Low, box.High, box.Margin)
+  return !model.Resident.IsWhole() && ComputeReadBox(model, state, tip, box)
+    ? model.Resident.Compute(box.Low, box.High, box.Margin)
     : 1.0;
 }
 

@@ -27,17 +27,17 @@ namespace VolumeHaptics
 /**
  * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
  */
-Vector3 FindReadReach(const HapticModel& model) noexcept;
+Vector3 ComputeReadReach(const HapticModel& model) noexcept;
 
 /**
  * Computes the samples that are read by the tick that takes a state to a tip (device); false if
  * the tick reads none.
  */
-bool FindReadBox(
+bool ComputeReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;
 
 /** The residency of the tick that takes a state to a tip (device): 0 to 1. */
-double FindResidency(
+double ComputeResidency(
   const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept;
 
 } // namespace VolumeHaptics

@@ -52,7 +52,7 @@ void DriftLine::FitFrom(int first) noexcept
   this->Spread = { std::sqrt(residual.X), std::sqrt(residual.Y), std::sqrt(residual.Z) };
 }
 
-Vector3 DriftLine::FindSurprise() noexcept
+Vector3 DriftLine::ComputeSurprise() noexcept
 {
   this->FitFrom(0);
   Vector3 largest;

@@ -36,7 +36,7 @@ public:
    * The largest distance (m) of the newer tips, along each axis, from a line through the older
    * ones. Call it only when all places are full.
    */
-  Vector3 FindSurprise() noexcept;
+  Vector3 ComputeSurprise() noexcept;
 
   /** Fits the line to the newest tips. Call it only when all places are full. */
   void Fit() noexcept { this->FitFrom(Capacity - Fitted); }

@@ -32,7 +32,7 @@ void EnergyObserver::Excuse() noexcept
   this->HasPeak = false;
 }
 
-void EnergyObserver::NoteSent(const Vector3& force, double wallWork) noexcept
+void EnergyObserver::RecordSent(const Vector3& force, double wallWork) noexcept
 {
   this->Energy -= wallWork;
   this->WallWork += std::abs(wallWork);
@@ -57,10 +57,10 @@ bool EnergyObserver::Observe(const Vector3& tip, double time) noexcept
   this->Path += Norm(motion);
   this->Energy += Dot(force, motion);
   this->Force = Norm(force);
-  return this->FollowEnergy();
+  return this->UpdateEnergy();
 }
 
-bool EnergyObserver::FollowEnergy() noexcept
+bool EnergyObserver::UpdateEnergy() noexcept
 {
   const double ahead = (this->Rises ? 1.0 : -1.0) * (this->Energy - this->Extreme.Energy);
   if (ahead >= 0.0)

@@ -108,7 +108,7 @@ public:
    * Records, in every tick, the force (N) until the next one, without its purely dissipative part,
    * and the work (J) of a wall that moves.
    */
-  void NoteSent(const Vector3& force, double wallWork = 0.0) noexcept;
+  void RecordSent(const Vector3& force, double wallWork = 0.0) noexcept;
 
   /**
    * The energy (J) that the port itself has given since Reset; below zero, the hand has put it in.
@@ -130,7 +130,7 @@ private:
   {
     return { this->Time, this->Tip, this->Energy, this->Path, this->WallWork };
   }
-  bool FollowEnergy() noexcept;
+  bool UpdateEnergy() noexcept;
   bool CountCycle(const Instant& from, const Instant& to, double low) noexcept;
   bool IsGiving(std::size_t cycles, double leastGain) const noexcept;
 

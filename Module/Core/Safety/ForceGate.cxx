@@ -119,7 +119,7 @@ bool ForceGate::SetClutched(bool clutched) noexcept
   return returns;
 }
 
-void ForceGate::NoteSilence() noexcept
+void ForceGate::ReportSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
   {
@@ -129,7 +129,7 @@ void ForceGate::NoteSilence() noexcept
   }
 }
 
-void ForceGate::NoteUnstable() noexcept
+void ForceGate::ReportUnstable() noexcept
 {
   if (this->IsOpen())
   {
@@ -144,13 +144,13 @@ void ForceGate::EndInFault(GateReason fault) noexcept
   this->Settle();
 }
 
-void ForceGate::NoteNotReady() noexcept
+void ForceGate::ReportNotReady() noexcept
 {
   this->Returns = false;
   this->Shut(GateReason::NotReady);
 }
 
-void ForceGate::NoteData(double residency, double period) noexcept
+void ForceGate::ReportData(double residency, double period) noexcept
 {
   const double step = period / FadeTime;
   const double wanted = this->IsClosing() ? 0.0 : residency;
@@ -160,7 +160,7 @@ void ForceGate::NoteData(double residency, double period) noexcept
   this->Data = residency;
 }
 
-void ForceGate::NoteFault(GateReason fault) noexcept
+void ForceGate::ReportFault(GateReason fault) noexcept
 {
   if (this->IsOpen())
   {
@@ -169,7 +169,7 @@ void ForceGate::NoteFault(GateReason fault) noexcept
   }
 }
 
-void ForceGate::NoteGap(bool isStale, bool flows) noexcept
+void ForceGate::ReportGap(bool isStale, bool flows) noexcept
 {
   if (this->IsOpen())
   {
@@ -179,7 +179,7 @@ void ForceGate::NoteGap(bool isStale, bool flows) noexcept
   }
 }
 
-void ForceGate::NoteJump() noexcept
+void ForceGate::ReportJump() noexcept
 {
   if (this->IsOpen())
   {
@@ -200,7 +200,7 @@ double ForceGate::Pass(double step) noexcept
   return this->Share;
 }
 
-void ForceGate::NoteRetreat(bool isStale, bool flows) noexcept
+void ForceGate::ReportRetreat(bool isStale, bool flows) noexcept
 {
   this->Share = 0.0;
   this->Retreats = isStale || flows;
@@ -215,11 +215,11 @@ void ForceGate::Cut() noexcept
 
 void ForceGate::EndFade() noexcept
 {
-  this->Ending == End::Fault ? this->NoteFault(this->EndFault) : this->Shut(GateReason::Ordered);
+  this->Ending == End::Fault ? this->ReportFault(this->EndFault) : this->Shut(GateReason::Ordered);
   this->Ending = End::None;
 }
 
-void ForceGate::NoteCommand(bool flows) noexcept
+void ForceGate::ReportCommand(bool flows) noexcept
 {
   this->Flows = flows;
   // The slew limit may keep the command above zero after the gate has closed. A fade therefore
@@ -262,7 +262,7 @@ GateReason ForceGate::GetReason() const noexcept
   }
 }
 
-bool ForceGate::TakeRestart() noexcept
+bool ForceGate::DrainRestart() noexcept
 {
   return std::exchange(this->Restarts, false);
 }

@@ -41,20 +41,20 @@
  *   SetUnconfirmed(false)     - (b, f)    - (b, f)       open (b); the ramp begins at 0
  *   SetClutched(true)         - (k)       - (k)          Disarmed (l)
  *   SetClutched(false)        - (m)       - (m)          -
- *   NoteSilence               -           -              Fading, unless held
- *   NoteUnstable              -           -              Fading
- *   NoteNotReady              -           Disarmed (d)   Disarmed
- *   NoteFault                 -           -              Fault
- *   NoteGap                   -           -              open (h)
- *   NoteJump                  -           -              open (j)
- *   NoteCommand of zero:
+ *   ReportSilence             -           -              Fading, unless held
+ *   ReportUnstable            -           -              Fading
+ *   ReportNotReady            -           Disarmed (d)   Disarmed
+ *   ReportFault               -           -              Fault
+ *   ReportGap                 -           -              open (h)
+ *   ReportJump                -           -              open (j)
+ *   ReportCommand of zero:
  *     the end of a retreat    - (b)       - (b)          open (b)
- *     the end of a fade       -           Disarmed (d)   Disarmed; Fault after NoteSilence and
- *                                                        NoteUnstable
- *   NoteData                  -           -              - (i)
+ *     the end of a fade       -           Disarmed (d)   Disarmed; Fault after ReportSilence and
+ *                                                        ReportUnstable
+ *   ReportData                -           -              - (i)
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
- *   (b) The proxy begins at the tip: TakeRestart. No force is wanted then, until the tip moves.
+ *   (b) The proxy begins at the tip: DrainRestart. No force is wanted then, until the tip moves.
  *   (c) Changes nothing while force flows, unless it fades, or other orders came at the same time.
  *   (d) The fault stays the reason.
  *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
@@ -67,7 +67,7 @@
  *   (j) The ramp begins at 0.
  *   (k) Until SetClutched(false), Arm only has the force return then, and ends a fade.
  *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (m) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
+ *   (m) As Arm, if the force returns. Disarm, FadeOut and ReportNotReady since then prevent it.
  *
  * Faults, Disarm and the clutch act in the tick in which they come. Nothing that opens the gate
  * makes the share jump: it rises by RampTime, and the opening by FadeTime.
@@ -129,7 +129,7 @@ constexpr bool IsFault(GateReason reason) noexcept
     reason == GateReason::Active;
 }
 /** The fault that needs Arm; None if there is none. */
-constexpr GateReason FindFault(GateState state, GateReason reason) noexcept
+constexpr GateReason ComputeFault(GateState state, GateReason reason) noexcept
 {
   const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
   return isShut && IsFault(reason) ? reason : GateReason::None;
@@ -159,37 +159,37 @@ public:
 
   ///@{
   /**
-   * NoteSilence: the owner was silent for longer than SafetyLimits::AttentionTime. NoteNotReady:
-   * the device is not ready.
+   * ReportSilence: the owner was silent for longer than SafetyLimits::AttentionTime.
+   * ReportNotReady: the device is not ready.
    */
-  void NoteSilence() noexcept;
-  void NoteNotReady() noexcept;
+  void ReportSilence() noexcept;
+  void ReportNotReady() noexcept;
   ///@}
 
   /** A new model would let the force leap. */
-  void NoteJump() noexcept;
+  void ReportJump() noexcept;
   /** Sets the share of the data for this tick of a period (s): 1, or the residency. */
-  void NoteData(double residency, double period) noexcept;
+  void ReportData(double residency, double period) noexcept;
 
   ///@{
   /**
    * SafetyStage calls these in this order: a fault, or a loop that swings although it is damped, so
    * that the force fades with a fault; a gap, that is, missing samples; then one of Pass (which
-   * returns the share, of the pushes if there are some, and raises the ramp by a step), NoteRetreat
-   * and Cut; and last whether force flows to the device.
+   * returns the share, of the pushes if there are some, and raises the ramp by a step),
+   * ReportRetreat and Cut; and last whether force flows to the device.
    */
-  void NoteFault(GateReason fault) noexcept;
-  void NoteUnstable() noexcept;
-  void NoteGap(bool isStale, bool flows) noexcept;
+  void ReportFault(GateReason fault) noexcept;
+  void ReportUnstable() noexcept;
+  void ReportGap(bool isStale, bool flows) noexcept;
   double Pass(double step) noexcept;
-  void NoteRetreat(bool isStale, bool flows) noexcept;
+  void ReportRetreat(bool isStale, bool flows) noexcept;
   void Cut() noexcept;
-  void NoteCommand(bool flows) noexcept;
+  void ReportCommand(bool flows) noexcept;
   ///@}
 
   GateState GetState() const noexcept { return this->State; }
   GateReason GetReason() const noexcept;
-  GateReason GetFault() const noexcept { return FindFault(this->State, this->GetReason()); }
+  GateReason GetFault() const noexcept { return ComputeFault(this->State, this->GetReason()); }
   bool IsOpen() const noexcept
   {
     return this->State != GateState::Disarmed && this->State != GateState::Fault;
@@ -209,7 +209,7 @@ public:
   bool IsAtRest() const noexcept { return this->Rests; }
 
   /** Returns true once after an event that makes the proxy begin at the tip. */
-  bool TakeRestart() noexcept;
+  bool DrainRestart() noexcept;
 
 private:
   /** How a fade ends. */

@@ -69,7 +69,7 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
   }
 }
 
-double GrowthLimit::FindMostShare() const noexcept
+double GrowthLimit::ComputeMostShare() const noexcept
 {
   if (!(this->Unpaid > 0.0))
   {
@@ -93,7 +93,7 @@ Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
   {
     this->Account(source, input.Tip, input.Recoverable);
     const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
-    const double share = std::min(input.Share, this->FindMostShare());
+    const double share = std::min(input.Share, this->ComputeMostShare());
     const double sent = std::min(share, (before + input.Growth) / norm);
     const bool isKnown = input.IsMeasured || !this->HasTip;
     // A device may be a tick late: then the hand felt the share of the last tick.

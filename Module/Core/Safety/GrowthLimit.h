@@ -95,7 +95,7 @@ public:
    * Whether the account holds back more than a tenth of the wanted force: the hand was spared work
    * on the way in, and has not pressed deeper since.
    */
-  bool IsSoft() const noexcept { return this->FindMostShare() < 0.9; }
+  bool IsSoft() const noexcept { return this->ComputeMostShare() < 0.9; }
 
   /** The last force sent (N). */
   const Vector3& GetForce() const noexcept { return this->Sent; }
@@ -103,7 +103,7 @@ public:
 private:
   void Account(const Vector3& source, const Vector3& tip, double recoverable) noexcept;
   void BeginContact() noexcept;
-  double FindMostShare() const noexcept;
+  double ComputeMostShare() const noexcept;
 
   Vector3 Source; ///< N, the wanted force without drag
   Vector3 Sent;

@@ -55,7 +55,7 @@ void PortObserver::BeginAt(const Vector3& tip) noexcept
   this->Add(tip);
 }
 
-Vector3 PortObserver::FindVelocity() const noexcept
+Vector3 PortObserver::EstimateVelocity() const noexcept
 {
   const Measurement& last = this->Last();
   std::size_t before = 1;
@@ -68,7 +68,7 @@ Vector3 PortObserver::FindVelocity() const noexcept
   return (1.0 / (last.Time - first.Time)) * (last.Tip - first.Tip);
 }
 
-void PortObserver::NoteSent(const Vector3& force) noexcept
+void PortObserver::RecordSent(const Vector3& force) noexcept
 {
   this->SentSum += force;
   this->SentCount += 1.0;
@@ -103,7 +103,7 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
   // Along the present force: a force that turns around speeds nothing up.
   const double before = std::max(0.0, Dot(this->Velocity, into));
-  this->Velocity = this->FindVelocity();
+  this->Velocity = this->EstimateVelocity();
   const double speed = std::max(0.0, Dot(this->Velocity, into));
   if (!this->IsContact || !(speed > 0.0))
   {

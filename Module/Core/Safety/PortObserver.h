@@ -70,7 +70,7 @@ public:
   bool Observe(const Vector3& tip, double time) noexcept;
 
   /** Records, in every tick, the force (N) on the device until the next one. */
-  void NoteSent(const Vector3& force) noexcept;
+  void RecordSent(const Vector3& force) noexcept;
 
   ///@{
   /** Energies (J) in the present contact; see above. */
@@ -91,7 +91,7 @@ private:
   }
   void Add(const Vector3& tip) noexcept;
   void BeginAt(const Vector3& tip) noexcept;
-  Vector3 FindVelocity() const noexcept;
+  Vector3 EstimateVelocity() const noexcept;
   void Account(const Vector3& force, const Vector3& motion, double time) noexcept;
   void EndContact() noexcept;
 

@@ -20,7 +20,7 @@ constexpr double RetreatTime = 0.02;
  * its pull is felt. The pull follows from the stretch: the force may be clamped already. Negative
  * if the stiffness is not known.
  */
-double FindRecoverable(const SafetyInput& input, double most) noexcept
+double ComputeRecoverable(const SafetyInput& input, double most) noexcept
 {
   const double k = input.Stiffness;
   const double pull = std::max(Norm(input.Force), k * input.Stretch);
@@ -44,7 +44,7 @@ bool SafetyStage::IsForceLeft() const noexcept
   return Dot(last, last) > 0.0;
 }
 
-GrowthInput SafetyStage::FindGrowth(
+GrowthInput SafetyStage::ComputeGrowth(
   const SafetyInput& input, const SafetyLimits& limits) const noexcept
 {
   const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
@@ -54,7 +54,7 @@ GrowthInput SafetyStage::FindGrowth(
   growth.Drag = norm > 0.0 ? Norm(clamped) / norm * input.Drag : Vector3{};
   growth.Tip = input.Tip;
   growth.IsMeasured = input.Fresh;
-  growth.Recoverable = FindRecoverable(input, Norm(clamped));
+  growth.Recoverable = ComputeRecoverable(input, Norm(clamped));
   return growth;
 }
 
@@ -68,13 +68,13 @@ Vector3 SafetyStage::Retreat(
   if (input.Fresh || input.Alive)
   {
     // The position of the hand is known again: push it only where a push is wanted.
-    GrowthInput growth = this->FindGrowth(input, limits);
+    GrowthInput growth = this->ComputeGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);
   }
   const Vector3 next = ClampNorm(last, most);
   this->Growth.Lower(next);
-  gate.NoteRetreat(this->Stale, this->IsForceLeft());
+  gate.ReportRetreat(this->Stale, this->IsForceLeft());
   return next;
 }
 
@@ -89,7 +89,7 @@ double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
   return speed;
 }
 
-bool SafetyStage::FollowSamples(
+bool SafetyStage::UpdateSamples(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   this->SampleAge += input.Elapsed;
@@ -117,28 +117,28 @@ bool SafetyStage::FollowSamples(
   }
   if (input.Lost)
   {
-    gate.NoteFault(GateReason::DeviceLost);
+    gate.ReportFault(GateReason::DeviceLost);
   }
   else if (!finite)
   {
-    gate.NoteFault(GateReason::NotFinite);
+    gate.ReportFault(GateReason::NotFinite);
   }
   else if (limits.MaximumSpeed > 0.0 && speed > limits.MaximumSpeed)
   {
-    gate.NoteFault(GateReason::OverSpeed);
+    gate.ReportFault(GateReason::OverSpeed);
   }
   else if (limits.MovesTip && isActive)
   {
-    gate.NoteFault(GateReason::Active);
+    gate.ReportFault(GateReason::Active);
   }
   else if (limits.MovesTip && givesEnergy)
   {
-    this->Damper.IsEngaged() ? gate.NoteUnstable() : this->Damper.Engage();
+    this->Damper.IsEngaged() ? gate.ReportUnstable() : this->Damper.Engage();
   }
   return gap;
 }
 
-Vector3 SafetyStage::FindCommand(
+Vector3 SafetyStage::ComputeCommand(
   const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept
 {
   if (!gate.IsOpen())
@@ -154,13 +154,13 @@ Vector3 SafetyStage::FindCommand(
   }
   if (gap)
   {
-    gate.NoteGap(this->Stale, this->IsForceLeft());
+    gate.ReportGap(this->Stale, this->IsForceLeft());
   }
   if (gate.IsRetreating())
   {
     return this->Retreat(input, limits, gate);
   }
-  GrowthInput growth = this->FindGrowth(input, limits);
+  GrowthInput growth = this->ComputeGrowth(input, limits);
   growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
   return this->Damp(this->Growth.Apply(growth), input, limits, gate);
@@ -176,7 +176,7 @@ Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const S
   this->LastShare = gate.GetShare();
   const double whole = Norm(input.Force);
   const double felt = whole > 0.0 ? std::min(1.0, Norm(wall) / whole) : 0.0;
-  this->Energy.NoteSent(wall, felt * input.WallWork);
+  this->Energy.RecordSent(wall, felt * input.WallWork);
   const double share = std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
   const double before = Norm(this->LastCommand);
   const double most =
@@ -187,11 +187,11 @@ Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const S
 Vector3 SafetyStage::Apply(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
-  const bool gap = this->FollowSamples(input, limits, gate);
-  const Vector3 command = this->FindCommand(input, limits, gap, gate);
+  const bool gap = this->UpdateSamples(input, limits, gate);
+  const Vector3 command = this->ComputeCommand(input, limits, gap, gate);
   this->LastCommand = command;
-  gate.NoteCommand(Dot(command, command) > 0.0);
-  this->Observer.NoteSent(command);
+  gate.ReportCommand(Dot(command, command) > 0.0);
+  this->Observer.RecordSent(command);
   return command;
 }
 

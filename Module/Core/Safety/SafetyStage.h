@@ -107,13 +107,13 @@ public:
   bool IsStale() const noexcept { return this->Stale; }
 
 private:
-  bool FollowSamples(
+  bool UpdateSamples(
     const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
-  Vector3 FindCommand(
+  Vector3 ComputeCommand(
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
   Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
     const ForceGate& gate) noexcept;
-  GrowthInput FindGrowth(const SafetyInput& input, const SafetyLimits& limits) const noexcept;
+  GrowthInput ComputeGrowth(const SafetyInput& input, const SafetyLimits& limits) const noexcept;
   Vector3 Retreat(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   double MeasureSpeed(const SafetyInput& input) noexcept;
   bool IsForceLeft() const noexcept;

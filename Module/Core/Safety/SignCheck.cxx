@@ -120,7 +120,7 @@ void SignCheck::Rest() noexcept
 {
   if (this->Drift.IsFull())
   {
-    const double surprise = Get(this->Drift.FindSurprise(), this->Axis);
+    const double surprise = Get(this->Drift.ComputeSurprise(), this->Axis);
     this->Drift.Fit();
     const double spread = Get(this->Drift.GetSpread(), this->Axis);
     if (Norm(this->Drift.GetVelocity()) <= RestSpeed && spread <= RestSpread &&

@@ -10,7 +10,7 @@
 namespace VolumeHaptics
 {
 
-void TorqueStage::FollowTurn(const Quaternion& orientation) noexcept
+void TorqueStage::UpdateTurn(const Quaternion& orientation) noexcept
 {
   const Quaternion turn = orientation * Conjugate(this->Last);
   const Vector3 axis = std::copysign(1.0, turn.W) * Vector3{ turn.X, turn.Y, turn.Z };
@@ -24,7 +24,7 @@ void TorqueStage::FollowTurn(const Quaternion& orientation) noexcept
 Vector3 TorqueStage::Apply(
   const TorqueInput& input, const SafetyLimits& limits, const ForceGate& gate) noexcept
 {
-  this->FollowTurn(input.Orientation);
+  this->UpdateTurn(input.Orientation);
   const Vector3 wanted = ClampNorm(input.Torque, limits.MaximumTorque);
   if (!gate.IsOpen() || gate.IsRetreating() || gate.IsUnconfirmed() || !IsFinite(wanted) ||
     !(limits.MaximumTorque > 0.0))

@@ -46,7 +46,7 @@ public:
     const TorqueInput& input, const SafetyLimits& limits, const ForceGate& gate) noexcept;
 
 private:
-  void FollowTurn(const Quaternion& orientation) noexcept;
+  void UpdateTurn(const Quaternion& orientation) noexcept;
 
   GrowthLimit Growth;
   Vector3 Turned;  ///< rad, the sum of all small turns

@@ -23,19 +23,19 @@ void DataClock::Rest() noexcept
   this->Number = 0;
 }
 
-DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrders& orders,
+DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrders& orders,
   double period, ServoState& state) noexcept
 {
-  const FrameWindow window = volume.GetWindow();
+  const TimeSpan span = volume.GetTimeSpan();
   const bool isNew = this->Number != volume.Number;
   this->Number = volume.Number;
   double time = state.DataTime;
   Leap leap = Leap::None;
-  if (!this->HasTime || !window.Has(time))
+  if (!this->HasTime || !span.Has(time))
   {
     // Another volume, or time steps at another place.
-    const double first = window.Series.First;
-    time = !this->HasTime && window.Has(first) ? first : window.Front;
+    const double first = span.Series.First;
+    time = !this->HasTime && span.Has(first) ? first : span.Front;
     leap = Leap::Away;
   }
   this->HasTime = true;
@@ -44,14 +44,14 @@ DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrde
   this->Report.Places = orders.Places;
   if (orders.Places != this->Places)
   {
-    const Leap there = this->FollowPlace(window, orders, time);
+    const Leap there = this->AdvanceToPlace(span, orders, time);
     leap = leap == Leap::Away ? leap : there;
   }
-  this->WasInstant = window.IsInstant;
+  this->WasInstant = span.IsInstant;
   this->IsReturning = this->IsReturning && orders.Mode == Playback::PingPong;
   if (orders.Plays && !this->Report.IsWaiting)
   {
-    this->Advance(window, orders, std::abs(orders.Rate) * period, time);
+    this->Advance(span, orders, std::abs(orders.Rate) * period, time);
   }
   this->Report.IsBackward = this->IsBackward(orders);
   state.DataTime = time;
@@ -63,11 +63,11 @@ DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrde
   return leap;
 }
 
-DataClock::Leap DataClock::FollowPlace(
-  const FrameWindow& window, const DataClockOrders& orders, double& time) noexcept
+DataClock::Leap DataClock::AdvanceToPlace(
+  const TimeSpan& span, const DataClockOrders& orders, double& time) noexcept
 {
-  const double place = std::clamp(orders.Place, window.Series.First, window.Series.Last);
-  if (!window.Has(place))
+  const double place = std::clamp(orders.Place, span.Series.First, span.Series.Last);
+  if (!span.Has(place))
   {
     this->Report.IsWaiting = true;
     this->Report.Wanted = place;
@@ -81,9 +81,9 @@ DataClock::Leap DataClock::FollowPlace(
 }
 
 void DataClock::Advance(
-  const FrameWindow& window, const DataClockOrders& orders, double way, double& time) noexcept
+  const TimeSpan& span, const DataClockOrders& orders, double way, double& time) noexcept
 {
-  const FrameSeries& series = window.Series;
+  const TimeStepSeries& series = span.Series;
   for (int i = 0; i < MostTurns && way > 0.0; ++i)
   {
     const bool isBackward = this->IsBackward(orders);
@@ -101,7 +101,7 @@ void DataClock::Advance(
     const bool isBetween = from > series.Last || (from == series.Last && !isBackward);
     const double turn = isBackward ? series.Last : series.First + series.GetPeriod();
     const double toStop = std::abs((isBetween ? turn : end) - from);
-    const double there = isBackward ? window.GetBehind(time) : window.GetAhead(time);
+    const double there = isBackward ? span.GetBehind(time) : span.GetAhead(time);
     const double step = std::min({ way, toStop, there });
     way -= step;
     if (step < toStop)
@@ -113,9 +113,9 @@ void DataClock::Advance(
       // Go on at the other end, after the interval between the last and the first time step.
       time = isBetween ? (isBackward ? series.Last : series.First) : end;
     }
-    if (step == there || !window.Has(time))
+    if (step == there || !span.Has(time))
     {
-      time = isBackward ? window.Front : window.Back;
+      time = isBackward ? span.Front : span.Back;
     }
     if (there < toStop && way > 0.0)
     {

@@ -13,18 +13,19 @@
  *
  * At the end of the series
  * - Once holds;
- * - Loop goes on to the first frame, through an interval that blends the last frame into it;
+ * - Loop goes on to the first time step, through an interval that blends the last time step into
+ *   it;
  * - PingPong turns around.
  *
- * A time between the last frame and the first one stays there if the mode is no longer Loop, and
- * goes on to the frame that is next.
+ * A time between the last time step and the first one stays there if the mode is no longer Loop,
+ * and goes on to the time step that is next.
  *
- * A model may have a part of the series only (FrameSeries.h). If the next frame has not come when
- * it is needed, time holds at the end of that part and goes on from there: it never jumps. Time
- * also holds while the frames at another Place have not come and, in ServoLoop, while too little of
- * a region is in memory for a tick. On the way to another Place, the model may have one frame only,
- * where time holds, too. No state is carried from the old place to that frame, or from that frame
- * to Place.
+ * A model may have a part of the series only (TimeStepSeries.h). If the next time step has not come
+ * when it is needed, time holds at the end of that part and goes on from there: it never jumps.
+ * Time also holds while the time steps at another Place have not come and, in ServoLoop, while too
+ * little of a region is in memory for a tick. On the way to another Place, the model may have one
+ * time step only, where time holds, too. No state is carried from the old place to that time step,
+ * or from that time step to Place.
  */
 #ifndef DataClock_h
 #define DataClock_h
@@ -58,9 +59,9 @@ struct DataClockOrders
 struct DataClockReport
 {
   bool IsMoving = false;    ///< the volume is one that moves, also while time holds
-  bool IsWaiting = false;   ///< frames have not come: time holds
+  bool IsWaiting = false;   ///< time steps have not come: time holds
   bool IsBackward = false;  ///< time runs backward, or would
-  double Wanted = 0.0;      ///< the data time whose frames are wanted, if it waits for them
+  double Wanted = 0.0;      ///< the data time whose time steps are wanted, if it waits for them
   std::uint32_t Places = 0; ///< Places of the orders in use; then time is at their Place, or waits
 };
 
@@ -71,14 +72,14 @@ public:
   {
     None,
     Within, ///< to another time of the model: the force may leap
-    /** The last time is not in the model, or the last tick's model had only one frame. */
+    /** The last time is not in the model, or the last tick's model had only one time step. */
     Away
   };
   /**
    * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at
    * the tip.
    */
-  Leap Follow(const BakedVolume& volume, const DataClockOrders& orders, double period,
+  Leap Update(const BakedVolume& volume, const DataClockOrders& orders, double period,
     ServoState& state) noexcept;
   /** Before a tick without a volume that moves. */
   void Rest() noexcept;
@@ -86,9 +87,9 @@ public:
   const DataClockReport& GetReport() const noexcept { return this->Report; }
 
 private:
-  Leap FollowPlace(const FrameWindow& window, const DataClockOrders& orders, double& time) noexcept;
+  Leap AdvanceToPlace(const TimeSpan& span, const DataClockOrders& orders, double& time) noexcept;
   void Advance(
-    const FrameWindow& window, const DataClockOrders& orders, double way, double& time) noexcept;
+    const TimeSpan& span, const DataClockOrders& orders, double way, double& time) noexcept;
   bool IsBackward(const DataClockOrders& orders) const noexcept
   {
     return (orders.Rate < 0.0) != this->IsReturning;
@@ -99,7 +100,7 @@ private:
   std::uint32_t Places = 0; ///< Places of the orders that were reached
   bool HasTime = false;
   bool IsReturning = false; ///< PingPong: on the way back
-  bool WasInstant = false;  ///< the last tick's model had one frame only
+  bool WasInstant = false;  ///< the last tick's model had one time step only
 };
 
 } // namespace VolumeHaptics

@@ -5,7 +5,7 @@
 namespace VolumeHaptics
 {
 
-bool HandTurn::Follow(double period, Quaternion& orientation, bool isMeasured) noexcept
+bool HandTurn::Update(double period, Quaternion& orientation, bool isMeasured) noexcept
 {
   this->Orders.Update();
   const Wish& wish = this->Orders.Read();

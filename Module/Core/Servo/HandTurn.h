@@ -36,7 +36,7 @@ public:
    * Called by the servo, once a tick of a period (s): sets the orientation, unless the device
    * measured it. Returns true if there is one.
    */
-  bool Follow(double period, Quaternion& orientation, bool isMeasured) noexcept;
+  bool Update(double period, Quaternion& orientation, bool isMeasured) noexcept;
 
 private:
   struct Wish

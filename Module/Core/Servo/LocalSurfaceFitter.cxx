@@ -51,7 +51,7 @@ void LocalSurfaceFitter::Run() noexcept
   }
 }
 
-LocalSurfaceResult LocalSurfaceFitter::FindResult(
+LocalSurfaceResult LocalSurfaceFitter::PollResult(
   const HapticModel& model, const LocalState& local) noexcept
 {
   this->Results.Update();

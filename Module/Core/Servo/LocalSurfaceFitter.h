@@ -34,7 +34,7 @@ public:
 
   ///@{
   /** Called by the servo. */
-  LocalSurfaceResult FindResult(const HapticModel& model, const LocalState& local) noexcept;
+  LocalSurfaceResult PollResult(const HapticModel& model, const LocalState& local) noexcept;
   void Send(const HapticModel& model, const LocalState& local) noexcept;
   ///@}
 

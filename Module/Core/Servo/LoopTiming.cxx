@@ -39,7 +39,7 @@ const LoopTiming::Measurement* LoopTiming::Find(std::int64_t time) const noexcep
   return nullptr;
 }
 
-double LoopTiming::NoteSample(const DeviceSample& sample, std::int64_t now) noexcept
+double LoopTiming::RecordSample(const DeviceSample& sample, std::int64_t now) noexcept
 {
   if (sample.Begins)
   {
@@ -82,7 +82,7 @@ double LoopTiming::NoteSample(const DeviceSample& sample, std::int64_t now) noex
   return ToSeconds(motion);
 }
 
-void LoopTiming::NoteTaken(const TakenForce& taken) noexcept
+void LoopTiming::RecordTaken(const TakenForce& taken) noexcept
 {
   if (taken.Of <= this->Acting.Of)
   {

@@ -48,9 +48,9 @@ public:
    * report period, if the thread that takes the reports was held up. 0 if the sample is not new, or
    * the first.
    */
-  double NoteSample(const DeviceSample& sample, std::int64_t now) noexcept;
+  double RecordSample(const DeviceSample& sample, std::int64_t now) noexcept;
   /** Records a force that the device has taken; a repeated or older one changes nothing. */
-  void NoteTaken(const TakenForce& taken) noexcept;
+  void RecordTaken(const TakenForce& taken) noexcept;
   ///@}
 
   ///@{

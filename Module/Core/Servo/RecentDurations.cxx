@@ -20,16 +20,16 @@ void RecentDurations::Add(std::int64_t nanoseconds) noexcept
   ++this->Count;
   if (this->Count % Stride == 0)
   {
-    this->Find();
+    this->Compute();
   }
 }
 
-void RecentDurations::Find() noexcept
+void RecentDurations::Compute() noexcept
 {
   const auto all = static_cast<std::size_t>(std::min<std::uint64_t>(this->Count, Capacity));
   std::size_t count = 0;
   std::int64_t sum = 0;
-  while (count < all && sum < Window)
+  while (count < all && sum < Span)
   {
     this->Sorted[count] = this->Last[(this->Count - 1 - count) % Capacity];
     sum += this->Sorted[count];

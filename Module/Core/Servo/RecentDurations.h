@@ -24,7 +24,7 @@ class RecentDurations
 public:
   static constexpr std::size_t Capacity = 256;
   static constexpr std::size_t Stride = 16;
-  static constexpr std::int64_t Window = 1000000000; ///< ns, the largest sum of the durations used
+  static constexpr std::int64_t Span = 1000000000; ///< ns, the largest sum of the durations used
 
   ///@{
   /** Called by the one writer. The first figures come with the Stride-th duration (ns). */
@@ -39,7 +39,7 @@ public:
   ///@}
 
 private:
-  void Find() noexcept;
+  void Compute() noexcept;
 
   std::array<std::int64_t, Capacity> Last{}; ///< a ring
   std::array<std::int64_t, Capacity> Sorted{};

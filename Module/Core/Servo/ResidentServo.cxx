@@ -15,14 +15,14 @@ void ResidentServo::Rest(double period, ForceGate& gate) noexcept
   this->IsOut = false;
   this->Lacks = false;
   this->Awaits = false;
-  gate.NoteData(1.0, period);
+  gate.ReportData(1.0, period);
 }
 
 void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vector3& tip,
   double period, TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
   ToolMemory* tool) noexcept
 {
-  const double there = model.Resident.IsWhole() ? 1.0 : FindResidency(model, state, tip);
+  const double there = model.Resident.IsWhole() ? 1.0 : ComputeResidency(model, state, tip);
   if (!(there > 0.0) && !this->IsOut)
   {
     this->IsOut = true;
@@ -31,7 +31,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
     this->Lag = isFelt ? record.Proxy - record.Tip : Vector3{};
   }
   this->Lacks = this->IsOut;
-  gate.NoteData(this->IsOut ? 0.0 : there, period);
+  gate.ReportData(this->IsOut ? 0.0 : there, period);
   const double opening = gate.GetOpening();
   // An opening that rises after a fade or a hold does not wait for data.
   const bool isLess = opening < 1.0 && !gate.IsClosing() && (this->Awaits || there < 1.0);

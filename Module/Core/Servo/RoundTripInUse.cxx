@@ -5,7 +5,7 @@
 namespace VolumeHaptics
 {
 
-bool RoundTripInUse::Follow(double measured, std::int64_t now, bool isFelt) noexcept
+bool RoundTripInUse::Update(double measured, std::int64_t now, bool isFelt) noexcept
 {
   if (!(measured > 0.0))
   {

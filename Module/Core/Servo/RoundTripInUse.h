@@ -31,7 +31,7 @@ public:
    * is longer), at a time `now` (ns); `isFelt`: whether anything is felt. Returns true if the round
    * trip in use has changed.
    */
-  bool Follow(double measured, std::int64_t now, bool isFelt) noexcept;
+  bool Update(double measured, std::int64_t now, bool isFelt) noexcept;
 
   /** s; 0 if it is not known yet. */
   double Get() const noexcept { return this->Used; }

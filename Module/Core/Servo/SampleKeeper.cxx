@@ -25,7 +25,7 @@ constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
  */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
 /** Fractions of the reach, for the box around the proxy if even the reach has too many pages. */
-constexpr double Shares[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
+constexpr double Fractions[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
 /** The largest number of index steps along each axis for a vector of length 1. */
 Vector3 StepsOf(const Affine3& toIndex) noexcept
@@ -67,7 +67,7 @@ bool IsWithin(const SampleBox& box, const SampleBox& other) noexcept
 
 } // namespace
 
-bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
+bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages)
 {
   pages.clear();
@@ -173,7 +173,7 @@ void SampleKeeper::Keep(
   std::vector<SamplePages> pages;
   const auto choose = [&](const Vector3& first, const Vector3& last, const Vector3& around)
   {
-    return FindSamplePages(
+    return CollectSamplePages(
       view, MakeBox(view, first, last, around), GetPageSize(), MostBytes, pages);
   };
   const auto fits = [&](int margin)
@@ -184,9 +184,9 @@ void SampleKeeper::Keep(
   };
   if (!std::any_of(std::begin(Margins), std::end(Margins), fits) && !choose(low, high, reach))
   {
-    for (const double share : Shares)
+    for (const double fraction : Fractions)
     {
-      if (choose(proxy, proxy, share * reach))
+      if (choose(proxy, proxy, fraction * reach))
       {
         break;
       }
@@ -206,14 +206,14 @@ void SampleKeeper::Look()
   {
     this->Scalars = {};
     this->Labels = {};
-    this->LabelShares = {};
+    this->LabelFractions = {};
   }
   else if (this->HasPlace && IsFinite(place.Tip) && IsFinite(place.Proxy))
   {
     const Vector3 next = place.Tip + (place.Tip - this->LastTip);
     this->NextTip = this->Scalars.Of && IsFinite(next) ? next : place.Tip;
     this->LastTip = place.Tip;
-    const Vector3 reach = FindReadReach(*model);
+    const Vector3 reach = ComputeReadReach(*model);
     this->Keep(model->Baked->Field.GetView(), model->DeviceToIndex, reach, this->Scalars);
     if (const BakedLabels* const labels = model->Baked->Labels.get())
     {
@@ -222,26 +222,26 @@ void SampleKeeper::Look()
       const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
       const Vector3 around = length * StepsOf(model->DeviceToLabel) + spare;
       this->Keep(labels->View.GetView(), model->DeviceToLabel, around, this->Labels);
-      VolumeView shares = labels->View.GetView();
-      shares.Type = ScalarType::UInt8;
-      shares.Data = labels->Fine ? labels->Fine->GetShares() : nullptr;
-      if (shares.Data)
+      VolumeView fractions = labels->View.GetView();
+      fractions.Type = ScalarType::UInt8;
+      fractions.Data = labels->Fine ? labels->Fine->GetFractions() : nullptr;
+      if (fractions.Data)
       {
-        this->Keep(shares, model->DeviceToLabel, around, this->LabelShares);
+        this->Keep(fractions, model->DeviceToLabel, around, this->LabelFractions);
       }
       else
       {
-        this->LabelShares = {};
+        this->LabelFractions = {};
       }
     }
     else
     {
       this->Labels = {};
-      this->LabelShares = {};
+      this->LabelFractions = {};
     }
     const auto isRefused = [](const Kept& kept) { return kept.Of && !kept.IsLocked; };
     this->Refused.store(
-      !this->Scalars.IsLocked || isRefused(this->Labels) || isRefused(this->LabelShares),
+      !this->Scalars.IsLocked || isRefused(this->Labels) || isRefused(this->LabelFractions),
       std::memory_order_relaxed);
     this->Looks.fetch_add(1, std::memory_order_release);
   }
@@ -265,7 +265,7 @@ void SampleKeeper::Run() noexcept
   }
   this->Scalars = {};
   this->Labels = {};
-  this->LabelShares = {};
+  this->LabelFractions = {};
 }
 
 } // namespace VolumeHaptics

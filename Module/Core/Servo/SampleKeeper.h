@@ -9,7 +9,7 @@
  * into memory before the tip gets there, and locks them as far as the limit of the user allows
  * (RLIMIT_MEMLOCK). It reads no other part of the volume.
  *
- * The box holds what a tick reads (FindReadReach) here and at the extrapolated tip of the next
+ * The box holds what a tick reads (ComputeReadReach) here and at the extrapolated tip of the next
  * poll, with a margin of up to 32 voxels, limited to SampleKeeper::MostBytes in whole pages. It is
  * renewed when the tip has used up half the margin. The labels have a separate box.
  */
@@ -49,7 +49,7 @@ struct SamplePages
  * The whole pages that hold a box of samples, ascending and disjoint. Stops, and returns false, if
  * they have more than `most` bytes.
  */
-bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
+bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages);
 
 class SampleKeeper
@@ -70,7 +70,7 @@ public:
   ///@}
 
   /** Called by the servo in every tick: tip and proxy (device). */
-  void Follow(const Vector3& tip, const Vector3& proxy) noexcept
+  void Update(const Vector3& tip, const Vector3& proxy) noexcept
   {
     this->Places.Write({ tip, proxy });
   }
@@ -117,7 +117,7 @@ private:
   Vector3 NextTip; ///< where the tip will be at the next poll
   Kept Scalars;
   Kept Labels;
-  Kept LabelShares; ///< for FineLabels
+  Kept LabelFractions; ///< for FineLabels
 };
 
 } // namespace VolumeHaptics

@@ -30,7 +30,7 @@ constexpr double FarthestCarry = 3e-3;
 constexpr double LargestJump = 0.25;
 constexpr double JumpTime = 0.05;
 /** The rate is averaged over at least this long (ns). */
-constexpr std::int64_t RateWindow = 100000000;
+constexpr std::int64_t RateSpan = 100000000;
 
 } // namespace
 
@@ -54,7 +54,7 @@ void ServoLoop::LockMemory(MemoryLock& lock) noexcept
   this->LockedMemory.store(own && stack && trace ? Privilege::Granted : Privilege::Refused);
 }
 
-void ServoLoop::FollowModel() noexcept
+void ServoLoop::UpdateModel() noexcept
 {
   const PublishedModel* const next = this->Models.GetLatest();
   if (next == this->Current)
@@ -92,7 +92,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
   } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
 }
 
-void ServoLoop::FollowOrders(std::uint64_t command) noexcept
+void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 {
   const std::uint64_t seen = std::exchange(this->ArmCommandSeen, command);
   // Several orders at once may include a Disarm that the last one hides.
@@ -126,11 +126,11 @@ void ServoLoop::FollowOrders(std::uint64_t command) noexcept
   }
 }
 
-void ServoLoop::FollowCommands() noexcept
+void ServoLoop::ApplyCommands() noexcept
 {
   // First: so the orders that came before a release are seen with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
-  this->FollowOrders(this->ArmCommand.load(std::memory_order_acquire));
+  this->ApplyOrders(this->ArmCommand.load(std::memory_order_acquire));
   // After the orders: the confirmation was required before Arm.
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {
@@ -156,13 +156,13 @@ void ServoLoop::Attend() noexcept
   this->AttendedAt.store(ServoClock::Now(), std::memory_order_release);
 }
 
-void ServoLoop::FollowAttention(std::int64_t now) noexcept
+void ServoLoop::UpdateAttention(std::int64_t now) noexcept
 {
   const double most = this->Limits.Read().AttentionTime;
   const std::int64_t silence = now - this->AttendedAt.load(std::memory_order_acquire);
   if (most > 0.0 && static_cast<double>(silence) > most * ServoClock::NanosecondsPerSecond)
   {
-    this->Gate.NoteSilence();
+    this->Gate.ReportSilence();
   }
 }
 
@@ -170,11 +170,11 @@ void ServoLoop::TickOnce(std::int64_t woken, std::int64_t start, double elapsed)
 {
   const double period = static_cast<double>(this->Period) / ServoClock::NanosecondsPerSecond;
   const DeviceSample sample = this->ReadDevice(woken, period);
-  this->FollowDataClock(period);
+  this->UpdateDataClock(period);
   this->PlaceProxy(sample, elapsed);
   this->Touch(sample, period);
   this->SendForce(sample, period, elapsed);
-  this->Tell(start);
+  this->Report(start);
 }
 
 DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
@@ -190,21 +190,21 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   this->HasMeasured = sample.HasOrientation && MakeUnit(sample.Orientation);
   this->MeasuredOrientation = this->HasMeasured ? sample.Orientation : Quaternion{};
   sample.Orientation = this->MeasuredOrientation;
-  sample.HasOrientation = this->Hand.Follow(period, sample.Orientation, this->HasMeasured);
+  sample.HasOrientation = this->Hand.Update(period, sample.Orientation, this->HasMeasured);
   s.Orientation = sample.Orientation;
   s.HasOrientation = sample.HasOrientation;
   s.IsOrdered = s.HasOrientation && !this->HasMeasured;
   sample.Time = sample.Time == 0 ? woken : sample.Time;
-  this->MotionTime = this->Timing.NoteSample(sample, woken);
+  this->MotionTime = this->Timing.RecordSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
   {
     // The user has to arm with the device ready: force never begins by itself.
-    this->Gate.NoteNotReady();
+    this->Gate.ReportNotReady();
   }
   return sample;
 }
 
-void ServoLoop::FollowDataClock(double period) noexcept
+void ServoLoop::UpdateDataClock(double period) noexcept
 {
   const HapticModel* const model = this->Current->Model.get();
   if (model && model->Baked->IsMoving())
@@ -212,7 +212,7 @@ void ServoLoop::FollowDataClock(double period) noexcept
     DataClockOrders orders = this->ClockOrders.Read();
     // A surface must not pass a hand that can't feel it.
     orders.Plays = orders.Plays && !this->Servo.LacksData();
-    const DataClock::Leap leap = this->Clock.Follow(*model->Baked, orders, period, this->State);
+    const DataClock::Leap leap = this->Clock.Update(*model->Baked, orders, period, this->State);
     this->IsModelNew = this->IsModelNew || leap != DataClock::Leap::None;
     this->IsContactNew = this->IsContactNew || leap == DataClock::Leap::Away;
   }
@@ -233,7 +233,7 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   // The stylus was taken up here, so the proxy must not start at a tip that no hand has held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
   // The hand moved on while the gate let nothing through: see the table of ForceGate.h.
-  const bool isGateNew = this->Gate.TakeRestart();
+  const bool isGateNew = this->Gate.DrainRestart();
   if (isContactNew || stood || isTakenUp || isGateNew)
   {
     this->State.Enabled = false;
@@ -288,10 +288,10 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   if (const HapticModel* const model = this->Current->Model.get())
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
-      this->Fitter.FindResult(*model, this->State.Local), this->Gate, this->Current->Tool.get());
-    s.Modes = FindModeForces(*model, this->State);
+      this->Fitter.PollResult(*model, this->State.Local), this->Gate, this->Current->Tool.get());
+    s.Modes = ComputeModeForces(*model, this->State);
     this->Fitter.Send(*model, this->State.Local);
-    this->Samples.Follow(s.Record.Tip, s.Record.Proxy);
+    this->Samples.Update(s.Record.Tip, s.Record.Proxy);
     if (s.Record.IsUnfinished)
     {
       this->UnfinishedTicks.fetch_add(1, std::memory_order_relaxed);
@@ -313,7 +313,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
     const double jump = Norm(ClampNorm(s.Record.Force, most) - ClampNorm(before, most));
     if (jump > std::min(LargestJump * most, limits.MaximumForceRate * JumpTime))
     {
-      this->Gate.NoteJump();
+      this->Gate.ReportJump();
     }
   }
   s.Residency = this->Gate.GetOpening();
@@ -348,11 +348,11 @@ Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
       this->Gate.SetUnconfirmed(false);
       break;
     case SignResult::Wrong:
-      this->Gate.NoteFault(GateReason::WrongSign);
+      this->Gate.ReportFault(GateReason::WrongSign);
       break;
     case SignResult::NoMotion:
     case SignResult::Restless:
-      this->Gate.NoteFault(GateReason::Unmoved);
+      this->Gate.ReportFault(GateReason::Unmoved);
       break;
   }
   return push;
@@ -374,7 +374,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
     // If data are missing, the force is that of an earlier tick.
-    input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before, s.Record) : Vector3{};
+    input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }
   input.Torque = s.Record.Torque;
   input.Tip = sample.Tip;
@@ -397,11 +397,11 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   this->WriteLost = this->Backend.Send({ s.Command, s.Torque }) == DeviceState::Lost;
   if (sample.Taken.Of != 0)
   {
-    this->Timing.NoteTaken(sample.Taken);
+    this->Timing.RecordTaken(sample.Taken);
   }
   else if (sample.Fresh)
   {
-    this->Timing.NoteTaken({ sample.Time, ServoClock::Now() });
+    this->Timing.RecordTaken({ sample.Time, ServoClock::Now() });
   }
   // Only after the device has received it.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
@@ -411,7 +411,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   }
 }
 
-void ServoLoop::Tell(std::int64_t start) noexcept
+void ServoLoop::Report(std::int64_t start) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   s.Time = static_cast<double>(start) / ServoClock::NanosecondsPerSecond;
@@ -444,7 +444,7 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
     this->StatisticsTicks = ticks;
   }
   const std::int64_t time = done - this->StatisticsStart;
-  if (time >= RateWindow)
+  if (time >= RateSpan)
   {
     this->TickRate.store(static_cast<double>(ticks - this->StatisticsTicks) *
         ServoClock::NanosecondsPerSecond / static_cast<double>(time),
@@ -464,9 +464,9 @@ void ServoLoop::Run() noexcept
   while (!this->StopRequested.load(std::memory_order_acquire))
   {
     const std::int64_t woken = ServoClock::Now();
-    this->FollowModel();
-    this->FollowCommands();
-    this->FollowAttention(woken);
+    this->UpdateModel();
+    this->ApplyCommands();
+    this->UpdateAttention(woken);
     this->TickOnce(
       woken, woken - begin, static_cast<double>(woken - last) / ServoClock::NanosecondsPerSecond);
     const std::int64_t done = ServoClock::Now();

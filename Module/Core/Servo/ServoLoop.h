@@ -77,7 +77,7 @@ struct ServoSnapshot
   DataClockReport Clock; ///< for a volume that moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
-  GateReason GetFault() const noexcept { return FindFault(this->Gate, this->Reason); }
+  GateReason GetFault() const noexcept { return ComputeFault(this->Gate, this->Reason); }
 };
 
 class ServoLoop
@@ -357,11 +357,11 @@ private:
       next = ((last & ~std::uint64_t(3)) | static_cast<std::uint64_t>(order)) + OrderStep;
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
   }
-  void FollowOrders(std::uint64_t command) noexcept;
+  void ApplyOrders(std::uint64_t command) noexcept;
   void LockMemory(MemoryLock& lock) noexcept;
-  void FollowModel() noexcept;
-  void FollowCommands() noexcept;
-  void FollowAttention(std::int64_t now) noexcept;
+  void UpdateModel() noexcept;
+  void ApplyCommands() noexcept;
+  void UpdateAttention(std::int64_t now) noexcept;
   ///@{
   /**
    * A tick, and its steps in their order. `woken` is in ns of ServoClock, `start` in ns since the
@@ -369,14 +369,14 @@ private:
    */
   void TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept;
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
-  void FollowDataClock(double period) noexcept;
+  void UpdateDataClock(double period) noexcept;
   void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
   bool IsSpinning(std::uint32_t buttons) const noexcept;
   bool KeepForRecording() noexcept;
   void Touch(const DeviceSample& sample, double period) noexcept;
   Vector3 Confirm(const DeviceSample& sample, double elapsed) noexcept;
   void SendForce(const DeviceSample& sample, double period, double elapsed) noexcept;
-  void Tell(std::int64_t start) noexcept;
+  void Report(std::int64_t start) noexcept;
   ///@}
   void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
 

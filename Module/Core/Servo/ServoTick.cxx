@@ -139,7 +139,7 @@ void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& ti
   Tick(model, state, tip, record, result, memory, tool);
 }
 
-Vector3 FindDrag(
+Vector3 ComputeDrag(
   const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept
 {
   const Method& method = GetMethod(model.Baked->Settings);
@@ -154,7 +154,7 @@ void CarryState(
   if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another region of the same volume, or other frames: the felt force does not change.
+    // Another region of the same volume, or other time steps: the felt force does not change.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };

@@ -45,14 +45,14 @@ void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& ti
  * FORCE_FIELD; zero for the methods that pull with a spring.
  * @param before the state before the tick, at its data time
  */
-Vector3 FindDrag(
+Vector3 ComputeDrag(
   const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept;
 
 /**
  * Moves the state from one placement of the device to another. The proxy rests on the volume: if
  * the volume moves under the hand, the proxy moves along. Between regions of a volume, and between
- * parts of a series of frames, the state stays as it is. `tool` is the memory of the new model's
- * tool.
+ * parts of a series of time steps, the state stays as it is. `tool` is the memory of the new
+ * model's tool.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state,
   ToolMemory* tool = nullptr) noexcept;

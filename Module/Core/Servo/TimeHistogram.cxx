@@ -43,14 +43,14 @@ std::uint64_t TimeHistogram::GetTotal() const noexcept
   return total;
 }
 
-double TimeHistogram::GetPercentile(double share) const noexcept
+double TimeHistogram::GetPercentile(double fraction) const noexcept
 {
   const std::uint64_t total = this->GetTotal();
   if (total == 0)
   {
     return 0.0;
   }
-  const double wanted = std::clamp(share, 0.0, 1.0) * static_cast<double>(total);
+  const double wanted = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(total);
   std::uint64_t seen = 0;
   int bucket = 0;
   for (; bucket < PerOctave * Octaves - 1; ++bucket)

@@ -30,7 +30,7 @@ public:
    * The duration in ns below which a fraction (0 to 1) of the durations lie: the upper edge of its
    * bucket. 0 if nothing was counted.
    */
-  double GetPercentile(double share) const noexcept;
+  double GetPercentile(double fraction) const noexcept;
 
   std::uint64_t GetTotal() const noexcept;
 

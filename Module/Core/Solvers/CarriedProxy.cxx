@@ -42,7 +42,7 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
 }
 
 /** @param from, index of the proxy, before and after its motion with the material */
-Change FindChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
+Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
   const Vector3& from, const Vector3& index) noexcept
 {
   const bool isShifted = !IsIdentical(from, index);
@@ -58,8 +58,8 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
   else
   {
     change.Now = now.Gradient(index);
-    const SharePair levels = isShifted ? SharePair{ before.Value(from), now.Value(index) }
-                                       : FieldAtTime::Values(before, now, index);
+    const FractionPair levels = isShifted ? FractionPair{ before.Value(from), now.Value(index) }
+                                          : FieldAtTime::Values(before, now, index);
     change.LevelBefore = levels.First;
     change.LevelNow = levels.Second;
     if (!isShifted && change.LevelBefore != change.LevelNow)
@@ -81,10 +81,10 @@ bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 }
 
 /** The surface through an index, given the estimator's sample there. */
-Surface FindThere(const HapticModel& model, ServoState& state, const FieldAtTime& now,
+Surface ComputeThere(const HapticModel& model, ServoState& state, const FieldAtTime& now,
   const Vector3& index, const FieldSample& sample) noexcept
 {
-  return model.Baked->HasOtherSurfaces ? Law::FindSurface(model, now, index, state.Labels)
+  return model.Baked->HasOtherSurfaces ? Law::ComputeSurface(model, now, index, state.Labels)
                                        : Law::MakeFieldSurface(model, index, sample);
 }
 
@@ -102,8 +102,9 @@ double CarryToOwnLevel(const HapticModel& model, ServoState& state, const FieldA
   for (int i = 0; i < Carrying::MostSteps && IsSurfaceThere(state, there); ++i)
   {
     const Vector3 lag = state.PreviousTip - state.Proxy;
-    const double slope = Carrying::FindSlope(model, there.GradientMagnitude);
-    const double step = Carrying::FindStep(model, there.Normal, target - level, slope, lag, isHeld);
+    const double slope = Carrying::ComputeSlope(model, there.GradientMagnitude);
+    const double step =
+      Carrying::ComputeStep(model, there.Normal, target - level, slope, lag, isHeld);
     state.Proxy += step * there.Normal;
     away = step;
     there.Value += step * slope;
@@ -115,7 +116,7 @@ double CarryToOwnLevel(const HapticModel& model, ServoState& state, const FieldA
     const Vector3 index = model.DeviceToIndex(state.Proxy);
     const FieldSample sample = now.Gradient(index);
     level = sample.Value;
-    there = FindThere(model, state, now, index, sample);
+    there = ComputeThere(model, state, now, index, sample);
     away = 0.0;
   }
   return away;
@@ -136,22 +137,22 @@ CarriedProxy CarryProxy(
   const Vector3 start = state.Proxy;
   if (!model.Baked->FeelsLabels())
   {
-    index = model.Baked->FollowMaterial(from, state.CarriedTo, state.DataTime);
+    index = model.Baked->TrackMaterial(from, state.CarriedTo, state.DataTime);
   }
   if (!IsIdentical(index, from))
   {
     carried.Shift = Inverse(model.DeviceToIndex.Linear) * (index - from);
     state.Proxy += carried.Shift;
     state.Precise.ReachedTip += carried.Shift;
-    carried.Work = Carrying::FindWork(state, start, state.Proxy);
+    carried.Work = Carrying::ComputeWork(state, start, state.Proxy);
   }
   const FieldAtTime before = model.Baked->At(state.CarriedTo, memory);
-  const Change change = FindChange(model, before, now, from, index);
+  const Change change = ComputeChange(model, before, now, from, index);
   if (change.IsNone)
   {
     return carried;
   }
-  Surface& there = carried.There.emplace(FindThere(model, state, now, index, change.Now));
+  Surface& there = carried.There.emplace(ComputeThere(model, state, now, index, change.Now));
   double away = 0.0;
   if (HasOwnLevels(model))
   {
@@ -159,7 +160,7 @@ CarriedProxy CarryProxy(
   }
   else if (IsSurfaceThere(state, there))
   {
-    const ProxyCarry carry = Carrying::FollowValues(model, state, there.Normal,
+    const ProxyCarry carry = Carrying::SolveLevel(model, state, there.Normal,
       there.GradientMagnitude, { change.LevelBefore, change.LevelNow },
       [&now](const Vector3& at) { return now.Value(at); });
     state.Proxy = carry.Proxy;
@@ -168,10 +169,10 @@ CarriedProxy CarryProxy(
   if (!Carrying::IsSameSurface(model, away))
   {
     index = model.DeviceToIndex(state.Proxy);
-    there = FindThere(model, state, now, index, now.Gradient(index));
+    there = ComputeThere(model, state, now, index, now.Gradient(index));
   }
   carried.Motion = state.Proxy - start - carried.Shift;
-  carried.Work = Carrying::FindWork(state, start, state.Proxy);
+  carried.Work = Carrying::ComputeWork(state, start, state.Proxy);
   return carried;
 }
 

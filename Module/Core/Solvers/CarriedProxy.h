@@ -18,7 +18,7 @@
  * The proxy moves along the gradient: along the surface, values do not show how the volume moves.
  * Levels of PRECISE are the estimator's, with their own gradients: Newton's method. Levels of PAPER
  * are levels of V, whose slope differs from the estimator's: the secant method. If displacements
- * are known (BakedVolume::FollowMaterial), proxy and reached tip first move with the material,
+ * are known (BakedVolume::TrackMaterial), proxy and reached tip first move with the material,
  * wherever they are; so a volume that moves as a whole is felt as the tip's opposite motion:
  * surfaces take along a hand that friction holds, and a medium drags it. The level then only
  * corrects the remaining error.

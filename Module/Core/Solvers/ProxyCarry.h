@@ -54,7 +54,8 @@ inline bool IsSameSurface(const HapticModel& model, double away) noexcept
 }
 
 /** J that a motion of the proxy from `start` adds to the spring. */
-inline double FindWork(const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
+inline double ComputeWork(
+  const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
 {
   const Vector3 motion = proxy - start;
   const Vector3 lag = state.PreviousTip - start;
@@ -62,7 +63,7 @@ inline double FindWork(const ServoState& state, const Vector3& start, const Vect
 }
 
 /** The rise of the estimator's level per metre along the gradient. */
-inline double FindSlope(const HapticModel& model, double gradientMagnitude) noexcept
+inline double ComputeSlope(const HapticModel& model, double gradientMagnitude) noexcept
 {
   return gradientMagnitude * model.WorldUnitsPerMeter;
 }
@@ -71,8 +72,8 @@ inline double FindSlope(const HapticModel& model, double gradientMagnitude) noex
  * The step (m) along the gradient over which the level rises by `rise`, given its `slope` per
  * metre; not inward past the tip.
  */
-inline double FindStep(const HapticModel& model, const Vector3& normal, double rise, double slope,
-  const Vector3& lag, bool isHeld) noexcept
+inline double ComputeStep(const HapticModel& model, const Vector3& normal, double rise,
+  double slope, const Vector3& lag, bool isHeld) noexcept
 {
   const double longest = LongestStep / model.MostVoxelsPerMeter;
   const double wanted = rise / slope;
@@ -91,7 +92,7 @@ inline double FindStep(const HapticModel& model, const Vector3& normal, double r
  * The slope of V, from its rise over the last step; the estimator's if that is more than four times
  * off, as where V is flat.
  */
-inline double FindSlopeOfValue(double estimated, double rise, double step) noexcept
+inline double ComputeSlopeOfValue(double estimated, double rise, double step) noexcept
 {
   constexpr double most = 4.0;
   const double secant = rise / step;
@@ -104,17 +105,17 @@ inline double FindSlopeOfValue(double estimated, double rise, double step) noexc
  * @param findValue gives V at an index
  */
 template <typename ValueFunction>
-ProxyCarry FollowValues(const HapticModel& model, const ServoState& state, const Vector3& normal,
-  double gradientMagnitude, const SharePair& levels, const ValueFunction& findValue) noexcept
+ProxyCarry SolveLevel(const HapticModel& model, const ServoState& state, const Vector3& normal,
+  double gradientMagnitude, const FractionPair& levels, const ValueFunction& findValue) noexcept
 {
-  const double estimated = FindSlope(model, gradientMagnitude);
+  const double estimated = ComputeSlope(model, gradientMagnitude);
   ProxyCarry carry{ state.Proxy };
   double slope = estimated;
   double level = levels.Second;
   for (int i = 1;; ++i)
   {
     const Vector3 lag = state.PreviousTip - carry.Proxy;
-    const double step = FindStep(model, normal, levels.First - level, slope, lag, false);
+    const double step = ComputeStep(model, normal, levels.First - level, slope, lag, false);
     carry.Proxy += step * normal;
     carry.Away += step;
     if (i == MostSteps || std::abs(step) * model.MostVoxelsPerMeter <= ShortStep)
@@ -122,7 +123,7 @@ ProxyCarry FollowValues(const HapticModel& model, const ServoState& state, const
       return carry;
     }
     const double reached = findValue(model.DeviceToIndex(carry.Proxy));
-    slope = FindSlopeOfValue(estimated, reached - level, step);
+    slope = ComputeSlopeOfValue(estimated, reached - level, step);
     level = reached;
   }
 }

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Friction that differs by less than this share goes on in the same stretch. */
+/** Friction that differs by less than this fraction goes on in the same stretch. */
 constexpr double SameShaft = 0.005;
 /** N per metre, beyond that of any tissue. */
 constexpr float MostShaft = 1e12F;

@@ -26,7 +26,7 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
  * The largest part s of the way from the force `held` that the saved energy pays for: a s^2 + b s
  * <= 2 k Saved, which is true for s = 0.
  */
-double FindPaidShare(
+double ComputePaidFraction(
   const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept
 {
   const double a = Dot(way, way);
@@ -36,8 +36,8 @@ double FindPaidShare(
   {
     return 1.0;
   }
-  const double share = (std::sqrt(b * b + 4.0 * a * saved) - b) / (2.0 * a);
-  return share > 0.0 ? std::min(share, 1.0) : 0.0; // NaN gives 0
+  const double fraction = (std::sqrt(b * b + 4.0 * a * saved) - b) / (2.0 * a);
+  return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0; // NaN gives 0
 }
 
 } // namespace
@@ -63,14 +63,14 @@ void ReleaseProxy(const HapticSettings& settings, const Vector3& step, ReleaseSt
   const double size = Norm(change);
   const Vector3 way = before + (size > most ? most / size : 1.0) * change - held;
   release.Saved += record.WallWork > 0.0 ? record.WallWork : 0.0; // the wall pays for its push
-  const double share = FindPaidShare(release, way, before + held);
-  if (share == 1.0 && size <= most && Dot(faded, faded) == 0.0)
+  const double fraction = ComputePaidFraction(release, way, before + held);
+  if (fraction == 1.0 && size <= most && Dot(faded, faded) == 0.0)
   {
     release = ReleaseState{};
     return;
   }
-  const Vector3 force = held + share * way;
-  const double cost = share * Dot(way, before + force) / (2.0 * k);
+  const Vector3 force = held + fraction * way;
+  const double cost = fraction * Dot(way, before + force) / (2.0 * k);
   release.Saved = std::max(0.0, release.Saved - cost);
   release.Force = force - record.Force;
   record.Force = force;

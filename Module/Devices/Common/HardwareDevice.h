@@ -110,7 +110,7 @@ public:
 
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
-    return this->Exchange.Take(sample);
+    return this->Exchange.Receive(sample);
   }
   DeviceState Write(const Vector3& force) noexcept override
   {

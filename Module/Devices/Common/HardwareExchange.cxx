@@ -117,7 +117,7 @@ void HardwareExchange::RequestStop() noexcept
   this->WakeUp();
 }
 
-bool HardwareExchange::TakeHomeRequest() noexcept
+bool HardwareExchange::DrainHomeRequest() noexcept
 {
   const bool requested = this->HomeRequested.load(std::memory_order_acquire);
   if (requested)
@@ -202,7 +202,7 @@ bool HardwareExchange::HasSlept() noexcept
   return has;
 }
 
-DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
+DeviceState HardwareExchange::Receive(DeviceSample& sample) noexcept
 {
   const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
   if (stage != DeviceStage::Ready)
@@ -246,14 +246,14 @@ DeviceState HardwareExchange::Give(const Vector3& force, const Vector3& torque) 
                                                                           : DeviceState::Running;
 }
 
-void HardwareExchange::Tell(const DeviceSample& sample) noexcept
+void HardwareExchange::Report(const DeviceSample& sample) noexcept
 {
   this->Told = sample;
   this->Told.Time = sample.Time == 0 ? ServoClock::Now() : sample.Time;
   this->Samples.Write(this->Told);
 }
 
-void HardwareExchange::NoteTaken() noexcept
+void HardwareExchange::RecordTaken() noexcept
 {
   const std::int64_t of = this->Forces.Read().Of;
   if (of != 0)

@@ -48,7 +48,7 @@ public:
    * Called by the servo. The first sample since the device became ready has Begins set. If the
    * device was not ready for a moment between two calls, the next call still returns NotReady.
    */
-  DeviceState Take(DeviceSample& sample) noexcept;
+  DeviceState Receive(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force, const Vector3& torque = {}) noexcept;
   ///@}
 
@@ -80,7 +80,7 @@ public:
    * Whether homing was requested since the last call. From then on the device is Homing, which the
    * servo sees even if the device is ready again at once; earlier forces no longer count.
    */
-  bool TakeHomeRequest() noexcept;
+  bool DrainHomeRequest() noexcept;
   /**
    * Call it if homing can't help, for example if the device is unplugged: it stays Lost, with this
    * text.
@@ -95,7 +95,7 @@ public:
    * Records that the device has this force: it took what was sent, or already held the same force.
    * From this the servo measures how old positions are in the forces (LoopTiming.h).
    */
-  void NoteTaken() noexcept;
+  void RecordTaken() noexcept;
   /**
    * A file descriptor that becomes readable on a force, a stop or a homing request; negative if the
    * system has none. ClearWake resets it for the next one.
@@ -113,14 +113,14 @@ public:
    * device is ready, so report one before the stage becomes Ready. The first sample then has Begins
    * set, because the hand may have moved before.
    */
-  void Tell(const DeviceSample& sample) noexcept;
+  void Report(const DeviceSample& sample) noexcept;
   /**
    * Reports that the device is connected and has nothing new: the tip is still at the last sample.
    * Only after a Tell since Begin.
    */
   void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
-   * Texts are cut to the condition's size. Lost stays until TakeHomeRequest or Begin, even if
+   * Texts are cut to the condition's size. Lost stays until DrainHomeRequest or Begin, even if
    * another stage is set, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;

@@ -20,7 +20,7 @@ void RateTip::Begin(HardwareExchange& exchange) noexcept
 {
   this->Told = {};
   this->LastRound = ServoClock::Now();
-  exchange.Tell(this->Told);
+  exchange.Report(this->Told);
 }
 
 void RateTip::Move(HardwareExchange& exchange, const Vector3& push, const Vector3& turn,
@@ -37,7 +37,7 @@ void RateTip::Move(HardwareExchange& exchange, const Vector3& push, const Vector
   if (isNew)
   {
     this->Told = sample;
-    exchange.Tell(sample);
+    exchange.Report(sample);
   }
   else
   {

@@ -40,7 +40,7 @@ FalconController::FalconController(HardwareExchange& exchange, double homingTime
   : Exchange(exchange)
   , Homing(homingTime)
 {
-  this->TellState();
+  this->ReportState();
 }
 
 void FalconController::Restart() noexcept
@@ -50,7 +50,7 @@ void FalconController::Restart() noexcept
   this->Pose = {};
   this->Homing.Restart();
   this->Told = FalconHomingState::Ready;
-  this->TellState();
+  this->ReportState();
 }
 
 void FalconController::Lose(const char* text) noexcept
@@ -62,7 +62,7 @@ void FalconController::Lose(const char* text) noexcept
   }
 }
 
-void FalconController::TellState() noexcept
+void FalconController::ReportState() noexcept
 {
   const FalconHomingState state = this->Homing.GetState();
   if (state == this->Told)
@@ -95,7 +95,7 @@ bool FalconController::IsPossible(const Vector3& position, double elapsed) const
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }
 
-void FalconController::FollowHoming(const FalconReport& report) noexcept
+void FalconController::UpdateHoming(const FalconReport& report) noexcept
 {
   if (this->Homing.GetState() != FalconHomingState::Ready)
   {
@@ -121,10 +121,10 @@ void FalconController::FollowHoming(const FalconReport& report) noexcept
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
   // Before the stage becomes Ready, so that no older sample is used instead of this one.
-  this->Exchange.Tell(sample);
+  this->Exchange.Report(sample);
 }
 
-void FalconController::Take(const FalconReport& report, double elapsed) noexcept
+void FalconController::Receive(const FalconReport& report, double elapsed) noexcept
 {
   this->Missed = 0;
   if (this->IsStopped)
@@ -133,10 +133,10 @@ void FalconController::Take(const FalconReport& report, double elapsed) noexcept
   }
   this->SincePose += elapsed;
   this->Homing.Update(elapsed, &report);
-  this->FollowHoming(report);
+  this->UpdateHoming(report);
   if (!this->IsStopped)
   {
-    this->TellState();
+    this->ReportState();
   }
 }
 
@@ -149,7 +149,7 @@ void FalconController::Miss(double elapsed, const char* why) noexcept
   }
   this->SincePose += elapsed;
   this->Homing.Update(elapsed, nullptr);
-  this->TellState();
+  this->ReportState();
   if (this->Missed >= MostMissed)
   {
     char text[240];

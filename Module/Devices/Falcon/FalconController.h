@@ -48,7 +48,7 @@ public:
   FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
   /** Takes the latest report, and the time (s) since the last call of this or of Miss. */
-  void Take(const FalconReport& report, double elapsed) noexcept;
+  void Receive(const FalconReport& report, double elapsed) noexcept;
   /** Records that a packet was not answered in time. `why` may be nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
@@ -58,7 +58,7 @@ public:
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
-  /** Call it after HardwareExchange::TakeHomeRequest. */
+  /** Call it after HardwareExchange::DrainHomeRequest. */
   void Restart() noexcept;
 
   /**
@@ -69,9 +69,9 @@ public:
   FalconOrder GetOrder() noexcept;
 
 private:
-  void FollowHoming(const FalconReport& report) noexcept;
+  void UpdateHoming(const FalconReport& report) noexcept;
   bool IsPossible(const Vector3& position, double elapsed) const noexcept;
-  void TellState() noexcept;
+  void ReportState() noexcept;
 
   HardwareExchange& Exchange;
   FalconHoming Homing;

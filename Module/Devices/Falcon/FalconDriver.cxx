@@ -160,7 +160,7 @@ private:
   void TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept override;
   bool Submit(UsbTransfer& transfer, std::size_t size) noexcept;
   void PostReceivers() noexcept;
-  void Note(UsbOutcome outcome) noexcept;
+  void Record(UsbOutcome outcome) noexcept;
   bool IsPending() noexcept;
   template <typename F>
   void WaitWhile(F&& holds, std::int64_t time) noexcept;
@@ -295,11 +295,11 @@ void FalconRounds::PostReceivers() noexcept
 
 bool FalconRounds::Submit(UsbTransfer& transfer, std::size_t size) noexcept
 {
-  this->Note(transfer.Submit(size));
+  this->Record(transfer.Submit(size));
   return transfer.IsFlying();
 }
 
-void FalconRounds::Note(UsbOutcome outcome) noexcept
+void FalconRounds::Record(UsbOutcome outcome) noexcept
 {
   this->TroubleSoFar = std::max(this->TroubleSoFar, outcome);
 }
@@ -307,7 +307,7 @@ void FalconRounds::Note(UsbOutcome outcome) noexcept
 void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept
 {
   const bool isOut = transfer.GetEndpoint() == FalconOut;
-  this->Note(outcome);
+  this->Record(outcome);
   this->OutStalled = this->OutStalled || (isOut && outcome == UsbOutcome::Stalled);
   this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
   if (outcome > UsbOutcome::Cancelled)
@@ -317,13 +317,13 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   }
   if (isOut && outcome == UsbOutcome::Done)
   {
-    this->Exchange.NoteTaken();
+    this->Exchange.RecordTaken();
   }
   if (isOut || outcome != UsbOutcome::Done)
   {
     return;
   }
-  const int reports = this->Stream.Take(transfer.GetBytes(), transfer.GetSize(), this->Report);
+  const int reports = this->Stream.Receive(transfer.GetBytes(), transfer.GetSize(), this->Report);
   if (reports > 0)
   {
     this->Reported = true;
@@ -425,7 +425,7 @@ std::string FalconDriver::GetIdentity() const
   std::string error;
   const UsbContext context = MakeUsbContext(error);
   const std::vector<UsbDevice> devices =
-    context ? FindUsbDevices(context.get(), FalconProduct) : std::vector<UsbDevice>();
+    context ? ListUsbDevices(context.get(), FalconProduct) : std::vector<UsbDevice>();
   const auto number = static_cast<std::size_t>(this->Number);
   return number < devices.size() ? UsbIdentityOf(devices[number].get(), "falcon") : "falcon";
 }
@@ -470,7 +470,7 @@ void FalconDriver::Serve(HardwareExchange& exchange)
       exchange.SetCondition(DeviceStage::Lost, GoneText);
     }
     // Homing does not bring back an unplugged device.
-    while (!exchange.MustStop() && (end == End::Gone || !exchange.TakeHomeRequest()))
+    while (!exchange.MustStop() && (end == End::Gone || !exchange.DrainHomeRequest()))
     {
       if (end == End::Gone)
       {
@@ -524,7 +524,7 @@ FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
     {
       controller.Stop();
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       controller.Restart();
     }
@@ -533,7 +533,7 @@ FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
       const std::int64_t now = ServoClock::Now();
       const double elapsed = static_cast<double>(now - last) * ServoClock::SecondsPerNanosecond;
       last = now;
-      rounds.HasReport() ? controller.Take(rounds.GetReport(), elapsed)
+      rounds.HasReport() ? controller.Receive(rounds.GetReport(), elapsed)
                          : controller.Miss(elapsed, rounds.GetGarbage());
     }
     if (rounds.IsDue())

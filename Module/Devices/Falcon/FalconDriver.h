@@ -19,7 +19,7 @@ constexpr UsbProduct FalconProduct = { 0x0403, 0xcb48, "Novint Falcon" };
 class FalconDriver final : public HardwareDriver
 {
 public:
-  /** `number` is the device's number in FindUsbDevices. */
+  /** `number` is the device's number in ListUsbDevices. */
   FalconDriver(int number, DeviceOptions options);
 
   ///@{

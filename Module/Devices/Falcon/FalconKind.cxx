@@ -21,7 +21,7 @@ std::vector<DeviceListing> ListFalcons()
   const UsbContext context = MakeUsbContext(error);
   if (context)
   {
-    for (const UsbDevice& device : FindUsbDevices(context.get(), FalconProduct))
+    for (const UsbDevice& device : ListUsbDevices(context.get(), FalconProduct))
     {
       listings.push_back(
         { "falcon:" + std::to_string(listings.size()), UsbNameOf(device.get(), FalconProduct),

@@ -24,7 +24,8 @@ constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
 /** `trouble` is why the last try failed. */
-void TellProgress(HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
+void ReportProgress(
+  HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
   char text[160];
   if (attempt == 1)
@@ -40,7 +41,7 @@ void TellProgress(HardwareExchange& exchange, int attempt, const std::string& tr
 }
 
 /** One step of the loader; false if the device is gone. */
-bool Follow(FalconSerial& serial, FalconLoader& loader)
+bool Advance(FalconSerial& serial, FalconLoader& loader)
 {
   const FalconLoaderStep step = loader.GetStep();
   bool done = true;
@@ -88,9 +89,9 @@ FalconLoading TryToLoad(FalconSerial& serial, const std::vector<std::uint8_t>& i
     if (percent != told)
     {
       told = percent;
-      TellProgress(exchange, attempt, trouble, percent);
+      ReportProgress(exchange, attempt, trouble, percent);
     }
-    if (!Follow(serial, loader))
+    if (!Advance(serial, loader))
     {
       return FalconLoading::Gone;
     }
@@ -163,7 +164,7 @@ int FalconSerial::Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned
     }
     const std::uint8_t* place = packet.data();
     auto size = static_cast<std::size_t>(done);
-    const FtdiPayload payload = TakeFtdiPacket(place, size);
+    const FtdiPayload payload = DrainFtdiPacket(place, size);
     if (payload.Size > 0)
     {
       std::copy(payload.Bytes, payload.Bytes + payload.Size, bytes.begin());
@@ -203,7 +204,8 @@ bool FalconSerial::Runs(int packets) noexcept
         return false;
       }
       std::copy(bytes.begin(), bytes.begin() + size, transfer.begin() + FtdiStatusSize);
-      if (stream.Take(transfer.data(), static_cast<std::size_t>(size) + FtdiStatusSize, report) > 0)
+      if (stream.Receive(transfer.data(), static_cast<std::size_t>(size) + FtdiStatusSize, report) >
+        0)
       {
         return true;
       }

@@ -46,13 +46,13 @@ bool FalconStream::Put(std::uint8_t byte) noexcept
   return this->Count == FalconPacketSize;
 }
 
-int FalconStream::Take(
+int FalconStream::Receive(
   const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept
 {
   int reports = 0;
   while (size > 0)
   {
-    const FtdiPayload payload = TakeFtdiPacket(transfer, size);
+    const FtdiPayload payload = DrainFtdiPacket(transfer, size);
     for (std::size_t i = 0; i < payload.Size; ++i)
     {
       if (this->Put(payload.Bytes[i]))

@@ -26,7 +26,7 @@ public:
    * Processes a bulk IN transfer with the converter's status bytes. Returns how many reports were
    * completed; `report` becomes the last of them, and is unchanged if there is none.
    */
-  int Take(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
+  int Receive(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 
   /** Drops the waiting bytes, as after a purge, and resets the counts. */
   void Restart() noexcept { *this = {}; }

@@ -59,7 +59,7 @@ void CloseOthers(std::vector<int> kept)
  * Blocks signals for all threads from here on; returns a file descriptor that SIGTERM makes
  * readable.
  */
-int TakeSignals()
+int OpenSignals()
 {
   // Before there are threads. A crash still ends the process.
   ServoClock::BlockSignals();
@@ -123,7 +123,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   }
   const int memoryDescriptor = std::atoi(arguments[Memory].c_str());
   const int link = std::atoi(arguments[Link].c_str());
-  const int signals = TakeSignals();
+  const int signals = OpenSignals();
   std::string error;
   static GuardMemory memory; // threads use it until the process is gone
   if (arguments[Layout] != GuardMemory::GetLayout())

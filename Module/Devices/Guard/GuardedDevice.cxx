@@ -181,7 +181,7 @@ void GuardedDevice::SetLights(int lights) noexcept
 
 DeviceState GuardedDevice::Read(double, DeviceSample& sample) noexcept
 {
-  const DeviceState state = this->GetExchange().Take(sample);
+  const DeviceState state = this->GetExchange().Receive(sample);
   return this->HasDevice.load(std::memory_order_acquire) == Side::Guard ? state : DeviceState::Lost;
 }
 

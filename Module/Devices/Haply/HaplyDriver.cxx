@@ -43,7 +43,7 @@ bool HaplyDriver::OpenConnection(std::string& error)
 {
   std::string reason;
   if (!HaplyPorts::Read(this->Ports, error) ||
-    !FindHaplyService(this->Ports, this->Address.Version, error))
+    !DetectHaplyService(this->Ports, this->Address.Version, error))
   {
     return false;
   }
@@ -112,7 +112,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
   this->Address.Id = arm->Id;
   this->IsLost = this->IsReady = this->HasSentRelief = this->HasTip = false;
   this->IsCalibrated = this->IsArmReady = false;
-  this->TakeFlags(*arm);
+  this->CopyFlags(*arm);
   this->Settled = this->EmptyWaits = 0;
   this->Transform = {};
   this->Note.clear();
@@ -163,7 +163,7 @@ void HaplyDriver::Serve(HardwareExchange& exchange)
       this->IsReady = false;
       this->Rest();
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       this->Restart(exchange);
     }
@@ -222,10 +222,10 @@ void HaplyDriver::Work(HardwareExchange& exchange)
     this->HasSentRelief = true;
     this->Send({});
   }
-  this->TakeStates(exchange);
+  this->ReceiveStates(exchange);
   if (!this->IsLost)
   {
-    this->TakeEvents(exchange);
+    this->ReceiveEvents(exchange);
   }
   if (!this->IsLost)
   {
@@ -241,7 +241,7 @@ void HaplyDriver::Send(const Vector3& force)
   this->States.Send(WriteHaplyForce(this->Address, FromDevice(limited)), SendTime);
 }
 
-void HaplyDriver::TakeStates(HardwareExchange& exchange)
+void HaplyDriver::ReceiveStates(HardwareExchange& exchange)
 {
   const std::int64_t end = ServoClock::Now() + StateWait;
   ++this->EmptyWaits;
@@ -279,17 +279,17 @@ void HaplyDriver::TakeStates(HardwareExchange& exchange)
   }
   if (this->Awaited == 0 && !this->HasSentRelief)
   {
-    exchange.NoteTaken();
+    exchange.RecordTaken();
   }
   const auto arm = std::find_if(this->Message.Arms.begin(), this->Message.Arms.end(),
     [this](const HaplyArm& one) { return one.Id == this->Id; });
   if (arm != this->Message.Arms.end())
   {
-    this->TakeState(exchange, *arm);
+    this->ReceiveState(exchange, *arm);
   }
 }
 
-void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
+void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
 {
   if (arm.IsSpoilt || (arm.Position && !IsFinite(*arm.Position)))
   {
@@ -329,12 +329,12 @@ void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
   }
   DeviceSample sample;
   sample.Tip = tip;
-  this->TakeGrips(sample);
-  exchange.Tell(sample);
-  this->FollowStatus(exchange, arm);
+  this->CopyGrips(sample);
+  exchange.Report(sample);
+  this->UpdateStatus(exchange, arm);
 }
 
-void HaplyDriver::TakeGrips(DeviceSample& sample) const
+void HaplyDriver::CopyGrips(DeviceSample& sample) const
 {
   for (const HaplyGrip& grip : this->Message.Grips)
   {
@@ -350,15 +350,15 @@ void HaplyDriver::TakeGrips(DeviceSample& sample) const
   }
 }
 
-void HaplyDriver::TakeFlags(const HaplyArm& arm)
+void HaplyDriver::CopyFlags(const HaplyArm& arm)
 {
   this->IsCalibrated = arm.IsCalibrated.value_or(this->IsCalibrated);
   this->IsArmReady = arm.IsReady.value_or(this->IsArmReady);
 }
 
-void HaplyDriver::FollowStatus(HardwareExchange& exchange, const HaplyArm& arm)
+void HaplyDriver::UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm)
 {
-  this->TakeFlags(arm);
+  this->CopyFlags(arm);
   const bool isCalibrated = this->IsCalibrated;
   const bool isReady = this->IsArmReady;
   if (this->IsReady && (!isCalibrated || !isReady))
@@ -370,17 +370,17 @@ void HaplyDriver::FollowStatus(HardwareExchange& exchange, const HaplyArm& arm)
   const char* const request = !isCalibrated ? AskForCalibration : !isReady ? AskForReady : nullptr;
   if (request != nullptr && request != this->Request)
   {
-    this->Tell(exchange, DeviceStage::Homing, request);
+    this->Report(exchange, DeviceStage::Homing, request);
   }
   this->Request = request;
   if (request == nullptr && this->Settled == SettledStates && !this->IsReady)
   {
     this->IsReady = true;
-    this->Tell(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, "");
   }
 }
 
-void HaplyDriver::TakeEvents(HardwareExchange& exchange)
+void HaplyDriver::ReceiveEvents(HardwareExchange& exchange)
 {
   HaplyEvent event;
   while (!this->IsLost && this->Events.IsOpen() &&
@@ -401,13 +401,13 @@ void HaplyDriver::TakeEvents(HardwareExchange& exchange)
     else if (this->IsReady && what != this->Note)
     {
       this->Note = what;
-      this->Tell(exchange, DeviceStage::Ready, "tells a warning: " + what + ".");
+      this->Report(exchange, DeviceStage::Ready, "tells a warning: " + what + ".");
     }
   }
   if (this->IsReady && this->HasEvents && !this->Events.IsOpen())
   {
     this->HasEvents = false;
-    this->Tell(exchange, DeviceStage::Ready,
+    this->Report(exchange, DeviceStage::Ready,
       "goes on without the Inverse service's warnings: their connection has ended. Home() connects "
       "again.");
   }
@@ -452,13 +452,14 @@ void HaplyDriver::Rest() noexcept
 void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
 {
   // Before sending anything, which may take long: notify the servo first.
-  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Report(exchange, DeviceStage::Lost, text);
   this->IsLost = true;
   this->IsReady = false;
   this->Rest();
 }
 
-void HaplyDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
+void HaplyDriver::Report(
+  HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
 {
   exchange.SetCondition(stage, this->Label.c_str(), text.c_str());
 }

@@ -73,18 +73,18 @@ private:
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
   void Send(const Vector3& force);
-  void TakeStates(HardwareExchange& exchange);
-  void TakeState(HardwareExchange& exchange, const HaplyArm& arm);
-  void TakeGrips(DeviceSample& sample) const;
-  void TakeEvents(HardwareExchange& exchange);
+  void ReceiveStates(HardwareExchange& exchange);
+  void ReceiveState(HardwareExchange& exchange, const HaplyArm& arm);
+  void CopyGrips(DeviceSample& sample) const;
+  void ReceiveEvents(HardwareExchange& exchange);
   /** Keeps flags that the message omits. */
-  void TakeFlags(const HaplyArm& arm);
-  void FollowStatus(HardwareExchange& exchange, const HaplyArm& arm);
+  void CopyFlags(const HaplyArm& arm);
+  void UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
   void Rest() noexcept;
   /** Stops all work until homing is requested; the text follows the device's name. */
   void Lose(HardwareExchange& exchange, const std::string& text);
-  void Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
+  void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
 
   const std::string Wanted;
   ///@{

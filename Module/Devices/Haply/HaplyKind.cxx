@@ -12,12 +12,12 @@ namespace
 {
 
 /** Asks the service for its devices. */
-bool FindHaplys(HaplyMessage& message, std::string& error)
+bool ReceiveHaplys(HaplyMessage& message, std::string& error)
 {
   HaplyPorts ports;
   HaplyVersion version;
   std::string text;
-  if (!HaplyPorts::Read(ports, error) || !FindHaplyService(ports, version, error))
+  if (!HaplyPorts::Read(ports, error) || !DetectHaplyService(ports, version, error))
   {
     return false;
   }
@@ -36,7 +36,7 @@ std::vector<DeviceListing> ListHaplys()
   std::vector<DeviceListing> all;
   HaplyMessage message;
   std::string error;
-  if (FindHaplys(message, error))
+  if (ReceiveHaplys(message, error))
   {
     for (const HaplyArm& arm : message.Arms)
     {
@@ -54,7 +54,7 @@ std::string WhyNoHaplys()
 {
   HaplyMessage message;
   std::string error;
-  return FindHaplys(message, error) ? "" : error;
+  return ReceiveHaplys(message, error) ? "" : error;
 }
 
 std::unique_ptr<DeviceBackend> MakeHaply(

@@ -57,7 +57,7 @@ std::string Text(const Json& object, const char* name)
 
 ///@{
 /** Keep the value if the member is missing. False if it is there with another type. */
-bool Take(const Json& object, const char* name, bool& value)
+bool Read(const Json& object, const char* name, bool& value)
 {
   const auto found = object.find(name);
   const bool isThere = found != object.end();
@@ -65,7 +65,7 @@ bool Take(const Json& object, const char* name, bool& value)
   return !isThere || found->is_boolean();
 }
 
-bool Take(const Json& object, const char* name, double& value)
+bool Read(const Json& object, const char* name, double& value)
 {
   const auto found = object.find(name);
   const bool isThere = found != object.end();
@@ -73,28 +73,28 @@ bool Take(const Json& object, const char* name, double& value)
   return !isThere || found->is_number();
 }
 
-bool Take(const Json& object, const char* name, Vector3& value)
+bool Read(const Json& object, const char* name, Vector3& value)
 {
   const auto found = object.find(name);
   return found == object.end() ||
-    (found->is_object() && Take(*found, "x", value.X) && Take(*found, "y", value.Y) &&
-      Take(*found, "z", value.Z));
+    (found->is_object() && Read(*found, "x", value.X) && Read(*found, "y", value.Y) &&
+      Read(*found, "z", value.Z));
 }
 
-bool Take(const Json& object, const char* name, Quaternion& value)
+bool Read(const Json& object, const char* name, Quaternion& value)
 {
   const auto found = object.find(name);
   return found == object.end() ||
-    (found->is_object() && Take(*found, "w", value.W) && Take(*found, "x", value.X) &&
-      Take(*found, "y", value.Y) && Take(*found, "z", value.Z));
+    (found->is_object() && Read(*found, "w", value.W) && Read(*found, "x", value.X) &&
+      Read(*found, "y", value.Y) && Read(*found, "z", value.Z));
 }
 
-bool Take(const Json& object, const char* name, HaplyTransform& value)
+bool Read(const Json& object, const char* name, HaplyTransform& value)
 {
   const auto found = object.find(name);
   return found == object.end() ||
-    (found->is_object() && Take(*found, "position", value.Position) &&
-      Take(*found, "rotation", value.Rotation) && Take(*found, "scale", value.Scale));
+    (found->is_object() && Read(*found, "position", value.Position) &&
+      Read(*found, "rotation", value.Rotation) && Read(*found, "scale", value.Scale));
 }
 ///@}
 
@@ -103,7 +103,7 @@ template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
   Value value{};
-  return !At(object, name).is_null() && Take(object, name, value) ? std::optional<Value>(value)
+  return !At(object, name).is_null() && Read(object, name, value) ? std::optional<Value>(value)
                                                                   : std::nullopt;
 }
 

@@ -85,7 +85,7 @@ bool AskHaply(
   return false;
 }
 
-bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
+bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
 {
   const std::string where =
     " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);

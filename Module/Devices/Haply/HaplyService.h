@@ -41,7 +41,7 @@ bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
 /** Asks the service for its version. False, with the reason and the cure. */
-bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
+bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
 /** For people: maker, product, the service's name of the arm, and the hand that it is built for. */
 std::string NameOfHaply(const HaplyArm& arm);

@@ -45,9 +45,9 @@ std::string HfabDriver::MakeIdentity(const SerialPortInfo& port)
   return "hfab:" + word;
 }
 
-std::vector<SerialPortInfo> HfabDriver::FindBoards(const std::string& folder)
+std::vector<SerialPortInfo> HfabDriver::ListBoardPorts(const std::string& folder)
 {
-  std::vector<SerialPortInfo> boards = SerialPort::Find(Board, folder);
+  std::vector<SerialPortInfo> boards = SerialPort::List(Board, folder);
   boards.erase(
     std::remove_if(boards.begin(), boards.end(),
       [](const SerialPortInfo& port) { return port.Name.find(OtherBoard) != std::string::npos; }),
@@ -68,7 +68,7 @@ bool HfabDriver::Choose(SerialPortInfo& port, std::string& error) const
     }
     return true;
   }
-  const std::vector<SerialPortInfo> boards = FindBoards(this->Folder);
+  const std::vector<SerialPortInfo> boards = ListBoardPorts(this->Folder);
   if (boards.size() == 1)
   {
     port = boards.front();
@@ -176,7 +176,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     bool hasAnswer = false;
     for (int i = 0; i < size; ++i)
     {
-      hasAnswer = this->Reader.Take(bytes[i]) || hasAnswer;
+      hasAnswer = this->Reader.Receive(bytes[i]) || hasAnswer;
     }
     if (hasAnswer)
     {
@@ -216,11 +216,11 @@ void HfabDriver::Serve(HardwareExchange& exchange)
       this->Lost = true;
       this->Rest();
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       if (this->Gone)
       {
-        this->Tell(exchange, DeviceStage::Lost, Unplugged);
+        this->Report(exchange, DeviceStage::Lost, Unplugged);
       }
       else if (this->Lost || this->Now == Phase::Ready)
       {
@@ -230,7 +230,7 @@ void HfabDriver::Serve(HardwareExchange& exchange)
       {
         this->Now = Phase::Calibrating;
         this->StillSince = 0;
-        this->Tell(exchange, DeviceStage::Homing, "is being calibrated: hold its arm still.");
+        this->Report(exchange, DeviceStage::Homing, "is being calibrated: hold its arm still.");
       }
     }
     if (this->Lost)
@@ -257,7 +257,7 @@ void HfabDriver::Restart(HardwareExchange& exchange)
   this->LastAnswer = ServoClock::Now();
   this->Port.Drain();
   this->Reader.Reset();
-  this->Tell(exchange, DeviceStage::Homing, AskForPose);
+  this->Report(exchange, DeviceStage::Homing, AskForPose);
 }
 
 void HfabDriver::Round(HardwareExchange& exchange)
@@ -285,13 +285,13 @@ void HfabDriver::Round(HardwareExchange& exchange)
   }
   this->Pause = ServoClock::SecondsSince(this->LastAnswer);
   this->LastAnswer = ServoClock::Now();
-  if (this->TakeAnswer(exchange))
+  if (this->ReceiveAnswer(exchange))
   {
-    exchange.NoteTaken();
+    exchange.RecordTaken();
   }
 }
 
-bool HfabDriver::TakeAnswer(HardwareExchange& exchange)
+bool HfabDriver::ReceiveAnswer(HardwareExchange& exchange)
 {
   const HfabAnswer& answer = this->Reader.Get();
   if (answer.Model != this->Model && (answer.Error & HfabMessageErrors) == 0)
@@ -318,7 +318,7 @@ bool HfabDriver::TakeAnswer(HardwareExchange& exchange)
   }
   else if (this->Now == Phase::Ready)
   {
-    this->FollowHand(exchange);
+    this->UpdateHand(exchange);
   }
   return !this->Lost;
 }
@@ -344,15 +344,15 @@ void HfabDriver::Calibrate(HardwareExchange& exchange)
   {
     this->Zero[e] = this->Raw[e] - this->Geometry->Home[e];
   }
-  this->FollowHand(exchange);
+  this->UpdateHand(exchange);
   if (!this->Lost)
   {
     this->Now = Phase::Ready;
-    this->Tell(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, "");
   }
 }
 
-void HfabDriver::FollowHand(HardwareExchange& exchange)
+void HfabDriver::UpdateHand(HardwareExchange& exchange)
 {
   HfabModel::Counts counts{};
   for (std::size_t e = 0; e < counts.size(); ++e)
@@ -380,21 +380,21 @@ void HfabDriver::FollowHand(HardwareExchange& exchange)
   {
     sample.Orientation = HfabModel::ComputeOrientation(*this->Geometry, counts);
   }
-  exchange.Tell(sample);
+  exchange.Report(sample);
 }
 
 void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
   // Before sending anything, which may take long: notify the servo first.
   this->Lost = true;
-  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Report(exchange, DeviceStage::Lost, text);
   if (!this->Gone)
   {
     this->Rest();
   }
 }
 
-void HfabDriver::Tell(
+void HfabDriver::Report(
   HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
 {
   exchange.SetCondition(stage, this->Label.c_str(), text);

@@ -73,7 +73,7 @@ public:
   void Disconnect() noexcept override;
 
   /** The ports of boards that may be controllers. */
-  static std::vector<SerialPortInfo> FindBoards(
+  static std::vector<SerialPortInfo> ListBoardPorts(
     const std::string& folder = SerialPort::NamesFolder);
   /** The identity of the board at a port for the user's file of devices. */
   static std::string MakeIdentity(const SerialPortInfo& port);
@@ -98,12 +98,12 @@ private:
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
   void Restart(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
-  bool TakeAnswer(HardwareExchange& exchange);
+  bool ReceiveAnswer(HardwareExchange& exchange);
   void Calibrate(HardwareExchange& exchange);
-  void FollowHand(HardwareExchange& exchange);
+  void UpdateHand(HardwareExchange& exchange);
   void Rest() noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
-  void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
+  void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const std::string Wanted;
   const std::string Folder; ///< the folder that names ports

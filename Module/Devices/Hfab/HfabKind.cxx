@@ -13,7 +13,7 @@ namespace
 std::vector<DeviceListing> ListBoards()
 {
   std::vector<DeviceListing> all;
-  for (const SerialPortInfo& port : HfabDriver::FindBoards())
+  for (const SerialPortInfo& port : HfabDriver::ListBoardPorts())
   {
     all.push_back({ "hfab:" + port.Path, "Arm with an hfab controller, if it is one: " + port.Name,
       SerialPort::StateOf(port.Path), HfabDriver::MakeIdentity(port) });
@@ -24,10 +24,10 @@ std::vector<DeviceListing> ListBoards()
 /** A board can't be identified before it is opened; its listing reports the permission. */
 std::string WhyNoBoards()
 {
-  return HfabDriver::FindBoards().empty() ? std::string("no serial port of a board named \"") +
+  return HfabDriver::ListBoardPorts().empty() ? std::string("no serial port of a board named \"") +
       HfabDriver::Board + "\" is in " + SerialPort::NamesFolder +
       ". Plug the controller in, or give its port, such as \"hfab:/dev/ttyACM0\"."
-                                          : std::string();
+                                              : std::string();
 }
 
 std::unique_ptr<DeviceBackend> MakeHfab(

@@ -26,7 +26,7 @@ bool HfabReader::Fail() noexcept
   return false;
 }
 
-bool HfabReader::Take(char byte) noexcept
+bool HfabReader::Receive(char byte) noexcept
 {
   const bool isUnderWay = this->Field >= 0;
   if (byte == '[')

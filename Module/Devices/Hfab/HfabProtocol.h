@@ -37,7 +37,7 @@ class HfabReader
 {
 public:
   /** Takes a byte. Returns true if it ends an answer; Get then returns the answer. */
-  bool Take(char byte) noexcept;
+  bool Receive(char byte) noexcept;
   const HfabAnswer& Get() const noexcept { return this->Answer; }
   /** How many lines were no answers. */
   int GetBadLines() const noexcept { return this->BadLines; }

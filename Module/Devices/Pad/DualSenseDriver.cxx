@@ -45,7 +45,7 @@ bool DualSenseDriver::IsDualSense(const HidDeviceInfo& info)
 
 std::vector<HidDeviceInfo> DualSenseDriver::Choose(std::string& error) const
 {
-  const std::vector<HidDeviceInfo> pads = FindHidDevices(&DualSenseDriver::IsDualSense);
+  const std::vector<HidDeviceInfo> pads = ListHidDevices(&DualSenseDriver::IsDualSense);
   if (static_cast<std::size_t>(this->Number) >= pads.size())
   {
     error = "The DualSense is not there any more. Plug it in, or switch it on.";
@@ -101,7 +101,7 @@ void DualSenseDriver::Begin(HardwareExchange& exchange, bool)
   this->BadReports = 0;
   this->LastRound = ServoClock::Now();
   this->Tip.Begin(exchange);
-  this->Tell(exchange, DeviceStage::Ready, "");
+  this->Report(exchange, DeviceStage::Ready, "");
 }
 
 void DualSenseDriver::Work(HardwareExchange& exchange)
@@ -172,7 +172,7 @@ void DualSenseDriver::Show(HardwareExchange& exchange)
       "again.");
     return;
   }
-  exchange.NoteTaken();
+  exchange.RecordTaken();
 }
 
 } // namespace VolumeHaptics

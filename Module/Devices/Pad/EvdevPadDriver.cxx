@@ -42,7 +42,7 @@ std::uint16_t ReadHexAttribute(const std::string& path)
   return static_cast<std::uint16_t>(std::strtoul(ReadAttribute(path).c_str(), nullptr, 16));
 }
 
-std::vector<int> FindNumbers()
+std::vector<int> ListNumbers()
 {
   std::vector<int> numbers;
   DIR* const folder = opendir(InputFolder);
@@ -78,10 +78,10 @@ const char* const NoRumbleText =
   "can't vibrate: its driver offers no rumble (FF_RUMBLE). Use a pad with motors; if this one has "
   "some, look for a driver or a newer kernel that knows them.";
 
-std::vector<EvdevPad> FindEvdevPads()
+std::vector<EvdevPad> ListEvdevPads()
 {
   std::vector<EvdevPad> pads;
-  for (const int number : FindNumbers())
+  for (const int number : ListNumbers())
   {
     const std::string event = "event" + std::to_string(number);
     const std::string device = std::string(InputFolder) + "/" + event + "/device";
@@ -153,7 +153,7 @@ EvdevPadDriver::EvdevPadDriver(int number)
 
 bool EvdevPadDriver::Connect(std::string& error)
 {
-  const std::vector<EvdevPad> pads = FindEvdevPads();
+  const std::vector<EvdevPad> pads = ListEvdevPads();
   if (pads.empty())
   {
     error = "No gamepad is plugged in. Plug one in, or pair it.";
@@ -166,12 +166,12 @@ bool EvdevPadDriver::Connect(std::string& error)
   }
   if (this->Number >= 0)
   {
-    return this->Take(pads[static_cast<std::size_t>(this->Number)], error);
+    return this->Own(pads[static_cast<std::size_t>(this->Number)], error);
   }
   std::string first;
   for (const EvdevPad& pad : pads)
   {
-    if (this->Take(pad, error))
+    if (this->Own(pad, error))
     {
       return true;
     }
@@ -181,7 +181,7 @@ bool EvdevPadDriver::Connect(std::string& error)
   return false;
 }
 
-bool EvdevPadDriver::Take(const EvdevPad& pad, std::string& error)
+bool EvdevPadDriver::Own(const EvdevPad& pad, std::string& error)
 {
   if (!pad.Vibrates)
   {
@@ -259,11 +259,11 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
       this->Lost = true;
       this->Rumble.Silence();
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       if (this->Gone)
       {
-        this->Tell(exchange, DeviceStage::Lost, PadUnplugged);
+        this->Report(exchange, DeviceStage::Lost, PadUnplugged);
       }
       else
       {
@@ -278,7 +278,7 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
       if (!this->Gone && !this->Listen(exchange))
       {
         this->Gone = true;
-        this->Tell(exchange, DeviceStage::Lost, PadUnplugged);
+        this->Report(exchange, DeviceStage::Lost, PadUnplugged);
       }
       continue;
     }
@@ -294,7 +294,7 @@ void EvdevPadDriver::Begin(HardwareExchange& exchange)
   this->ReadAll();
   this->LastRound = ServoClock::Now();
   this->Tip.Begin(exchange);
-  this->Tell(exchange, DeviceStage::Ready, "");
+  this->Report(exchange, DeviceStage::Ready, "");
 }
 
 void EvdevPadDriver::Round(HardwareExchange& exchange)
@@ -321,7 +321,7 @@ void EvdevPadDriver::Round(HardwareExchange& exchange)
                    "and Arm() again.");
     return;
   }
-  exchange.NoteTaken();
+  exchange.RecordTaken();
 }
 
 bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
@@ -337,7 +337,7 @@ bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
   const auto count = static_cast<std::size_t>(size) / sizeof(input_event);
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (this->Reader.Take(events[i]) == EvdevReader::News::MustRead)
+    if (this->Reader.Receive(events[i]) == EvdevReader::News::MustRead)
     {
       this->ReadAll();
     }
@@ -349,11 +349,11 @@ void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
   // Before sending anything, which may take long: notify the servo first.
   this->Lost = true;
-  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Report(exchange, DeviceStage::Lost, text);
   this->Rumble.Silence();
 }
 
-void EvdevPadDriver::Tell(
+void EvdevPadDriver::Report(
   HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
 {
   exchange.SetCondition(stage, this->Label.c_str(), text);

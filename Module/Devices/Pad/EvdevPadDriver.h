@@ -42,7 +42,7 @@ struct EvdevPad
 };
 
 /** In the order of their numbers: all pads with a first button and a stick of two axes. */
-std::vector<EvdevPad> FindEvdevPads();
+std::vector<EvdevPad> ListEvdevPads();
 
 /** The obstacle and its cure for a pad whose driver can't make it vibrate. */
 extern const char* const NoRumbleText;
@@ -50,7 +50,7 @@ extern const char* const NoRumbleText;
 class EvdevPadDriver final : public HardwareDriver
 {
 public:
-  /** The number in FindEvdevPads; negative: the first free pad that vibrates. */
+  /** The number in ListEvdevPads; negative: the first free pad that vibrates. */
   explicit EvdevPadDriver(int number);
   ~EvdevPadDriver() override { this->Disconnect(); }
 
@@ -61,7 +61,7 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  bool Take(const EvdevPad& pad, std::string& error);
+  bool Own(const EvdevPad& pad, std::string& error);
   /** Reads all axes and buttons. */
   void ReadAll() noexcept;
   void Begin(HardwareExchange& exchange);
@@ -69,7 +69,7 @@ private:
   /** Waits for a moment; false if the pad was disconnected. */
   bool Listen(const HardwareExchange& exchange) noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
-  void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
+  void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const int Number;
   std::string Label = "A gamepad";

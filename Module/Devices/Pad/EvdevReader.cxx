@@ -87,7 +87,7 @@ void EvdevReader::SetButton(unsigned code, bool isHeld) noexcept
   }
 }
 
-EvdevReader::News EvdevReader::Take(const input_event& event) noexcept
+EvdevReader::News EvdevReader::Receive(const input_event& event) noexcept
 {
   if (event.type == EV_SYN && event.code == SYN_DROPPED)
   {

@@ -44,7 +44,7 @@ public:
   void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
   void SetButton(unsigned code, bool isHeld) noexcept;
   ///@}
-  News Take(const input_event& event) noexcept;
+  News Receive(const input_event& event) noexcept;
   PadState Get() const noexcept;
 
 private:

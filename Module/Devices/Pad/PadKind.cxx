@@ -32,11 +32,11 @@ struct ListedPad
   std::function<std::string()> GetState;
 };
 
-std::vector<ListedPad> FindPads()
+std::vector<ListedPad> ListFoundPads()
 {
   std::vector<ListedPad> pads;
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
-  const std::vector<EvdevPad> known = FindEvdevPads();
+  const std::vector<EvdevPad> known = ListEvdevPads();
   pads.reserve(known.size());
   for (const EvdevPad& pad : known)
   {
@@ -46,7 +46,7 @@ std::vector<ListedPad> FindPads()
 #endif
 #if defined(VOLUME_HAPTICS_HAS_HIDAPI)
   int number = 0;
-  for (const HidDeviceInfo& info : FindHidDevices(&DualSenseDriver::IsDualSense))
+  for (const HidDeviceInfo& info : ListHidDevices(&DualSenseDriver::IsDualSense))
   {
     bool isKnown = false;
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
@@ -68,7 +68,7 @@ std::vector<ListedPad> FindPads()
 std::vector<DeviceListing> ListPads()
 {
   std::vector<DeviceListing> all;
-  for (const ListedPad& pad : FindPads())
+  for (const ListedPad& pad : ListFoundPads())
   {
     all.push_back({ PadIds + (":" + std::to_string(all.size())),
       pad.Label + ": vibration, not force", pad.GetState() });
@@ -80,7 +80,7 @@ constexpr const char* PadCure = "Plug one in, or pair it.";
 
 std::string WhyNoPads()
 {
-  return FindPads().empty()
+  return ListFoundPads().empty()
     ? std::string("no gamepad is plugged in, or the system has no driver for it. ") + PadCure
     : "";
 }
@@ -119,7 +119,7 @@ std::unique_ptr<DeviceBackend> MakePad(
   {
     return nullptr;
   }
-  const std::vector<ListedPad> pads = FindPads();
+  const std::vector<ListedPad> pads = ListFoundPads();
   if (static_cast<std::size_t>(number) >= pads.size())
   {
     error = pads.empty()

@@ -13,7 +13,7 @@ namespace
 constexpr double StickDeadZone = 0.12;
 constexpr double TriggerDeadZone = 0.05;
 constexpr double LargestDeadZone = 0.5;
-constexpr double FineShare = 0.2;
+constexpr double FineFraction = 0.2;
 
 /** The part of a number (0 to 1) beyond a dead zone, scaled to 0 to 1. */
 double Beyond(double part, double deadZone) noexcept
@@ -30,7 +30,7 @@ PadMotion Steer(const PadState& state) noexcept
   {
     return motion;
   }
-  const double speed = (state.Buttons & PadLeftShoulder) != 0 ? FineShare : 1.0;
+  const double speed = (state.Buttons & PadLeftShoulder) != 0 ? FineFraction : 1.0;
   const double back = std::clamp(state.RightY + state.LeftTrigger - state.RightTrigger, -1.0, 1.0);
   // A stick reaches further in its corners than along its axes.
   motion.Push = speed * ClampNorm({ state.LeftX, -state.LeftY, back }, 1.0);

@@ -14,7 +14,7 @@ namespace
 constexpr double LargestForce = 1e6;
 
 /** Moves a level towards another. */
-double Follow(double level, double wanted, double elapsed) noexcept
+double Compute(double level, double wanted, double elapsed) noexcept
 {
   return std::clamp(
     wanted, level - Vibration::FallRate * elapsed, level + Vibration::RiseRate * elapsed);
@@ -34,8 +34,8 @@ VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcep
   this->Slow += -std::expm1(-elapsed / SlowTime) * (force - this->Slow);
   const double weak = std::min(1.0, Norm(force - this->Fast) / FullChange);
   const double strong = std::min(1.0, Norm(this->Fast - this->Slow) / FullChange);
-  this->Levels.Weak = Follow(this->Levels.Weak, weak, elapsed);
-  this->Levels.Strong = Follow(this->Levels.Strong, strong, elapsed);
+  this->Levels.Weak = Compute(this->Levels.Weak, weak, elapsed);
+  this->Levels.Strong = Compute(this->Levels.Strong, strong, elapsed);
   return this->Levels;
 }
 

@@ -41,7 +41,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     if (!mapper.Turn(report, kind, name, shape))
     {
-      mapper.NoteMissing(name);
+      mapper.RecordMissing(name);
     }
   };
   constexpr HidReportKind output = HidReportKind::Output;
@@ -94,7 +94,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   if (this->Magnitude.Known &&
     (!this->Magnitude.Field.IsSigned || this->Magnitude.Field.LogicalMaximum <= 0))
   {
-    mapper.NoteMissing("a Magnitude that can be below and above zero");
+    mapper.RecordMissing("a Magnitude that can be below and above zero");
   }
 
   need(PidUsage::EffectOperationReport, output, "Effect Operation", this->Operation);

@@ -83,7 +83,7 @@ const char* const TwoAxes =
 
 } // namespace
 
-PidFirmware FindPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor)
+PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor)
 {
   PidFirmware firmware;
   if (IsOpenFfboard(info))
@@ -135,7 +135,7 @@ bool PidDriver::Mapping::Read(const HidDeviceInfo& info, bool usesSecond, std::s
   {
     return false;
   }
-  this->Firmware = FindPidFirmware(info, descriptor);
+  this->Firmware = DetectPidFirmware(info, descriptor);
   if (this->Firmware.HasShares)
   {
     this->Device.UseShares();
@@ -191,7 +191,7 @@ std::vector<HidDeviceInfo> PidDriver::Choose(std::string& error) const
 {
   std::vector<HidDeviceInfo> devices;
   std::string reason;
-  for (const HidDeviceInfo& info : FindHidDevices())
+  for (const HidDeviceInfo& info : ListHidDevices())
   {
     const bool isNamed =
       info.Vendor == this->Wanted.Vendor && info.ProductId == this->Wanted.Product;
@@ -253,7 +253,7 @@ void PidDriver::Begin(HardwareExchange& exchange, bool)
   this->LastPacketTime = ServoClock::Now();
   this->LastRound = ServoClock::Now();
   this->Drain();
-  this->Tell(exchange, DeviceStage::Homing, "is being made ready.");
+  this->Report(exchange, DeviceStage::Homing, "is being made ready.");
 }
 
 void PidDriver::Work(HardwareExchange& exchange)
@@ -279,7 +279,7 @@ void PidDriver::Work(HardwareExchange& exchange)
   }
   if (hasNews)
   {
-    this->TellPlace(exchange);
+    this->ReportPlace(exchange);
   }
   const bool isLate =
     this->Repeats > RepeatsOfStream && silence > LateGaps * static_cast<double>(this->LongestGap);
@@ -308,7 +308,8 @@ void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
       this->Stream.emplace(this->Map.Device, this->Settings, *this->Dialogue);
       this->LastRound = ServoClock::Now();
       this->IsSilent(true);
-      this->Tell(exchange, DeviceStage::Homing, "has not said yet where it is: move it a little.");
+      this->Report(
+        exchange, DeviceStage::Homing, "has not said yet where it is: move it a little.");
       break;
     case PidStep::Failed:
       this->Lose(exchange,
@@ -361,7 +362,7 @@ bool PidDriver::Listen(HardwareExchange& exchange)
   return hasNews;
 }
 
-void PidDriver::TellPlace(HardwareExchange& exchange)
+void PidDriver::ReportPlace(HardwareExchange& exchange)
 {
   DeviceSample sample;
   sample.Tip = { Travel * this->State.Axes[0], -Travel * this->State.Axes[1], 0.0 };
@@ -370,11 +371,11 @@ void PidDriver::TellPlace(HardwareExchange& exchange)
   {
     return;
   }
-  exchange.Tell(sample);
+  exchange.Report(sample);
   if (!this->IsReady)
   {
     this->IsReady = true;
-    this->Tell(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, "");
   }
 }
 
@@ -402,7 +403,7 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
     isAlive = true;
     elapsed = 0.0;
   }
-  exchange.NoteTaken();
+  exchange.RecordTaken();
   return isAlive;
 }
 

@@ -59,7 +59,7 @@ struct PidFirmware
   const char* Objection = ""; ///< why no axis can be driven; empty if one can
 };
 
-PidFirmware FindPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor);
+PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor);
 
 class PidDriver final : public HidDriver
 {
@@ -113,7 +113,7 @@ private:
   void GoOnWithDialogue(HardwareExchange& exchange);
   void Fetch(HidReport& report);
   bool Listen(HardwareExchange& exchange);
-  void TellPlace(HardwareExchange& exchange);
+  void ReportPlace(HardwareExchange& exchange);
   /** Whether the device has taken a report. */
   bool SendForces(HardwareExchange& exchange);
   bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;

@@ -16,7 +16,7 @@ std::vector<DeviceListing> ListPid()
 {
   std::vector<DeviceListing> all;
   std::string objection;
-  for (const HidDeviceInfo& info : FindHidDevices())
+  for (const HidDeviceInfo& info : ListHidDevices())
   {
     if (PidDriver::IsPid(info, objection))
     {

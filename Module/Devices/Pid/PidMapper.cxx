@@ -21,7 +21,7 @@ bool PidMapper::Turn(PidUsage report, HidReportKind kind, const char* name, PidD
   }
   if (shape.Size > HidReport::Capacity)
   {
-    this->NoteMissing("a report of at most 64 bytes: " + std::string(name));
+    this->RecordMissing("a report of at most 64 bytes: " + std::string(name));
     shape.Known = false;
   }
   return shape.Known;
@@ -34,7 +34,7 @@ bool PidMapper::Find(HidUsage usage, PidDevice::Slot& slot, HidUsage within) con
   {
     std::int64_t value = field.LogicalMaximum;
     const bool matches =
-      field.IsArray ? this->Descriptor.FindChoice(field, usage, value) : field.Usage == usage;
+      field.IsArray ? this->Descriptor.ReadChoice(field, usage, value) : field.Usage == usage;
     if (this->Current->Known && matches && field.Kind == this->Current->Kind &&
       field.ReportId == this->Current->Id && this->Descriptor.IsWithin(field, Of(this->Report)) &&
       (within == 0 || this->Descriptor.IsWithin(field, within)))
@@ -50,11 +50,11 @@ void PidMapper::Need(PidUsage usage, const char* name, PidDevice::Slot& slot)
 {
   if (this->Current->Known && !this->Find(usage, slot))
   {
-    this->NoteMissing(std::string(name) + " in " + this->Name);
+    this->RecordMissing(std::string(name) + " in " + this->Name);
   }
 }
 
-void PidMapper::NoteMissing(const std::string& what)
+void PidMapper::RecordMissing(const std::string& what)
 {
   this->Missing += (this->Missing.empty() ? "" : ", ") + what;
 }

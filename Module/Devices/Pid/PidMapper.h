@@ -46,7 +46,7 @@ public:
   /** As Find; records a missing field. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
-  void NoteMissing(const std::string& what);
+  void RecordMissing(const std::string& what);
   /** All missing parts, separated by commas. */
   const std::string& GetMissing() const { return this->Missing; }
 

@@ -54,7 +54,7 @@ bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 
 std::vector<HidDeviceInfo> SpaceMouseDriver::Choose(std::string& error) const
 {
-  const std::vector<HidDeviceInfo> devices = FindHidDevices(&SpaceMouseDriver::IsSpaceMouse);
+  const std::vector<HidDeviceInfo> devices = ListHidDevices(&SpaceMouseDriver::IsSpaceMouse);
   if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
     error = devices.empty()
@@ -84,7 +84,7 @@ void SpaceMouseDriver::Begin(HardwareExchange& exchange, bool)
   this->State = {};
   this->LastMotion = ServoClock::Now();
   this->Tip.Begin(exchange);
-  this->Tell(exchange, DeviceStage::Ready, "");
+  this->Report(exchange, DeviceStage::Ready, "");
 }
 
 void SpaceMouseDriver::Work(HardwareExchange& exchange)

@@ -102,7 +102,7 @@ std::shared_ptr<VendorLibrary> VendorLibrary::Load(
 {
   const std::vector<std::string> folders = VendorFolder::Split(path);
   std::vector<std::string> obstacles;
-  const std::vector<VendorFile> files = VendorFolder::Find(folders, obstacles);
+  const std::vector<VendorFile> files = VendorFolder::List(folders, obstacles);
   const auto file = std::find_if(files.begin(), files.end(),
     [&plugin](const VendorFile& candidate) { return candidate.Plugin == plugin; });
   if (file != files.end())
@@ -248,7 +248,7 @@ bool VendorDriver::Connect(std::string& error)
   }
   std::vector<VendorLibrary::Description> devices;
   char serial[128] = "";
-  if (!this->TakeLimits(reason) || !this->Library->Describe(devices, reason) ||
+  if (!this->ReadLimits(reason) || !this->Library->Describe(devices, reason) ||
     this->Library->Functions().GetSerial(this->Device, serial, sizeof(serial)) < 0 ||
     this->Write({}, {}) < 0)
   {
@@ -265,7 +265,7 @@ bool VendorDriver::Connect(std::string& error)
   return true;
 }
 
-bool VendorDriver::TakeLimits(std::string& error)
+bool VendorDriver::ReadLimits(std::string& error)
 {
   VolumeHapticsVendorLimits limits{};
   if (this->Library->Functions().GetLimits(this->Device, &limits) < 0)
@@ -333,7 +333,7 @@ void VendorDriver::Serve(HardwareExchange& exchange)
       this->IsReady = false;
       this->Write({}, {});
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       this->Home(exchange);
     }
@@ -368,7 +368,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
   if (result == VOLUME_HAPTICS_VENDOR_WAITS)
   {
     this->IsReady = false;
-    this->Tell(exchange, DeviceStage::Homing, this->Library->LastError(this->Device));
+    this->Report(exchange, DeviceStage::Homing, this->Library->LastError(this->Device));
     exchange.GetForce();
     this->Write({}, {});
     return;
@@ -378,7 +378,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
     this->Lose(exchange, this->Library->LastError(this->Device));
     return;
   }
-  this->TakePose(exchange, pose, result == VOLUME_HAPTICS_VENDOR_NEWS);
+  this->ReceivePose(exchange, pose, result == VOLUME_HAPTICS_VENDOR_NEWS);
   if (this->Lost)
   {
     return;
@@ -389,7 +389,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
     this->Lose(exchange, this->Library->LastError(this->Device));
     return;
   }
-  exchange.NoteTaken();
+  exchange.RecordTaken();
   const double time = ServoClock::SecondsSince(begin);
   if (time > LongestCall)
   {
@@ -399,7 +399,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
   }
 }
 
-void VendorDriver::TakePose(
+void VendorDriver::ReceivePose(
   HardwareExchange& exchange, const VolumeHapticsVendorPose& pose, bool isNew)
 {
   const Vector3 tip{ pose.Position[0], pose.Position[1], pose.Position[2] };
@@ -421,7 +421,7 @@ void VendorDriver::TakePose(
       sample.Orientation = { q[0], q[1], q[2], q[3] };
     }
     sample.Time = ServoClock::Now() - std::max<std::int64_t>(pose.Age, 0);
-    exchange.Tell(sample);
+    exchange.Report(sample);
   }
   else
   {
@@ -430,7 +430,7 @@ void VendorDriver::TakePose(
   if (!this->IsReady)
   {
     this->IsReady = true;
-    this->Tell(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, "");
   }
 }
 
@@ -438,11 +438,11 @@ void VendorDriver::Lose(HardwareExchange& exchange, const std::string& text)
 {
   this->Lost = true;
   this->IsReady = false;
-  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Report(exchange, DeviceStage::Lost, text);
   this->Write({}, {});
 }
 
-void VendorDriver::Tell(
+void VendorDriver::Report(
   HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
 {
   exchange.SetCondition(stage, this->Label.c_str(), text.c_str());

@@ -98,12 +98,12 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  bool TakeLimits(std::string& error);
+  bool ReadLimits(std::string& error);
   void Round(HardwareExchange& exchange);
-  void TakePose(HardwareExchange& exchange, const VolumeHapticsVendorPose& pose, bool isNew);
+  void ReceivePose(HardwareExchange& exchange, const VolumeHapticsVendorPose& pose, bool isNew);
   void Home(HardwareExchange& exchange);
   void Lose(HardwareExchange& exchange, const std::string& text);
-  void Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
+  void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
   int Write(const Vector3& force, const Vector3& torque) noexcept;
 
   const std::string Plugin;

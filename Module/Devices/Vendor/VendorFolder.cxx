@@ -46,7 +46,7 @@ std::vector<std::string> VendorFolder::Split(const std::string& path)
   return folders;
 }
 
-std::vector<VendorFile> VendorFolder::Find(
+std::vector<VendorFile> VendorFolder::List(
   const std::vector<std::string>& folders, std::vector<std::string>& obstacles)
 {
   namespace fs = std::filesystem;

@@ -39,7 +39,7 @@ public:
    * All plug-ins in the folders; the first of several with the same name. Folders that fail add a
    * text.
    */
-  static std::vector<VendorFile> Find(
+  static std::vector<VendorFile> List(
     const std::vector<std::string>& folders, std::vector<std::string>& obstacles);
 
   static bool IsName(const std::string& plugin);

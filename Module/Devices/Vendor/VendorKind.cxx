@@ -15,7 +15,7 @@ std::vector<DeviceListing> ListVendors()
 {
   std::vector<DeviceListing> all;
   std::vector<std::string> obstacles;
-  for (const VendorFile& file : VendorFolder::Find(VendorFolder::Split(""), obstacles))
+  for (const VendorFile& file : VendorFolder::List(VendorFolder::Split(""), obstacles))
   {
     std::string error;
     std::vector<VendorLibrary::Description> devices;
@@ -42,7 +42,7 @@ std::string WhyNoVendors()
 {
   std::vector<std::string> obstacles;
   const std::vector<std::string> folders = VendorFolder::Split("");
-  const std::vector<VendorFile> files = VendorFolder::Find(folders, obstacles);
+  const std::vector<VendorFile> files = VendorFolder::List(folders, obstacles);
   for (const VendorFile& file : files)
   {
     std::string error;

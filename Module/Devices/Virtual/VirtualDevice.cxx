@@ -63,7 +63,7 @@ void VirtualDevice::ForgetTurn() noexcept
   this->Orders.Write(this->Wanted);
 }
 
-void VirtualDevice::Follow(double period) noexcept
+void VirtualDevice::Update(double period) noexcept
 {
   const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
@@ -123,7 +123,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
   }
   else
   {
-    this->Follow(period);
+    this->Update(period);
   }
   if (this->Unplugged.load())
   {

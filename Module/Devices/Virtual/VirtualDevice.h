@@ -83,7 +83,7 @@ public:
 private:
   static DeviceLimits StrongDesktopDevice();
   void Integrate(double period, const Vector3& force) noexcept;
-  void Follow(double period) noexcept;
+  void Update(double period) noexcept;
 
   VirtualDynamics Dynamics;
   DeviceLimits Limits = StrongDesktopDevice();

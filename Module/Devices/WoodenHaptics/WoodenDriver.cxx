@@ -120,10 +120,10 @@ bool WoodenDriver::IsPolhem(const HidDeviceInfo& info)
 
 std::vector<HidDeviceInfo> WoodenDriver::Choose(std::string& error) const
 {
-  const std::vector<HidDeviceInfo> devices = FindHidDevices(&WoodenDriver::IsWooden);
+  const std::vector<HidDeviceInfo> devices = ListHidDevices(&WoodenDriver::IsWooden);
   if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
-    const std::vector<HidDeviceInfo> others = FindHidDevices(&WoodenDriver::IsPolhem);
+    const std::vector<HidDeviceInfo> others = ListHidDevices(&WoodenDriver::IsPolhem);
     error = !devices.empty()
       ? "There is no WoodenHaptics with this number. Count from 0, as EnumerateDevices() does."
       : !others.empty()
@@ -171,7 +171,7 @@ void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
     this->Now = Phase::Presetting;
     this->LastRound = ServoClock::Now();
     this->PresetBegin = this->LastPreset = ServoClock::Now();
-    this->Tell(exchange, DeviceStage::Homing, "is being told that its arm is in the rest pose.");
+    this->Report(exchange, DeviceStage::Homing, "is being told that its arm is in the rest pose.");
     this->Send(exchange, this->Device.EncodeCalibration());
     return;
   }
@@ -180,13 +180,13 @@ void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
   if (!this->HasConsent)
   {
     this->Now = Phase::Consent;
-    this->Tell(exchange, DeviceStage::Homing, AskForConsent);
+    this->Report(exchange, DeviceStage::Homing, AskForConsent);
     return;
   }
   this->Now = Phase::Asking;
   this->LastRound = ServoClock::Now();
   this->LastSent = 0;
-  this->Tell(exchange, DeviceStage::Homing, "is asked where its arm is.");
+  this->Report(exchange, DeviceStage::Homing, "is asked where its arm is.");
 }
 
 void WoodenDriver::Work(HardwareExchange& exchange)
@@ -212,7 +212,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
       break;
     }
     hasNews = true;
-    this->TakePacket(exchange, bytes, size);
+    this->ReceivePacket(exchange, bytes, size);
   }
   // After a pause, packets that the kernel has dropped are missing.
   this->HasTip = this->HasTip && !isLate;
@@ -238,12 +238,12 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     const auto currents = this->Device.ComputeCurrents(angles, force);
     if (this->Send(exchange, WoodenHaptics::EncodeCurrents(currents)))
     {
-      exchange.NoteTaken();
+      exchange.RecordTaken();
     }
   }
 }
 
-void WoodenDriver::TakePacket(HardwareExchange& exchange, const std::uint8_t* bytes, int size)
+void WoodenDriver::ReceivePacket(HardwareExchange& exchange, const std::uint8_t* bytes, int size)
 {
   if (static_cast<std::size_t>(size) != this->InputSize ||
     WoodenHaptics::Decode(bytes, WoodenHaptics::PacketSize, this->Input))
@@ -253,14 +253,14 @@ void WoodenDriver::TakePacket(HardwareExchange& exchange, const std::uint8_t* by
       "again.");
     return;
   }
-  this->FollowHand(exchange);
+  this->UpdateHand(exchange);
   if (!this->IsLost())
   {
-    this->FollowPhase(exchange);
+    this->UpdatePhase(exchange);
   }
 }
 
-void WoodenDriver::FollowHand(HardwareExchange& exchange)
+void WoodenDriver::UpdateHand(HardwareExchange& exchange)
 {
   const Vector3 tip = this->Device.ComputeTip(this->Device.ComputeAngles(this->Input.Counts));
   const bool jumps = this->HasTip && Norm(tip - this->Tip) > FarthestStep;
@@ -284,20 +284,20 @@ void WoodenDriver::FollowHand(HardwareExchange& exchange)
   }
 }
 
-void WoodenDriver::FollowPhase(HardwareExchange& exchange)
+void WoodenDriver::UpdatePhase(HardwareExchange& exchange)
 {
   const bool isSet =
     this->Now == Phase::Presetting && !this->Input.WantsCalibration && this->IsAtRest();
   if (this->Now == Phase::Asking)
   {
     this->Now = Phase::Waiting;
-    this->Tell(exchange, DeviceStage::Homing, AskForRest);
+    this->Report(exchange, DeviceStage::Homing, AskForRest);
   }
   else if (this->Now == Phase::Presetting && !isSet &&
     ServoClock::SecondsSince(this->PresetBegin) > PresetTime)
   {
     this->Now = Phase::Waiting;
-    this->Tell(exchange, DeviceStage::Homing,
+    this->Report(exchange, DeviceStage::Homing,
       "did not take in where its arm is: hold the arm still in its rest pose, and press Home() "
       "again.");
   }
@@ -305,12 +305,12 @@ void WoodenDriver::FollowPhase(HardwareExchange& exchange)
   {
     DeviceSample sample;
     sample.Tip = ArmToDevice(this->Tip);
-    exchange.Tell(sample);
+    exchange.Report(sample);
   }
   if (isSet)
   {
     this->Now = Phase::Ready;
-    this->Tell(exchange, DeviceStage::Ready, "");
+    this->Report(exchange, DeviceStage::Ready, "");
   }
 }
 

@@ -69,9 +69,9 @@ private:
   void Work(HardwareExchange& exchange) override;
   void Rest() noexcept override;
 
-  void TakePacket(HardwareExchange& exchange, const std::uint8_t* bytes, int size);
-  void FollowPhase(HardwareExchange& exchange);
-  void FollowHand(HardwareExchange& exchange);
+  void ReceivePacket(HardwareExchange& exchange, const std::uint8_t* bytes, int size);
+  void UpdatePhase(HardwareExchange& exchange);
+  void UpdateHand(HardwareExchange& exchange);
   bool IsAtRest() const noexcept;
   bool Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet);
 

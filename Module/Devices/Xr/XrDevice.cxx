@@ -30,7 +30,7 @@ DeviceState XrDevice::Write(const Vector3& force) noexcept
   this->Elapsed = 0.0;
   const double amplitude = std::max(levels.Strong, levels.Weak);
   double largest = this->Largest.load(std::memory_order_relaxed);
-  // Repeated at most once, if TakeAmplitude comes in between: nothing else changes it.
+  // Repeated at most once, if DrainAmplitude comes in between: nothing else changes it.
   while (amplitude > largest &&
     !this->Largest.compare_exchange_strong(largest, amplitude, std::memory_order_relaxed))
   {
@@ -46,7 +46,7 @@ void XrDevice::Quench() noexcept
   VirtualDevice::Quench();
 }
 
-double XrDevice::TakeAmplitude() noexcept
+double XrDevice::DrainAmplitude() noexcept
 {
   const double largest = this->Largest.exchange(0.0, std::memory_order_relaxed);
   const bool isSilent = this->IsQuenched.load(std::memory_order_acquire) ||

@@ -37,14 +37,14 @@ public:
   void Quench() noexcept override;
 
   /** Any one thread: the largest amplitude since the last call, 0 to 1. */
-  double TakeAmplitude() noexcept;
+  double DrainAmplitude() noexcept;
 
 private:
   // Used by the servo only.
   Vibration Levels;
   double Elapsed = 0.0; ///< s, since the last Write
 
-  std::atomic<double> Largest{ 0.0 }; ///< since the last TakeAmplitude
+  std::atomic<double> Largest{ 0.0 }; ///< since the last DrainAmplitude
   std::atomic<std::int64_t> WrittenAt{ 0 };
   std::atomic<bool> IsQuenched{ true };
 };

@@ -22,7 +22,7 @@ from ._labels import Labels, Materials, set_labels
 from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
-    vtkHapticFrameSource,
+    vtkHapticTimeStepSource,
     vtkHapticMeasurementRepresentation,
     vtkHapticMeasurements,
     vtkHapticRegionPicture,
@@ -50,7 +50,7 @@ class Haptics(HostHaptics):
     style: the vtkInteractorStyleHaptic of the widget, for keys, slices and events. It is not the plotter's style.
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
-    frames: the vtkHapticFrameSource of a volume that moves; None without one.
+    frames: the vtkHapticTimeStepSource of a volume that moves; None without one.
     slices: the vtkHapticSliceView beside the scene; None without slices=True.
     measurements: the vtkHapticMeasurements that are taken by touch and keys.
     measured: the vtkHapticMeasurementRepresentation, which shows them in the scene.
@@ -60,7 +60,7 @@ class Haptics(HostHaptics):
 
     def __init__(self, plotter: pv.Plotter, renderer: pv.Renderer | None = None) -> None:
         super().__init__()
-        self.frames: vtkHapticFrameSource | None = None
+        self.frames: vtkHapticTimeStepSource | None = None
         self.slices: vtkHapticSliceView | None = None
         self.measurements = vtkHapticMeasurements()
         self.measured = vtkHapticMeasurementRepresentation()
@@ -266,7 +266,7 @@ def _geometry(image: vtkImageData) -> tuple[Any, ...]:
     return image.GetExtent(), image.GetSpacing(), image.GetOrigin(), direction
 
 
-def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticFrameSource:
+def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticTimeStepSource:
     """Images, one per frame, as the time steps of one volume."""
     if len(frames) < 2:
         raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
@@ -279,9 +279,9 @@ def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapti
     times = [float(time) for time in (range(len(frames)) if times is None else times)]
     if len(times) != len(frames) or len(set(times)) < len(times) or not all(map(math.isfinite, times)):
         raise ValueError(f"each of the {len(frames)} frames needs a finite time of its own, and times is {times}")
-    source = vtkHapticFrameSource()
+    source = vtkHapticTimeStepSource()
     for frame, time in sorted(zip(frames, times), key=lambda pair: pair[1]):
-        source.AddFrame(frame, time)
+        source.AddTimeStep(frame, time)
     source.Update()
     return source
 
@@ -374,7 +374,7 @@ def add_haptics(
     frames = None
     if isinstance(volume, (list, tuple)):
         frames = _frames_of(volume, times)
-        volume = _actor_of(plotter, frames.GetFrame(0))
+        volume = _actor_of(plotter, frames.GetTimeStepImage(0))
     elif times is not None:
         raise TypeError("times are those of frames. Cure: add_haptics(plotter, [first, second, ...], times)")
     is_alone = mode is not None or labels is not None or visibility is not True or preset == "propose"

@@ -86,7 +86,7 @@ void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCh
 }
 
 /** Finds the points of an image that are blanked, or have only blanked cells around them. */
-HiddenVoxels FindBlanked(vtkImageData* image, const int extent[6])
+HiddenVoxels CollectBlanked(vtkImageData* image, const int extent[6])
 {
   HiddenVoxels hidden;
   vtkSmartPointer<vtkUnsignedCharArray> points = image->GetPointGhostArray();
@@ -189,7 +189,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
       regions.High[axis] = ends.second;
     }
   }
-  HiddenVoxels hidden = FindBlanked(image, extent);
+  HiddenVoxels hidden = CollectBlanked(image, extent);
   if (planes.empty() && regions.Kept == CutRegions::All && !hidden.Flags)
   {
     return nullptr;

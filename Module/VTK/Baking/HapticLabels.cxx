@@ -33,7 +33,7 @@ namespace
 constexpr int MostScalarLabels = 1 << 16;
 
 /** Returns the value of a function at a scalar, or the constant if the function has no points. */
-double FindScalarMaterial(vtkHapticProperty* property, const char* name, double label)
+double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, double label)
 {
   for (const PropertyFunction& rule : PropertyFunctions)
   {
@@ -69,10 +69,10 @@ bool FillScalarLabels(
   }
   for (int label = static_cast<int>(std::ceil(range[0])); label <= range[1]; ++label)
   {
-    table->SetStiffness(label, FindScalarMaterial(property, "Stiffness", label));
-    table->SetFriction(label, FindScalarMaterial(property, "Friction", label));
-    table->SetViscosity(label, FindScalarMaterial(property, "Viscosity", label));
-    table->SetSurfaceStrength(label, FindScalarMaterial(property, "SurfaceStrength", label));
+    table->SetStiffness(label, ComputeScalarMaterial(property, "Stiffness", label));
+    table->SetFriction(label, ComputeScalarMaterial(property, "Friction", label));
+    table->SetViscosity(label, ComputeScalarMaterial(property, "Viscosity", label));
+    table->SetSurfaceStrength(label, ComputeScalarMaterial(property, "SurfaceStrength", label));
   }
   return true;
 }
@@ -358,7 +358,7 @@ const char* HapticLabels::Prepare(
 const char* HapticLabels::PrepareScalars(
   vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property)
 {
-  vtkHapticLabelTable* const table = this->FindScalarTable(scalars, property);
+  vtkHapticLabelTable* const table = this->GetScalarTable(scalars, property);
   return this->Prepare(image, scalars, table, table->GetNumberOfLabels() > 0);
 }
 
@@ -388,7 +388,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
     return true; // Get() reports the error
   }
   const Vector3 spacing = SpacingOf(*read);
-  const Vector3 steps = FineLabels::FindSteps(read->View, spacing);
+  const Vector3 steps = FineLabels::ChooseSteps(read->View, spacing);
   const double finer = steps.X * steps.Y * steps.Z;
   if (finer == 1.0 || finer * labels->GetNumberOfTuples() <= MostRefinedAtOnce)
   {
@@ -396,7 +396,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
     return true;
   }
   const std::shared_ptr<const FineLabels> before = last ? last->Fine : nullptr;
-  this->Refining.Follow(key,
+  this->Refining.Poll(key,
     [read, spacing, before](WorkMonitor& monitor) -> std::optional<Fine>
     {
       // Runs the loop on this thread: other threads might not have its low priority.
@@ -444,7 +444,7 @@ bool HapticLabels::PrepareZone(
     return true; // Get() reports the error
   }
   const double standOff = std::get<double>(zoneKey);
-  this->Measuring.Follow(key,
+  this->Measuring.Poll(key,
     [baked, standOff](WorkMonitor& monitor) -> std::optional<Zone>
     {
       auto zone = ForbiddenZone::Make(baked->View, baked->Table, baked->IndexToWorld, standOff,
@@ -509,13 +509,13 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(vtkImageData* image, vtkDat
 std::shared_ptr<const BakedLabels> HapticLabels::GetOfScalars(
   vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine)
 {
-  vtkHapticLabelTable* const table = this->FindScalarTable(scalars, property);
+  vtkHapticLabelTable* const table = this->GetScalarTable(scalars, property);
   std::string ignored;
   return table->GetNumberOfLabels() > 0 ? this->Get(image, scalars, table, isFine, ignored)
                                         : nullptr;
 }
 
-vtkHapticLabelTable* HapticLabels::FindScalarTable(
+vtkHapticLabelTable* HapticLabels::GetScalarTable(
   vtkDataArray* scalars, vtkHapticProperty* property)
 {
   const ImageKey key{ scalars, property, scalars->GetMTime(), property->GetMTime() };

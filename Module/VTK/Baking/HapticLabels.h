@@ -51,7 +51,7 @@ public:
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine);
 
   /** Returns a warning about the labels that were baked last; empty once it was taken. */
-  std::string TakeWarning() { return std::exchange(this->Warning, std::string()); }
+  std::string DrainWarning() { return std::exchange(this->Warning, std::string()); }
 
   /**
    * Prepares a quick Get() in the background. Returns in words what is under way: the distances to
@@ -85,7 +85,7 @@ private:
   bool PrepareZone(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
   bool PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine);
   ///@}
-  vtkHapticLabelTable* FindScalarTable(vtkDataArray* scalars, vtkHapticProperty* property);
+  vtkHapticLabelTable* GetScalarTable(vtkDataArray* scalars, vtkHapticProperty* property);
 
   ImageKey BakedImage{};
   TableKey BakedTable{};

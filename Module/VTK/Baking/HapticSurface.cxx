@@ -148,17 +148,17 @@ bool MayBeShared(vtkPolyData* surface)
  * Computes the scalar range. Returns whether all scalars count; in a large volume, only the noise
  * samples do.
  */
-bool FindScalarRange(const IsoSurface& iso, double range[2])
+bool ComputeScalarRange(const IsoSurface& iso, double range[2])
 {
   VolumeView view;
   vtkSmartPointer<vtkDataArray> holder;
   if (!LocateSamples(iso.Scalars, iso.Component, iso.Image->GetDimensions(), view, holder) ||
     !IsLargeVolume(view.Dimensions))
   {
-    FindFiniteRange(iso.Scalars, iso.Component, range);
+    ComputeFiniteRange(iso.Scalars, iso.Component, range);
     return true;
   }
-  std::copy_n(FindNoise(iso.Image, iso.Scalars, view, iso.Component).Range, 2, range);
+  std::copy_n(EstimateImageNoise(iso.Image, iso.Scalars, view, iso.Component).Range, 2, range);
   return false;
 }
 
@@ -174,7 +174,7 @@ std::shared_ptr<const SurfaceMesh> CheckMesh(
   if (!mesh || mesh->GetNumberOfTriangles() == 0)
   {
     double range[2];
-    const bool isExact = FindScalarRange(iso, range);
+    const bool isExact = ComputeScalarRange(iso, range);
     std::ostringstream message;
     message << "There is no isosurface at the IsoValue " << iso.Value
             << " of vtkVolumeHapticsFilter: the scalars of the input image go from " << range[0]
@@ -318,22 +318,23 @@ std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const i
   return MeshMovingSurface(scalars, extent, component, value, indexToWorld, {});
 }
 
-std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
-  int component, double value, const Affine3& indexToWorld)
+std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
+  const VolumeTimeStep& next, int component, double value, const Affine3& indexToWorld)
 {
   int extent[6];
   for (int a = 0; a < 3; ++a)
   {
-    extent[2 * a] = static_cast<int>(frame.View.First[a]);
-    extent[2 * a + 1] = static_cast<int>(frame.View.Last(a));
+    extent[2 * a] = static_cast<int>(timeStep.View.First[a]);
+    extent[2 * a + 1] = static_cast<int>(timeStep.View.Last(a));
   }
   // See ShareArray() of the model's builder.
-  auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
-  // How the material moves from the last frame of a series back to the first is unknown.
-  const DisplacementView known = frame.Time < next.Time ? frame.Displacements : DisplacementView{};
+  auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeStep.Samples.get()));
+  // How the material moves from the last time step of a series back to the first is unknown.
+  const DisplacementView known =
+    timeStep.Time < next.Time ? timeStep.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
     [&](const std::vector<Vector3>& points) {
-      return FindIsoMotions(points, value, { frame.View, next.View, known, indexToWorld });
+      return MeasureIsoMotions(points, value, { timeStep.View, next.View, known, indexToWorld });
     });
   return mesh ? mesh
               : std::make_shared<const SurfaceMesh>(std::vector<Vector3>(),
@@ -400,7 +401,7 @@ bool HapticSurface::Prepare(
   {
     make = [input = IsoInput(iso, indexToWorld)] { return Made{ input.MakeMesh(), {} }; };
   }
-  this->Meshing.Follow(key,
+  this->Meshing.Poll(key,
     [make = std::move(make)](WorkMonitor& monitor) -> std::optional<Made>
     {
       Made made = make();

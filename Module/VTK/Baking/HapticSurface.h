@@ -69,12 +69,12 @@ std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const i
   int component, double value, const Affine3& indexToWorld);
 
 /**
- * Meshes the isosurface in a frame of a volume that moves, with its motion to the next frame; null
- * if there is no isosurface. The frames keep vtkDataArrays alive. Any thread may call it: the
- * arrays must have VTK's standard memory layout.
+ * Meshes the isosurface in a time step of a volume that moves, with its motion to the next time
+ * step; null if there is no isosurface. The time steps keep vtkDataArrays alive. Any thread may
+ * call it: the arrays must have VTK's standard memory layout.
  */
-std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
-  int component, double value, const Affine3& indexToWorld);
+std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
+  const VolumeTimeStep& next, int component, double value, const Affine3& indexToWorld);
 
 /**
  * Makes a mesh of a surface in the world. Null if it has no triangles, a point is not finite, or a

@@ -81,7 +81,7 @@ public:
     }
   }
 
-  void Take(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
+  void Own(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
 
   /** Releases what returned tasks hold. */
   void Release()
@@ -102,7 +102,7 @@ public:
   }
 
   /** Returns the threads that only have to end, so that another thread can wait for their end. */
-  std::vector<std::thread> TakeThreads()
+  std::vector<std::thread> DrainThreads()
   {
     std::vector<std::thread> threads;
     for (Spent& spent : this->Threads)
@@ -164,7 +164,7 @@ void BackgroundWork::Begin(Task task)
   Run* const current = this->Current.get();
   Leavings* const leavings = Leavings::OfThread();
   auto spent = std::make_shared<std::vector<std::thread>>(
-    leavings ? leavings->TakeThreads() : std::vector<std::thread>());
+    leavings ? leavings->DrainThreads() : std::vector<std::thread>());
   try
   {
     current->Thread = std::thread(
@@ -204,7 +204,7 @@ void BackgroundWork::End() noexcept
     this->LastProcess = this->Current->Process;
     if (Leavings* const leavings = Leavings::OfThread())
     {
-      leavings->Take(std::move(this->Current));
+      leavings->Own(std::move(this->Current));
       leavings->Release();
     }
     else

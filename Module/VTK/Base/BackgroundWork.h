@@ -47,23 +47,26 @@ public:
   ///@{
   /** For the task: whether the owner has cancelled it. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
-  void SetProgress(double share) noexcept { this->Share.store(share, std::memory_order_relaxed); }
-  /** For the task: reports its progress (0 to 1). Returns false if the task is cancelled. */
-  bool GoesOn(double share) noexcept
+  void SetProgress(double fraction) noexcept
   {
-    this->SetProgress(share);
+    this->Fraction.store(fraction, std::memory_order_relaxed);
+  }
+  /** For the task: reports its progress (0 to 1). Returns false if the task is cancelled. */
+  bool GoesOn(double fraction) noexcept
+  {
+    this->SetProgress(fraction);
     return !this->IsCancelled();
   }
   ///@}
   ///@{
   /** For the owner: cancels the task, and reads its progress (0 to 1). */
   void Cancel() noexcept { this->Cancelled.store(true, std::memory_order_relaxed); }
-  double GetProgress() const noexcept { return this->Share.load(std::memory_order_relaxed); }
+  double GetProgress() const noexcept { return this->Fraction.load(std::memory_order_relaxed); }
   ///@}
 
 private:
   std::atomic<bool> Cancelled{ false };
-  std::atomic<double> Share{ 0.0 };
+  std::atomic<double> Fraction{ 0.0 };
 };
 
 /** A task on a thread of its own. Only the owner calls these functions. */
@@ -142,7 +145,7 @@ public:
    * for the old key and begins new work with `make`. If the work fails for lack of memory, the
    * result stays null.
    */
-  const Result* Follow(const Key& key, const Maker& make)
+  const Result* Poll(const Key& key, const Maker& make)
   {
     if (!this->IsOf(key))
     {
@@ -154,7 +157,7 @@ public:
     return this->Find(key);
   }
 
-  /** Returns the result for a key like Follow(), but begins no work. */
+  /** Returns the result for a key like Poll(), but begins no work. */
   const Result* Find(const Key& key)
   {
     if (this->Work.IsBegun() && this->Work.HasReturned())

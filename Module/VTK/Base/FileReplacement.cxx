@@ -65,7 +65,7 @@ bool FileReplacement::Open(const std::string& file, std::string& error)
   {
     return false;
   }
-  this->Target = FollowLinks(file);
+  this->Target = ResolveLinks(file);
   struct stat status;
   const bool isOld = stat(this->Target.c_str(), &status) == 0;
   constexpr mode_t everybody = 0666; // the user's mask removes some of these
@@ -77,7 +77,7 @@ bool FileReplacement::Open(const std::string& file, std::string& error)
     return false;
   }
   this->IsThere = true;
-  this->IsInPlace = isOld && !TakePermissions(this->Descriptor, status);
+  this->IsInPlace = isOld && !CopyPermissions(this->Descriptor, status);
   return true;
 }
 

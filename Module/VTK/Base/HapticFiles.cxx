@@ -105,7 +105,7 @@ int SyncFolder(const std::string& file)
   return failure;
 }
 
-std::string FollowLinks(const std::string& file)
+std::string ResolveLinks(const std::string& file)
 {
   std::string name = file;
   constexpr int most = 40; // as many links as the system follows
@@ -137,7 +137,7 @@ bool IsSameFile(int descriptor, const std::string& file)
     here.st_dev == there.st_dev && here.st_ino == there.st_ino;
 }
 
-bool TakePermissions(int descriptor, const struct stat& other)
+bool CopyPermissions(int descriptor, const struct stat& other)
 {
   struct stat status;
   const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
@@ -208,7 +208,7 @@ std::string ExplainWriteError(int number, const std::string& file)
 bool CheckWritable(const std::string& file, std::string& error)
 {
   struct stat status;
-  const std::string target = FollowLinks(file);
+  const std::string target = ResolveLinks(file);
   if (stat(target.c_str(), &status) == 0)
   {
     if (!S_ISREG(status.st_mode))

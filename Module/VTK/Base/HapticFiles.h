@@ -55,7 +55,7 @@ int OpenToRead(const std::string& file);
 int SyncFolder(const std::string& file);
 
 /** Resolves links: the file that they lead to, even if it does not exist yet. */
-std::string FollowLinks(const std::string& file);
+std::string ResolveLinks(const std::string& file);
 
 /** Whether a name belongs to the open file. */
 bool IsSameFile(int descriptor, const std::string& file);
@@ -64,7 +64,7 @@ bool IsSameFile(int descriptor, const std::string& file);
  * Copies the owner, the group and the permissions of an existing file to a new one, as far as the
  * system allows. False if the groups differ; the new file's group then gets no permissions.
  */
-bool TakePermissions(int descriptor, const struct stat& other);
+bool CopyPermissions(int descriptor, const struct stat& other);
 
 /**
  * Accepts regular files only. False, with what the file is instead: reading a FIFO or a terminal

@@ -96,11 +96,11 @@ std::string ArrayHash::Await(const TouchedArray& array, const std::function<bool
     return {};
   }
   const TouchedArray::Key key = array.GetKey();
-  const std::string* known = this->Work.Follow(key,
+  const std::string* known = this->Work.Poll(key,
     [array](WorkMonitor& monitor) -> std::optional<std::string>
     {
       std::string hash = HashArray(array.Array, array.Dimensions.data(),
-        [&monitor](double share) { return monitor.GoesOn(share); });
+        [&monitor](double fraction) { return monitor.GoesOn(fraction); });
       return hash.empty() ? std::nullopt : std::optional<std::string>(std::move(hash));
     });
   while (!known && this->Work.IsUnderWay() && !this->Work.WaitFor(LookInterval))

@@ -45,7 +45,7 @@ NoiseKey MakeNoiseKey(
  * Reduces the range of all samples to the finite samples that stand for no missing value. The
  * samples are read again only if an end of the range may stand for a missing value.
  */
-void FindInside(vtkDataArray* scalars, int component, double range[2])
+void ComputeInsideRange(vtkDataArray* scalars, int component, double range[2])
 {
   const auto isInside = [](double value) { return std::isfinite(value) && !MayBeMissing(value); };
   if (range[0] > range[1] || (isInside(range[0]) && isInside(range[1])))
@@ -105,14 +105,14 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
   if (HasRangeOfAll(samples.Dimensions))
   {
     double range[2];
-    FindFiniteRange(scalars, component, range);
+    ComputeFiniteRange(scalars, component, range);
     samples.MergeRange(range);
-    FindInside(scalars, component, range);
+    ComputeInsideRange(scalars, component, range);
     NoiseSamples::Extend(samples.Inside, range);
   }
 }
 
-FoundNoise FindNoise(
+FoundNoise EstimateImageNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const auto find = [&]
@@ -120,7 +120,7 @@ FoundNoise FindNoise(
     FoundNoise noise;
     if (HasRangeOfAll(view.Dimensions))
     {
-      FindFiniteRange(scalars, component, noise.Range);
+      ComputeFiniteRange(scalars, component, noise.Range);
     }
     noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
       view.Dimensions, noise.Range);
@@ -129,27 +129,28 @@ FoundNoise FindNoise(
   return Recall<FoundNoise>(image, scalars, view, component, find);
 }
 
-BackgroundLevel FindSolid(
+BackgroundLevel EstimateSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const auto find = [&]
   {
-    return BackgroundLevel::Find(
+    return BackgroundLevel::Estimate(
       [=](std::int64_t i) { return scalars->GetComponent(i, component); }, view.Dimensions);
   };
   return Recall<BackgroundLevel>(image, scalars, view, component, find);
 }
 
-StoredShift FindStoredShift(
+StoredShift EstimateStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   return Recall<StoredShift>(image, scalars, view, component,
-    [&] { return FindStoredShift(scalars, view.Dimensions, component); });
+    [&] { return EstimateStoredShift(scalars, view.Dimensions, component); });
 }
 
-StoredShift FindStoredShift(vtkDataArray* scalars, const std::int64_t dimensions[3], int component)
+StoredShift EstimateStoredShift(
+  vtkDataArray* scalars, const std::int64_t dimensions[3], int component)
 {
-  return StoredShift::Find(
+  return StoredShift::Estimate(
     [=](std::int64_t i) { return scalars->GetComponent(i, component); }, dimensions);
 }
 

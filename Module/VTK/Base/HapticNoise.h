@@ -42,18 +42,21 @@ struct FoundNoise
  * Estimates the noise of a component. The results for the latest arrays are remembered, for all
  * filters of a thread, until the image or the array is modified.
  */
-FoundNoise FindNoise(
+FoundNoise EstimateImageNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
-/** Finds where the background ends; remembers the result as FindNoise() does. */
-BackgroundLevel FindSolid(
+/** Finds where the background ends; remembers the result as EstimateImageNoise() does. */
+BackgroundLevel EstimateSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 ///@{
-/** Finds how Hounsfield units are stored; with a view, remembers the result as FindNoise() does. */
-StoredShift FindStoredShift(
+/**
+ * Finds how Hounsfield units are stored; with a view, remembers the result as EstimateImageNoise()
+ * does.
+ */
+StoredShift EstimateStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
-VTKVOLUMEHAPTICS_EXPORT StoredShift FindStoredShift(
+VTKVOLUMEHAPTICS_EXPORT StoredShift EstimateStoredShift(
   vtkDataArray* scalars, const std::int64_t dimensions[3], int component);
 ///@}
 

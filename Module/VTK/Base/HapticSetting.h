@@ -142,7 +142,7 @@ struct SettingAccess<Getter, Setter, Baked>
 
   /** The member of a model's description, or of the settings in it. */
   template <typename Description>
-  static auto& Find(Description& description)
+  static auto& Get(Description& description)
   {
     if constexpr (std::is_invocable_v<decltype(Baked), HapticSettings&>)
     {
@@ -155,12 +155,12 @@ struct SettingAccess<Getter, Setter, Baked>
   }
   static void Bake(Owner* owner, HapticModelDescription& description)
   {
-    auto& value = Find(description);
+    auto& value = Get(description);
     value = static_cast<std::remove_reference_t<decltype(value)>>((owner->*Getter)());
   }
   static bool IsSame(const HapticModelDescription& a, const HapticModelDescription& b)
   {
-    return Find(a) == Find(b);
+    return Get(a) == Get(b);
   }
 
   static constexpr HapticSetting<Owner> Make(const SettingFacts& facts)

@@ -83,7 +83,7 @@ void Fill(const OutsideSamples& outside, int scalarType, void* samples, std::int
 
 } // namespace
 
-OutsideSamples FindOutside(vtkImageData* image, vtkDataArray* scalars, int component)
+OutsideSamples DetectOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
   if (component < 0 || component >= scalars->GetNumberOfComponents() ||
     image->GetNumberOfPoints() == 0 || scalars->GetNumberOfTuples() != image->GetNumberOfPoints() ||
@@ -101,7 +101,7 @@ OutsideSamples FindOutside(vtkImageData* image, vtkDataArray* scalars, int compo
   NoiseSamples samples;
   int* const extent = image->GetExtent();
   CollectNoiseSamples(scalars, component, extent, extent, samples);
-  return FindOutside(samples);
+  return DetectOutside(samples);
 }
 
 void FillOutside(const OutsideSamples& outside, vtkDataArray* scalars, int component)
@@ -184,7 +184,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
   {
     this->Filled = nullptr; // releases the old copy first, so that both are never in memory at once
     this->Of = {};
-    this->Last = FindOutside(image, scalars, component);
+    this->Last = DetectOutside(image, scalars, component);
     if (this->Last.HasAny())
     {
       this->Filled = CopyFilled(this->Last, scalars, component);
@@ -195,7 +195,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
   return this->Filled ? this->Filled : vtkSmartPointer<vtkDataArray>(scalars);
 }
 
-std::string OutsideFiller::TakeNotice()
+std::string OutsideFiller::DrainNotice()
 {
   // Time steps of a moving volume yield texts whose values differ only slightly.
   const std::string notice = std::exchange(this->Notice, {});

@@ -28,7 +28,7 @@ namespace VolumeHaptics
  * Finds what is outside in a component of an image. For a region of a larger volume, the image's
  * field arrays say so; in data that can't be touched, nothing is outside.
  */
-VTKVOLUMEHAPTICS_EXPORT OutsideSamples FindOutside(
+VTKVOLUMEHAPTICS_EXPORT OutsideSamples DetectOutside(
   vtkImageData* image, vtkDataArray* scalars, int component);
 
 ///@{
@@ -62,7 +62,7 @@ public:
   /** What was outside in the last array. */
   const OutsideSamples& GetLast() const { return this->Last; }
   /** Returns DescribeOutside() of the last array the first time, then an empty text. */
-  std::string TakeNotice();
+  std::string DrainNotice();
 
 private:
   using Key = std::tuple<const void*, const void*, int, vtkMTimeType>;

@@ -19,7 +19,7 @@ namespace VolumeHaptics
  * same memory keeps them, so that another thread may read the array meanwhile. Arrays that don't
  * keep tuple after tuple in memory have no such view.
  */
-inline void FindFiniteRange(vtkDataArray* array, int component, double range[2])
+inline void ComputeFiniteRange(vtkDataArray* array, int component, double range[2])
 {
   if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // 0 for bits
   {

@@ -5,16 +5,16 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Playback/HapticChangeTime.h"
-#include "VTK/Device/Playback/StreamedWindow.h"
-#include "VTK/Filter/FilterFrames.h"
+#include "VTK/Device/Playback/StreamedTimeSpan.h"
+#include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Filter/HapticModelBuilder.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
-#include "vtkHapticFrameSource.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticTimeStepSource.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -96,7 +96,7 @@ double DataPlayback::GetTime() const
 
 bool DataPlayback::IsWaiting() const
 {
-  return this->Window && this->Session.IsRunning() && this->Session.GetState().Clock.IsWaiting;
+  return this->Span && this->Session.IsRunning() && this->Session.GetState().Clock.IsWaiting;
 }
 
 std::string DataPlayback::Describe() const
@@ -106,7 +106,7 @@ std::string DataPlayback::Describe() const
     return {};
   }
   const DataClockReport& report = this->Session.GetState().Clock;
-  const Need need = this->Steps.FindNeed(report.Wanted, report.IsBackward, this->Orders.Mode);
+  const Need need = this->Steps.ComputeNeed(report.Wanted, report.IsBackward, this->Orders.Mode);
   const std::size_t missing = this->Has(need.First) ? this->Steps.After(need.First) : need.First;
   std::ostringstream text;
   text << "The volume is waiting for the frame at data time " << this->Steps.Times[missing]
@@ -124,7 +124,7 @@ bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
     (HasTimeSteps(filter) && !filter->GetBaker().IsResampled());
 }
 
-bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
+bool DataPlayback::DetectFelt(vtkVolumeHapticsFilter* filter) const
 {
   if (this->IsMoving && filter && filter->GetNumberOfInputConnections(0) > 0)
   {
@@ -134,54 +134,54 @@ bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
   return this->IsFelt(filter);
 }
 
-HapticFrame DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
+ImageTimeStep DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
 {
-  if (!this->Window || !this->HasTime)
+  if (!this->Span || !this->HasTime)
   {
     return { this->Time, nullptr, nullptr, nullptr };
   }
-  const std::size_t nearest = this->Window->FindNearestFrame(this->Time);
-  const FieldFrame& frame = this->Window->Frames[nearest];
+  const std::size_t nearest = this->Span->FindNearestTimeStep(this->Time);
+  const FieldTimeStep& timeStep = this->Span->TimeSteps[nearest];
   // See ShareArray() of the model's builder.
-  auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
+  auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(timeStep.Samples.get()));
   const int component = this->Steps.AreComponents
     ? static_cast<int>(nearest % this->Steps.Times.size())
     : filter->GetProperty()->GetComponent();
-  return { frame.Time, nullptr, array, nullptr, component };
+  return { timeStep.Time, nullptr, array, nullptr, component };
 }
 
 bool DataPlayback::Has(std::size_t step) const
 {
   const std::size_t offset =
     (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
-  return offset < this->Window->Frames.size();
+  return offset < this->Span->TimeSteps.size();
 }
 
-FramePlace DataPlayback::FindPlace(vtkVolumeHapticsFilter* filter) const
+TimeStepPlace DataPlayback::ComputePlace(vtkVolumeHapticsFilter* filter) const
 {
   const bool isKnown = this->HasTime || this->Orders.Places > 0;
   const bool isBackward = this->Speed * filter->GetTimeUnitsPerSecond() < 0.0;
   return { isKnown ? std::optional(this->GetTime()) : std::nullopt, isBackward, this->Orders.Mode };
 }
 
-bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame)
+bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeTimeStep& timeStep)
 {
   std::string error;
   try
   {
-    HapticFrame read;
-    if (!ReadFrame(filter, this->Steps.Times[step], filter->GetBaker().GetReading(), read))
+    ImageTimeStep read;
+    if (!ReadTimeStep(filter, this->Steps.Times[step], filter->GetBaker().GetReading(), read))
     {
       error = "A time step of the image on input port 0 can't be read: see the errors of its "
               "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
     }
     else
     {
-      const FieldFrame& like = this->Window->Frames.front();
-      const FrameShape shape{ like.Field.GetView(), this->Window->IndexToWorld,
-        this->Window->Series, filter->GetKernelRadius(), filter->GetDisplacementArrayName(),
+      const FieldTimeStep& like = this->Span->TimeSteps.front();
+      const TimeStepShape shape{ like.Field.GetView(), this->Span->IndexToWorld, this->Span->Series,
+        filter->GetKernelRadius(), filter->GetDisplacementArrayName(),
         filter->GetBaker().GetOutside() };
-      MakeVolumeFrame(read, shape, frame, error);
+      MakeVolumeTimeStep(read, shape, timeStep, error);
     }
   }
   catch (const std::bad_alloc&)
@@ -203,111 +203,115 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
 {
   std::string error;
   Affine3 placement = ScaledPlacement(filter->GetMetersPerWorldUnit());
-  if (isCurrent && this->Window && rate == this->Rate &&
+  if (isCurrent && this->Span && rate == this->Rate &&
     (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
-    return std::make_shared<const HapticModel>(this->Window, placement, caps);
+    return std::make_shared<const HapticModel>(this->Span, placement, caps);
   }
   const std::shared_ptr<const BakedVolume> last =
-    this->IsStreamed(filter, rate) ? this->Window : nullptr;
-  const BakedVolume* const kept = this->FindKept(filter);
-  const std::shared_ptr<const BakedVolume> old = std::exchange(this->Window, nullptr);
+    this->IsStreamed(filter, rate) ? this->Span : nullptr;
+  const BakedVolume* const kept = this->GetKept(filter);
+  const std::shared_ptr<const BakedVolume> old = std::exchange(this->Span, nullptr);
   if (old)
   {
-    this->Past.Note(old);
+    this->Past.Record(old);
   }
   this->Failed = None;
   this->Meshless.clear();
   this->Mesher.End();
-  ReadFrames window = this->Preparation.Take(filter, this->FindPlace(filter), kept);
-  const TimeSteps before = std::exchange(this->Steps, std::move(window.Steps));
-  this->First = window.First;
-  if (!window.AreRead)
+  PreparedTimeSpan span = this->Preparation.Drain(filter, this->ComputePlace(filter), kept);
+  const TimeSteps before = std::exchange(this->Steps, std::move(span.Steps));
+  this->First = span.First;
+  if (!span.AreRead)
   {
     return nullptr;
   }
-  std::vector<HapticFrame>& read = window.Frames;
+  std::vector<ImageTimeStep>& read = span.Images;
   if (read.empty())
   {
     return filter->GetBaker().Bake(rate, caps, deviceToWorld);
   }
   this->Rate = rate;
-  this->MadeOf = FindOrigin(filter);
-  this->Window = last
-    ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times), filter->GetKernelRadius(),
+  this->MadeOf = GetTimeStepOrigin(filter);
+  this->Span = last
+    ? GoOnWithTimeSteps(*last, read, MakeSeries(this->Steps.Times), filter->GetKernelRadius(),
         filter->GetDisplacementArrayName(), filter->GetBaker().GetOutside())
     : nullptr;
-  if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
+  if (this->Span && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
     this->GoOnFrom(*last, before.Times);
     this->WarnOfFastMotion(filter);
-    return std::make_shared<const HapticModel>(this->Window, placement, caps);
+    return std::make_shared<const HapticModel>(this->Span, placement, caps);
   }
   auto model =
-    filter->GetBaker().BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
-  this->Window = model ? model->Baked : nullptr;
+    filter->GetBaker().BakeTimeSteps(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
+  this->Span = model ? model->Baked : nullptr;
   // Read after the bake, because the first bake creates what the property lacks.
-  this->MadeBeside = FindChangeTimeBesideImage(filter);
-  if (this->Window)
+  this->MadeBeside = ComputeChangeTimeBesideImage(filter);
+  if (this->Span)
   {
     this->WarnOfFastMotion(filter);
   }
   return model;
 }
 
-/** Returns the window if a new window of the filter can keep its samples; null if it can't. */
-const BakedVolume* DataPlayback::FindKept(vtkVolumeHapticsFilter* filter) const
+/**
+ * Returns the time span if a new time span of the filter can keep its samples; null if it can't.
+ */
+const BakedVolume* DataPlayback::GetKept(vtkVolumeHapticsFilter* filter) const
 {
-  return !this->Steps.AreComponents && this->MadeOf == FindOrigin(filter) ? this->Window.get()
-                                                                          : nullptr;
+  return !this->Steps.AreComponents && this->MadeOf == GetTimeStepOrigin(filter) ? this->Span.get()
+                                                                                 : nullptr;
 }
 
 /**
- * Whether a new window would need a time step that the last window lacks: Follow() has to read that
- * step first, when the memory of another step is free.
+ * Whether a new time span would need a time step that the last time span lacks: Poll() has to read
+ * that step first, when the memory of another step is free.
  */
 bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
 {
   const TickCollector* const ticks = this->Session.GetTicks();
   const HapticModel* const felt = ticks ? ticks->GetLatestModel() : nullptr;
-  if (!this->Session.IsRunning() || !this->HasTime || !felt || felt->Baked != this->Window ||
-    !this->FindKept(filter) || this->Steps.AreWindow() || this->Failed != None)
+  if (!this->Session.IsRunning() || !this->HasTime || !felt || felt->Baked != this->Span ||
+    !this->GetKept(filter) || this->Steps.AreAllAtOnce() || this->Failed != None)
   {
     return false;
   }
-  const FramePlace place = this->FindPlace(filter);
-  const Need need = this->Steps.FindNeed(*place.Time, place.IsBackward, place.Mode);
+  const TimeStepPlace place = this->ComputePlace(filter);
+  const Need need = this->Steps.ComputeNeed(*place.Time, place.IsBackward, place.Mode);
   return !this->Has(need.First) || !this->Has(this->Steps.After(need.First));
 }
 
-/** Joins the window to the last frames if frames of a stream were left out in between. */
+/**
+ * Joins the time span to the last time steps if time steps of a stream were left out in between.
+ */
 void DataPlayback::GoOnFrom(const BakedVolume& last, const std::vector<double>& times)
 {
   const bool isFelt = this->Session.IsRunning() && this->HasTime;
   auto joined = isFelt && !GoesOnWith(times, this->Steps.Times, this->Time)
-    ? JoinWindows(last, *this->Window, this->Time)
+    ? JoinTimeSpans(last, *this->Span, this->Time)
     : nullptr;
   if (joined)
   {
-    this->Window = std::move(joined);
+    this->Span = std::move(joined);
     this->Steps.Times.clear();
-    for (std::size_t i = 0; i + 1 < this->Window->Frames.size(); ++i)
+    for (std::size_t i = 0; i + 1 < this->Span->TimeSteps.size(); ++i)
     {
-      this->Steps.Times.push_back(this->Window->Frames[i].Time);
+      this->Steps.Times.push_back(this->Span->TimeSteps[i].Time);
     }
   }
 }
 
 void DataPlayback::WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const
 {
-  filter->GetBaker().WarnOfFastMotion(*this->Window, this->Orders.Mode == Playback::Loop);
+  filter->GetBaker().WarnOfFastMotion(*this->Span, this->Orders.Mode == Playback::Loop);
 }
 
 bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent)
 {
-  const bool isMade = isCurrent && this->Window && rate == this->Rate;
-  const bool isStreamed = !isMade && this->Window && this->IsStreamed(filter, rate);
-  // The frames of a stream are played to their end before the next frames replace them.
+  const bool isMade = isCurrent && this->Span && rate == this->Rate;
+  const bool isStreamed = !isMade && this->Span && this->IsStreamed(filter, rate);
+  // The time steps of a stream are played to their end before the next time steps replace them.
   const auto isReady = [&](const std::vector<double>& times)
   {
     return !isStreamed || !this->IsOnItsWay() || times.size() < 2 ||
@@ -323,8 +327,8 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
     this->EndPreparing();
     return isReady(ReadTimeSteps(filter->GetInputInformation(0, 0)));
   }
-  const bool isPrepared = this->Preparation.Follow(filter, this->FindPlace(filter),
-    isStreamed ? this->Window.get() : nullptr, this->FindKept(filter));
+  const bool isPrepared = this->Preparation.Poll(filter, this->ComputePlace(filter),
+    isStreamed ? this->Span.get() : nullptr, this->GetKept(filter));
   return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
@@ -337,41 +341,41 @@ bool DataPlayback::IsOnItsWay() const
     this->Orders.Mode == Playback::Once && this->Time != end;
 }
 
-/** Whether the frames may continue the volume that was baked last. */
+/** Whether the time steps may continue the volume that was baked last. */
 bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
 {
-  auto* const source = vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
+  auto* const source = vtkHapticTimeStepSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
   return source && source->GetStreamed() && rate == this->Rate &&
     filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
-    this->MadeBeside == FindChangeTimeBesideImage(filter);
+    this->MadeBeside == ComputeChangeTimeBesideImage(filter);
 }
 
-/** Returns frames of the window by their step's number in the series. */
-std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count)
+/** Returns time steps of the time span by their step's number in the series. */
+std::vector<VolumeTimeStep> DataPlayback::Keep(std::size_t first, std::size_t count)
 {
-  std::vector<VolumeFrame> frames;
+  std::vector<VolumeTimeStep> timeSteps;
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t step = (first + i) % this->Steps.Times.size();
     const std::size_t offset =
       (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
-    frames.push_back(KeepFrame(*this->Window, offset));
+    timeSteps.push_back(KeepTimeStep(*this->Span, offset));
   }
-  return frames;
+  return timeSteps;
 }
 
 std::shared_ptr<const HapticModel> DataPlayback::Show(
-  std::size_t first, std::vector<VolumeFrame>&& frames)
+  std::size_t first, std::vector<VolumeTimeStep>&& timeSteps)
 {
   const HapticModel* const last = this->Session.GetTicks()->GetLatestModel();
-  this->Past.Note(this->Window);
-  this->Window = std::make_shared<const BakedVolume>(*this->Window, frames, this->Window->Series);
+  this->Past.Record(this->Span);
+  this->Span = std::make_shared<const BakedVolume>(*this->Span, timeSteps, this->Span->Series);
   this->First = first;
   return std::make_shared<const HapticModel>(
-    this->Window, last->DeviceToWorld, this->Session.FindCaps(this->Session.GetRate()));
+    this->Span, last->DeviceToWorld, this->Session.ComputeCaps(this->Session.GetRate()));
 }
 
-std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* filter)
+std::shared_ptr<const HapticModel> DataPlayback::Poll(vtkVolumeHapticsFilter* filter)
 {
   const TickCollector* const ticks = this->Session.GetTicks();
   const HapticModel* const felt = ticks ? ticks->GetLatestModel() : nullptr;
@@ -386,13 +390,13 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
   }
   const ServoSnapshot& state = this->Session.GetState();
   const DataClockReport& report = state.Clock;
-  if (!report.IsMoving || !this->Window || felt->Baked != this->Window)
+  if (!report.IsMoving || !this->Span || felt->Baked != this->Span)
   {
     return nullptr;
   }
   this->Time = state.Record.DataTime;
   this->HasTime = true;
-  if (this->Steps.AreWindow() || this->Preparation.IsBegun())
+  if (this->Steps.AreAllAtOnce() || this->Preparation.IsBegun())
   {
     return nullptr;
   }
@@ -401,18 +405,19 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     return this->ShowMeshed(filter, this->MeshlessFirst, std::exchange(this->Meshless, {}));
   }
   const double wanted = report.IsWaiting ? report.Wanted : this->Time;
-  const Need need = this->Steps.FindNeed(wanted, report.IsBackward, this->Orders.Mode);
+  const Need need = this->Steps.ComputeNeed(wanted, report.IsBackward, this->Orders.Mode);
   const std::size_t second = this->Steps.After(need.First);
   const bool hasPair = this->Has(need.First) && this->Has(second);
   const std::size_t begin = need.Next == this->Steps.Before(need.First) ? need.Next : need.First;
-  if (this->Window->Frames.size() > 2)
+  if (this->Span->TimeSteps.size() > 2)
   {
     if (hasPair && this->First == begin)
     {
       return nullptr;
     }
-    // The pair of steps around the present time; a third frame comes only when its memory is free.
-    const Need now = this->Steps.FindNeed(this->Time, report.IsBackward, this->Orders.Mode);
+    // The pair of steps around the present time; a third time step comes only when its memory is
+    // free.
+    const Need now = this->Steps.ComputeNeed(this->Time, report.IsBackward, this->Orders.Mode);
     const bool isThere = this->Has(now.First) && this->Has(this->Steps.After(now.First));
     const std::size_t first = isThere ? now.First
       : report.IsBackward             ? this->First
@@ -424,35 +429,35 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
   {
     return nullptr;
   }
-  VolumeFrame frame;
+  VolumeTimeStep timeStep;
   if (hasPair)
   {
-    if (!isGood(need.Next) || !this->Read(filter, need.Next, frame))
+    if (!isGood(need.Next) || !this->Read(filter, need.Next, timeStep))
     {
       return nullptr;
     }
-    std::vector<VolumeFrame> frames = this->Keep(need.First, 2);
-    frames.insert(begin == need.First ? frames.end() : frames.begin(), frame);
-    return this->ShowMeshed(filter, begin, std::move(frames));
+    std::vector<VolumeTimeStep> timeSteps = this->Keep(need.First, 2);
+    timeSteps.insert(begin == need.First ? timeSteps.end() : timeSteps.begin(), timeStep);
+    return this->ShowMeshed(filter, begin, std::move(timeSteps));
   }
   const std::vector<std::size_t> steps = this->ChooseSteps(need, wanted);
-  std::vector<VolumeFrame> frames;
+  std::vector<VolumeTimeStep> timeSteps;
   for (const std::size_t step : steps)
   {
     if (this->Has(step))
     {
-      frames.push_back(this->Keep(step, 1).front());
+      timeSteps.push_back(this->Keep(step, 1).front());
     }
-    else if (isGood(step) && this->Read(filter, step, frame))
+    else if (isGood(step) && this->Read(filter, step, timeStep))
     {
-      frames.push_back(frame);
+      timeSteps.push_back(timeStep);
     }
     else
     {
       return nullptr;
     }
   }
-  return this->ShowMeshed(filter, steps.front(), std::move(frames));
+  return this->ShowMeshed(filter, steps.front(), std::move(timeSteps));
 }
 
 /**
@@ -463,31 +468,31 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
 std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time) const
 {
   const std::size_t second = this->Steps.After(need.First);
-  if (this->Window->Frames.size() < 2 || this->Has(need.First) || this->Has(second))
+  if (this->Span->TimeSteps.size() < 2 || this->Has(need.First) || this->Has(second))
   {
     return { need.First, second };
   }
   // A mesh describes the way to the next step: it stays valid at the step itself.
   const std::vector<double>& times = this->Steps.Times;
   const bool isSecondNearer =
-    std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Window->Mesh;
+    std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Span->Mesh;
   return { isSecondNearer ? second : need.First };
 }
 
-/** Returns the window, or null until it has its meshes. */
+/** Returns the time span, or null until it has its meshes. */
 std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
-  vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames)
+  vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeTimeStep>&& timeSteps)
 {
-  const std::vector<int> components(frames.size(), filter->GetProperty()->GetComponent());
-  if (!this->Window->Mesh ||
-    this->Mesher.Follow(
-      frames, components, this->Window->Settings.IsoValue, this->Window->IndexToWorld))
+  const std::vector<int> components(timeSteps.size(), filter->GetProperty()->GetComponent());
+  if (!this->Span->Mesh ||
+    this->Mesher.Poll(
+      timeSteps, components, this->Span->Settings.IsoValue, this->Span->IndexToWorld))
   {
-    auto model = this->Show(first, std::move(frames));
+    auto model = this->Show(first, std::move(timeSteps));
     this->WarnOfFastMotion(filter);
     return model;
   }
-  this->Meshless = std::move(frames);
+  this->Meshless = std::move(timeSteps);
   this->MeshlessFirst = first;
   return nullptr;
 }

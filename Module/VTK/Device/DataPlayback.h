@@ -2,37 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plays the frames of a volume that moves to the servo: time steps of a filter's image, or
+ * Plays the time steps of a volume that moves to the servo: time steps of a filter's image, or
  * components of it.
  *
- * The servo has a window of two or three time steps (FrameSeries.h), and its clock moves through
- * them (DataClock.h). This class, on the owner's thread, reads the next step ahead of the servo's
- * time and publishes a new window with the tables of the last window. At most three steps are in
- * memory, beside the one that their source writes to: a step that is no longer needed is released
- * first, and if only settings have changed, the next model keeps the frames of the last model. If
- * SetTime jumps to a pair of two other steps, the servo feels the old pair until one new step is
- * there, and this step alone until the second one is there. A series of up to three steps is
- * published whole, as are components and the frames of a vtkHapticFrameSource, which are in memory
- * anyway.
+ * The servo has a time span of two or three time steps (TimeStepSeries.h), and its clock moves
+ * through them (DataClock.h). This class, on the owner's thread, reads the next step ahead of the
+ * servo's time and publishes a new time span with the tables of the last time span. At most three
+ * steps are in memory, beside the one that their source writes to: a step that is no longer needed
+ * is released first, and if only settings have changed, the next model keeps the time steps of the
+ * last model. If SetTime jumps to a pair of two other steps, the servo feels the old pair until one
+ * new step is there, and this step alone until the second one is there. A series of up to three
+ * steps is published whole, as are components and the time steps of a vtkHapticTimeStepSource,
+ * which are in memory anyway.
  *
- * For SURFACE_PROXY, meshes are made in the background, and a window is published when it has its
- * meshes. This holds for the first window, too, unless its meshes are small.
+ * For SURFACE_PROXY, meshes are made in the background, and a time span is published when it has
+ * its meshes. This holds for the first time span, too, unless its meshes are small.
  *
- * The steps of a streamed vtkHapticFrameSource are whole series, too. Each series continues the
- * last one: it waits until time has reached the end of the last series or a frame that both
- * contain. If frames were left out, the last frame is joined to the next frames (StreamedWindow.h).
+ * The steps of a streamed vtkHapticTimeStepSource are whole series, too. Each series continues the
+ * last one: it waits until time has reached the end of the last series or a time step that both
+ * contain. If time steps were left out, the last time step is joined to the next time steps
+ * (StreamedTimeSpan.h).
  */
 #ifndef DataPlayback_h
 #define DataPlayback_h
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Servo/DataClock.h"
-#include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/ImageTimeSteps.h"
 #include "VTK/Device/DeviceSession.h"
-#include "VTK/Device/Playback/FrameMesher.h"
-#include "VTK/Device/Playback/StreamedWindow.h"
+#include "VTK/Device/Playback/StreamedTimeSpan.h"
+#include "VTK/Device/Playback/TimeSpanPreparation.h"
+#include "VTK/Device/Playback/TimeStepMesher.h"
 #include "VTK/Device/Playback/TimeSteps.h"
-#include "VTK/Device/Playback/WindowPreparation.h"
 
 #include "vtkType.h"
 
@@ -70,67 +71,68 @@ public:
    * it.
    */
   double GetTime() const;
-  /** Whether time stands still because frames have not come yet. */
+  /** Whether time stands still because time steps have not come yet. */
   bool IsWaiting() const;
-  /** Describes in a sentence the frames that are waited for; empty if there are none. */
+  /** Describes in a sentence the time steps that are waited for; empty if there are none. */
   std::string Describe() const;
 
   /**
-   * Returns the frame nearest to the servo's time, without an image. Array is null if there is
+   * Returns the time step nearest to the servo's time, without an image. Array is null if there is
    * none.
    */
-  HapticFrame GetShown(vtkVolumeHapticsFilter* filter) const;
+  ImageTimeStep GetShown(vtkVolumeHapticsFilter* filter) const;
 
-  /** Whether the frames of a filter's image are to be felt, if it has any. */
+  /** Whether the time steps of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
   /** Checks IsFelt() after asking the image's source for its time steps. */
-  bool FindFelt(vtkVolumeHapticsFilter* filter) const;
+  bool DetectFelt(vtkVolumeHapticsFilter* filter) const;
   ///@{
   /**
    * Returns whether Make() would be quick now. If not, prepares the slow parts in the background;
-   * the servo stays within the window that it has. Call this often until EndPreparing().
+   * the servo stays within the time span that it has. Call this often until EndPreparing().
    */
   bool Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent);
   void EndPreparing() { this->Preparation.End(); }
   /** Estimates how long Make() meshes if Prepare() leaves the meshing to it (s). */
   double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
   ///@}
-  /** Whether the source of a stream had further frames when Make() was called. */
+  /** Whether the source of a stream had further time steps when Make() was called. */
   bool IsBehind() const { return this->Preparation.WasBehind(); }
   /**
-   * Makes a model of the window at the present time; null after an error of the filter. If neither
-   * the filter nor the volume has changed (`isCurrent`), nothing is read or baked again.
+   * Makes a model of the time span at the present time; null after an error of the filter. If
+   * neither the filter nor the volume has changed (`isCurrent`), nothing is read or baked again.
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** Call this when the servo's model is no longer one of the last window. */
-  void Forget() { this->Window.reset(); }
+  /** Call this when the servo's model is no longer one of the last time span. */
+  void Forget() { this->Span.reset(); }
 
   /** Makes a servo that has just been started continue at the time of the last servo. */
   void Begin();
   /**
    * Sends the filter's rate to the servo and reads its time; call this often. Returns a model with
-   * the next window, if there is one.
+   * the next time span, if there is one.
    */
-  std::shared_ptr<const HapticModel> Follow(vtkVolumeHapticsFilter* filter);
+  std::shared_ptr<const HapticModel> Poll(vtkVolumeHapticsFilter* filter);
 
 private:
   using Need = TimeSteps::Need;
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  FramePlace FindPlace(vtkVolumeHapticsFilter* filter) const;
+  TimeStepPlace ComputePlace(vtkVolumeHapticsFilter* filter) const;
   bool Has(std::size_t step) const;
-  Need FindNeed(double time, bool isBackward) const;
+  Need ComputeNeed(double time, bool isBackward) const;
   std::vector<std::size_t> ChooseSteps(const Need& need, double time) const;
-  std::vector<VolumeFrame> Keep(std::size_t first, std::size_t count);
-  bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
-  std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
+  std::vector<VolumeTimeStep> Keep(std::size_t first, std::size_t count);
+  bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeTimeStep& timeStep);
+  std::shared_ptr<const HapticModel> Show(
+    std::size_t first, std::vector<VolumeTimeStep>&& timeSteps);
   bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
-  const BakedVolume* FindKept(vtkVolumeHapticsFilter* filter) const;
+  const BakedVolume* GetKept(vtkVolumeHapticsFilter* filter) const;
   bool LacksPair(vtkVolumeHapticsFilter* filter) const;
   void GoOnFrom(const BakedVolume& last, const std::vector<double>& times);
   std::shared_ptr<const HapticModel> ShowMeshed(
-    vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
+    vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeTimeStep>&& timeSteps);
   void WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const;
   bool IsAtPlace() const;
   bool IsOnItsWay() const;
@@ -144,19 +146,19 @@ private:
   double Time = 0.0;
   double Speed = 1.0; ///< factor on the filter's rate
   TimeSteps Steps;
-  std::shared_ptr<const BakedVolume> Window;
-  std::size_t First = 0; ///< number of the window's first step
-  double Rate = 0.0;     ///< rate for which the window was baked (Hz)
-  /** Change time of the filter, without its image, before the window was baked. */
+  std::shared_ptr<const BakedVolume> Span;
+  std::size_t First = 0; ///< number of the time span's first step
+  double Rate = 0.0;     ///< rate for which the time span was baked (Hz)
+  /** Change time of the filter, without its image, before the time span was baked. */
   vtkMTimeType MadeBeside = 0;
-  FrameOrigin MadeOf; ///< origin of the window's frames
-  PastWindows Past;
+  TimeStepOrigin MadeOf; ///< origin of the time span's time steps
+  PastTimeSpans Past;
   std::size_t Failed = None; ///< number of a step that can't be read
-  /** Frames of a window that waits for its meshes. */
-  std::vector<VolumeFrame> Meshless;
-  std::size_t MeshlessFirst = 0; ///< number of that window's first step
-  FrameMesher Mesher;
-  WindowPreparation Preparation;
+  /** Time steps of a time span that waits for its meshes. */
+  std::vector<VolumeTimeStep> Meshless;
+  std::size_t MeshlessFirst = 0; ///< number of that time span's first step
+  TimeStepMesher Mesher;
+  TimeSpanPreparation Preparation;
 };
 
 } // namespace VolumeHaptics

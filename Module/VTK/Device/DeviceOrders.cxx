@@ -26,7 +26,7 @@ const char* const CureForNoGuard = ". Close files or end threads of this program
 
 } // namespace
 
-void DeviceOrders::TellError(const std::string& error)
+void DeviceOrders::ReportError(const std::string& error)
 {
   if (!error.empty())
   {
@@ -34,9 +34,9 @@ void DeviceOrders::TellError(const std::string& error)
   }
 }
 
-void DeviceOrders::TellMemoryTrouble()
+void DeviceOrders::ReportMemoryTrouble()
 {
-  this->TellError(Printable(this->Session.TakeMemoryTrouble()));
+  this->ReportError(Printable(this->Session.DrainMemoryTrouble()));
 }
 
 bool DeviceOrders::Open(const std::string& id, const DeviceOptions& options)
@@ -47,7 +47,7 @@ bool DeviceOrders::Open(const std::string& id, const DeviceOptions& options)
     vtkErrorWithObjectMacro(this->Device, << Printable(error));
     return false;
   }
-  this->TellMemoryTrouble();
+  this->ReportMemoryTrouble();
   return true;
 }
 
@@ -55,20 +55,21 @@ void DeviceOrders::ForgetConfirmation()
 {
   if (!this->Session.IsOpen() || this->Session.IsRunning())
   {
-    this->TellError("ForgetConfirmation() is for an open device whose servo does not run: Open() "
-                    "it and Stop() it first.");
+    this->ReportError("ForgetConfirmation() is for an open device whose servo does not run: Open() "
+                      "it and Stop() it first.");
     return;
   }
   this->Session.ForgetConfirmation();
-  this->TellMemoryTrouble();
+  this->ReportMemoryTrouble();
 }
 
 bool DeviceOrders::CalibrateForce(double scale)
 {
   if (!this->Session.HasFacts() || this->Session.IsRunning())
   {
-    this->TellError("CalibrateForce() is for an open real device that gives force and whose servo "
-                    "does not run: Open() it and Stop() it first.");
+    this->ReportError(
+      "CalibrateForce() is for an open real device that gives force and whose servo "
+      "does not run: Open() it and Stop() it first.");
     return false;
   }
   if (!(scale >= DeviceFacts::LeastScale && scale <= DeviceFacts::MostScale))
@@ -124,7 +125,7 @@ bool DeviceOrders::StartServo()
   const int opening = this->Session.GetOpening();
   const double rate = device->GetServoRate();
   std::shared_ptr<const HapticModel> model;
-  // Slow work is left to the background: Follow() publishes its result.
+  // Slow work is left to the background: Poll() publishes its result.
   const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare(rate) : nullptr;
   if (this->Session.IsOpen() && !awaited && !this->Models.Make(rate, model))
   {
@@ -152,7 +153,7 @@ bool DeviceOrders::StartServo()
   {
     this->Session.Start(device->GetServoRate(), this->MakeLimits(), std::move(model), placement);
     this->Models.GetPlayback().Begin();
-    this->NoteAwaited(awaited);
+    this->SetAwaited(awaited);
   }
   catch (const std::bad_alloc&)
   {
@@ -176,11 +177,11 @@ bool DeviceOrders::Publish()
   this->Session.Attend();
   const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
   const char* const awaited = this->Models.Prepare(rate);
-  this->NoteAwaited(awaited);
+  this->SetAwaited(awaited);
   if (awaited)
   {
     this->PublishRegion(rate);
-    return true; // Follow() publishes it
+    return true; // Poll() publishes it
   }
   std::shared_ptr<const HapticModel> model;
   if (!this->Models.Make(rate, model))
@@ -217,26 +218,26 @@ void DeviceOrders::PublishRegion(double rate)
   }
 }
 
-void DeviceOrders::NoteAwaited(const char* work)
+void DeviceOrders::SetAwaited(const char* work)
 {
   if (this->Awaited)
   {
-    this->Session.NoteBackgroundWork(this->Awaited, WorkEnded);
+    this->Session.SetBackgroundWork(this->Awaited, WorkEnded);
   }
   this->Awaited = work;
   if (work)
   {
-    this->Session.NoteBackgroundWork(work, ShareUnknown);
+    this->Session.SetBackgroundWork(work, FractionUnknown);
   }
 }
 
 void DeviceOrders::EndPreparing()
 {
-  this->NoteAwaited(nullptr);
+  this->SetAwaited(nullptr);
   this->Models.EndPreparing();
 }
 
-void DeviceOrders::Follow()
+void DeviceOrders::Poll()
 {
   this->Models.LetUnusedRemovalsGo();
   if (this->Models.IsAwaited() && this->Session.IsRunning())
@@ -245,32 +246,32 @@ void DeviceOrders::Follow()
   }
 }
 
-void DeviceOrders::FollowFrames()
+void DeviceOrders::PollTimeSteps()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !this->Models.IsAwaited() && // Follow() publishes the awaited model
-    (this->Models.LacksFrames() || this->Models.IsBehind()))
+  if (ticks && !this->Models.IsAwaited() && // Poll() publishes the awaited model
+    (this->Models.LacksTimeSteps() || this->Models.IsBehind()))
   {
     this->Publish();
   }
   else if (ticks)
   {
     // Observers of a source may have stopped the servo.
-    std::shared_ptr<const HapticModel> model = this->Models.FollowFrames();
+    std::shared_ptr<const HapticModel> model = this->Models.PollTimeSteps();
     if (model && ticks == this->Session.GetTicks())
     {
       ticks->Publish(std::move(model));
     }
   }
-  this->Session.NoteFrames(this->Models.GetPlayback().Describe());
+  this->Session.SetTimeStepsStatus(this->Models.GetPlayback().Describe());
 }
 
-void DeviceOrders::FollowRegion()
+void DeviceOrders::PollRegion()
 {
   std::string status;
-  const bool hasCome = this->Session.IsRunning() && this->Models.FollowRegion(status);
-  this->Session.NoteRegion(status);
+  const bool hasCome = this->Session.IsRunning() && this->Models.PollRegion(status);
+  this->Session.SetRegionStatus(status);
   if (hasCome)
   {
     this->Publish();

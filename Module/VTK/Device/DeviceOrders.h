@@ -44,13 +44,13 @@ public:
   /**
    * Publishes the model that Publish() left to the background when it is ready; call this often.
    */
-  void Follow();
+  void Poll();
   /** Ends the background work for that model. */
   void EndPreparing();
   /** Publishes another region of the volume when it is there: see vtkHapticRegionSource. */
-  void FollowRegion();
-  /** Publishes the next frames of a volume that moves: see DataPlayback. */
-  void FollowFrames();
+  void PollRegion();
+  /** Publishes the next time steps of a volume that moves: see DataPlayback. */
+  void PollTimeSteps();
   /** Sends the device's limits to the running servo. */
   void SendLimits();
 
@@ -64,9 +64,9 @@ public:
   void EndLongWork();
 
   /** Reports an error of the device, unless the text is empty. */
-  void TellError(const std::string& error);
+  void ReportError(const std::string& error);
   /** Reports an error about the user's file of devices, if there is a new one. */
-  void TellMemoryTrouble();
+  void ReportMemoryTrouble();
 
 private:
   bool StartServo();
@@ -80,12 +80,12 @@ private:
   /** Publishes the surface around the tip, if there is one while the whole is being meshed. */
   void PublishRegion(double rate);
   /** Stores for the status what Publish() or Start() left to the background; null if nothing. */
-  void NoteAwaited(const char* work);
+  void SetAwaited(const char* work);
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   ModelSource& Models;
-  const char* Awaited = nullptr; ///< text of NoteAwaited()
+  const char* Awaited = nullptr; ///< text of SetAwaited()
   bool IsAnnouncing = false;     ///< true while observers are told that the device was disarmed
 };
 

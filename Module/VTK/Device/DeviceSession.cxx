@@ -211,7 +211,7 @@ void DeviceSession::Stop()
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
     this->RegionStatus.clear();
-    this->FramesStatus.clear();
+    this->TimeStepsStatus.clear();
     this->State.Gate = GateState::Disarmed;
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
@@ -353,7 +353,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   latest.Label = model ? GetTraceLabel(*model, record) : 0;
   latest.IsHeldAtLabel = model && IsHeldAtForbidden(*model, record);
   this->ShowNumbers();
-  this->FollowRoundTrip();
+  this->PollRoundTrip();
   return true;
 }
 
@@ -382,7 +382,7 @@ void DeviceSession::ShowNumbers()
   latest.Modified();
 }
 
-ForceCaps DeviceSession::FindCaps(double rate) const
+ForceCaps DeviceSession::ComputeCaps(double rate) const
 {
   return CapsOf(this->GetLimits(), std::max(1.0 / rate, this->RoundTrip.Get()));
 }
@@ -393,18 +393,18 @@ ForceCaps DeviceSession::GetCaps() const
   return model ? model->Caps : ForceCaps{};
 }
 
-void DeviceSession::FollowRoundTrip()
+void DeviceSession::PollRoundTrip()
 {
   const double measured = this->Servo->GetLoop().GetTiming().GetRoundTrip();
   const bool isFelt = Norm(this->State.Record.Force) > 0.0;
   const double counted = measured > 0.0 ? std::max(measured, 1.0 / this->Rate) : 0.0;
-  if (!this->RoundTrip.Follow(counted, ServoClock::Now(), isFelt))
+  if (!this->RoundTrip.Update(counted, ServoClock::Now(), isFelt))
   {
     return;
   }
   TickCollector& ticks = this->Servo->GetTicks();
   const HapticModel* const model = ticks.GetLatestModel();
-  const ForceCaps caps = this->FindCaps(this->Rate);
+  const ForceCaps caps = this->ComputeCaps(this->Rate);
   if (model && !(TighterCaps(model->Baked->Settings.Caps, caps) == model->Caps))
   {
     ticks.Publish(std::make_shared<const HapticModel>(*model, model->DeviceToWorld, caps));
@@ -422,7 +422,7 @@ void DeviceSession::DrainStates(const Affine3& deviceToWorld, vtkTable* table, i
   this->Attend();
   if (this->Servo)
   {
-    for (const StateRow& state : this->Servo->GetTicks().TakeStates(reader))
+    for (const StateRow& state : this->Servo->GetTicks().DrainStates(reader))
     {
       const HapticModel* const model = this->Servo->GetTicks().FindModel(state.Generation);
       rows.Append(state, model ? model->DeviceToWorld : deviceToWorld);
@@ -449,7 +449,7 @@ void DeviceSession::RemoveReader(int reader)
   }
 }
 
-void DeviceSession::NoteBackgroundWork(const std::string& what, double share)
+void DeviceSession::SetBackgroundWork(const std::string& what, double share)
 {
   if (share == WorkEnded)
   {
@@ -481,11 +481,12 @@ DeviceStatus DeviceSession::GetStatus() const
   {
     constexpr double percent = 100.0;
     status.BackgroundWork += " Meanwhile " + what +
-      (share == ShareUnknown ? "."
-                             : " (" + std::to_string(static_cast<int>(percent * share)) + " %).");
+      (share == FractionUnknown
+          ? "."
+          : " (" + std::to_string(static_cast<int>(percent * share)) + " %).");
   }
   status.BackgroundWork += this->RegionStatus.empty() ? "" : " " + this->RegionStatus;
-  status.BackgroundWork += this->FramesStatus.empty() ? "" : " " + this->FramesStatus;
+  status.BackgroundWork += this->TimeStepsStatus.empty() ? "" : " " + this->TimeStepsStatus;
   if (this->Servo)
   {
     status.State = &this->State;

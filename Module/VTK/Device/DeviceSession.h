@@ -33,9 +33,9 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** Values of `share` in DeviceSession::NoteBackgroundWork. */
+/** Values of `share` in DeviceSession::SetBackgroundWork. */
 constexpr double WorkEnded = -1.0;
-constexpr double ShareUnknown = -2.0;
+constexpr double FractionUnknown = -2.0;
 
 class DeviceSession
 {
@@ -55,7 +55,7 @@ public:
   /** The back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
   /** See vtkHapticVirtualHand::TakeVibration. */
-  double TakeVibration() { return this->Xr ? this->Xr->TakeAmplitude() : 0.0; }
+  double TakeVibration() { return this->Xr ? this->Xr->DrainAmplitude() : 0.0; }
 
   ///@{
   /**
@@ -64,7 +64,7 @@ public:
    * error of that file since its last call; empty if there is none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
-  std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
+  std::string DrainMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
   /** Whether the device has facts: it gives force and has an identity. */
   bool HasFacts() const { return !this->Identity.empty(); }
   /** Whether the user's file remembers its facts: no other device has its identity. */
@@ -113,7 +113,7 @@ public:
   /**
    * Computes the caps of the device for the measured round trip, or for a period of the rate (Hz).
    */
-  ForceCaps FindCaps(double rate) const;
+  ForceCaps ComputeCaps(double rate) const;
   /**
    * Returns the caps of the felt model, which include the user's caps. All are 0 without a model.
    */
@@ -159,13 +159,13 @@ public:
    * Stores for the status background work that nothing waits for, such as "the volume is hashed".
    * `share` is the fraction that is done, or says that this is unknown or that the work has ended.
    */
-  void NoteBackgroundWork(const std::string& what, double share);
+  void SetBackgroundWork(const std::string& what, double share);
   /**
    * Stores for the status what a volume that is read by regions waits for; empty if for nothing.
    */
-  void NoteRegion(const std::string& status) { this->RegionStatus = status; }
-  /** Stores for the status what frames of a moving volume are waited for; empty if for none. */
-  void NoteFrames(const std::string& status) { this->FramesStatus = status; }
+  void SetRegionStatus(const std::string& status) { this->RegionStatus = status; }
+  /** Stores for the status what time steps of a moving volume are waited for; empty if for none. */
+  void SetTimeStepsStatus(const std::string& status) { this->TimeStepsStatus = status; }
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -217,7 +217,7 @@ private:
   /** Copies numbers of the latest state that need no placement to GetLatest(). */
   void ShowNumbers();
   /** Publishes the last model with other caps if the measured round trip requires them. */
-  void FollowRoundTrip();
+  void PollRoundTrip();
   /** Writes the facts to the user's file if the device is remembered. */
   void Remember();
   void RequireConfirmation();
@@ -243,7 +243,7 @@ private:
   RoundTripInUse RoundTrip;
   std::map<std::string, double> BackgroundWorks; // fraction that is done, by the work's name
   std::string RegionStatus;
-  std::string FramesStatus;
+  std::string TimeStepsStatus;
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers that AddReader has reserved
 };

@@ -168,13 +168,13 @@ const char* DescribePrivilege(ServoLoop::Privilege privilege)
 
 } // namespace
 
-GateReason DeviceStatus::FindFault() const
+GateReason DeviceStatus::GetFault() const
 {
   const bool isCleared = this->State && this->IsArmOrdered && this->State->Orders != this->Orders;
   return this->State && !isCleared ? this->State->GetFault() : GateReason::None;
 }
 
-int DeviceStatus::FindType() const
+int DeviceStatus::GetType() const
 {
   if (!this->IsOpen)
   {
@@ -191,7 +191,7 @@ int DeviceStatus::FindType() const
     case DeviceStage::Ready:
       break;
   }
-  if (this->FindFault() != GateReason::None)
+  if (this->GetFault() != GateReason::None)
   {
     return vtkHapticDevice::FAULT;
   }
@@ -227,9 +227,9 @@ std::string DeviceStatus::DescribeDevice() const
   {
     return "Ready: " + this->NameDevice() + ". Start() the servo.";
   }
-  if (this->FindFault() != GateReason::None)
+  if (this->GetFault() != GateReason::None)
   {
-    return Explain(this->FindFault(), this->State->Signs, this->Id);
+    return Explain(this->GetFault(), this->State->Signs, this->Id);
   }
   if (this->State->GetFault() != GateReason::None)
   {

@@ -45,13 +45,13 @@ struct DeviceStatus
   std::string RecordingTrouble; ///< why a recording has failed; empty if none has
 
   /** Returns a vtkHapticDevice::StatusType. */
-  int FindType() const;
+  int GetType() const;
   /** Returns the text of vtkHapticDevice::GetStatusText. */
   std::string MakeText() const;
 
 private:
   /** Returns the fault of the state, unless Arm was ordered since. */
-  GateReason FindFault() const;
+  GateReason GetFault() const;
   std::string DescribeDevice() const;
   /** Returns the id, and how the device is felt if it gives no force. */
   std::string NameDevice() const;

@@ -25,9 +25,9 @@ namespace
 
 constexpr int FrontCorners = 48;
 /** Radius of a front, as a fraction of the reach along lines. */
-constexpr double FrontShare = 0.25;
+constexpr double FrontFraction = 0.25;
 /** Length of a tensor, as a fraction of the reach along lines. */
-constexpr double TensorShare = 0.125;
+constexpr double TensorFraction = 0.125;
 
 class ShapeWriter
 {
@@ -123,7 +123,7 @@ void WriteFollowed(
   const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes)
 {
   FollowedShapes modes(model);
-  const std::vector<FollowedShape> found = modes.Find(proxy);
+  const std::vector<FollowedShape> found = modes.Collect(proxy);
   ShapeWriter writer(model);
   // Cells are numbered vertices first, then lines, then polygons; the array has the same order.
   const double voxel = 1.0 / model.MostVoxelsPerMeter;
@@ -131,7 +131,7 @@ void WriteFollowed(
   {
     if (shape.Form == FollowedForm::Tensor)
     {
-      writer.AddTensor(shape, TensorShare * reach * voxel);
+      writer.AddTensor(shape, TensorFraction * reach * voxel);
     }
   }
   for (const FollowedShape& shape : found)
@@ -149,7 +149,7 @@ void WriteFollowed(
   {
     if (shape.Form == FollowedForm::Front)
     {
-      writer.AddFront(shape, FrontShare * reach * voxel);
+      writer.AddFront(shape, FrontFraction * reach * voxel);
     }
   }
   writer.WriteTo(shapes);

@@ -26,7 +26,7 @@ bool GuardedSignal::IsOurs(const struct sigaction& action) const noexcept
                 : this->Ours && action.sa_handler == this->Ours;
 }
 
-void GuardedSignal::Note(const struct sigaction& action) noexcept
+void GuardedSignal::Record(const struct sigaction& action) noexcept
 {
   const int count = this->Count.load();
   int at = 0;
@@ -53,7 +53,7 @@ void GuardedSignal::Install(Deliverer deliverer, Crasher crasher) noexcept
   {
     return;
   }
-  this->Note(now);
+  this->Record(now);
   struct sigaction action = {};
   action.sa_flags = SA_RESTART | SA_ONSTACK;
   sigemptyset(&action.sa_mask);

@@ -53,7 +53,7 @@ private:
   static constexpr int Most = 8;
 
   bool IsOurs(const struct sigaction& action) const noexcept;
-  void Note(const struct sigaction& action) noexcept;
+  void Record(const struct sigaction& action) noexcept;
 
   const int Number;
   const SignalManner Manner;

@@ -29,9 +29,9 @@ vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* fi
 }
 
 ///@{
-/** Result of Prepare() while frames wait for their meshes, or for earlier frames. */
-constexpr char FrameMeshingWork[] = "the surfaces of the frames are meshed";
-constexpr char FrameFeelingWork[] = "the frames before the new ones are felt to their end";
+/** Result of Prepare() while time steps wait for their meshes, or for earlier time steps. */
+constexpr char TimeStepMeshingWork[] = "the surfaces of the frames are meshed";
+constexpr char TimeStepFeelingWork[] = "the frames before the new ones are felt to their end";
 ///@}
 
 } // namespace
@@ -92,7 +92,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
       isMoving ? this->Playback.EstimateTime() : filter->GetBaker().EstimateTime();
     const LongWork work(
       this->Device, "the surface is meshed", this->Device->IsRunning() ? seconds : 0.0);
-    const ForceCaps caps = this->Session.FindCaps(rate);
+    const ForceCaps caps = this->Session.ComputeCaps(rate);
     const bool isCurrent = this->IsUpToDate();
     if (isMoving)
     {
@@ -107,8 +107,8 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
     {
       model = nullptr;
     }
-    this->IsMadeOfFrames = isMoving;
-    this->MadeTime = this->IsBehind() ? 0 : FindChangeTime(filter, isMoving);
+    this->IsMadeOfTimeSteps = isMoving;
+    this->MadeTime = this->IsBehind() ? 0 : ComputeChangeTime(filter, isMoving);
   }
   return !filter || model;
 }
@@ -166,7 +166,7 @@ void ModelSource::LetUnusedRemovalsGo()
 const char* ModelSource::Prepare(double rate)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  const bool isMoving = this->Playback.FindFelt(filter);
+  const bool isMoving = this->Playback.DetectFelt(filter);
   this->Awaited = filter ? filter->GetBaker().Prepare(isMoving) : nullptr;
   if (!isMoving)
   {
@@ -175,17 +175,17 @@ const char* ModelSource::Prepare(double rate)
   else if (!this->Playback.Prepare(filter, rate, this->IsUpToDate()) && !this->Awaited)
   {
     const bool hasMeshes = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY;
-    this->Awaited = hasMeshes ? FrameMeshingWork : FrameFeelingWork;
+    this->Awaited = hasMeshes ? TimeStepMeshingWork : TimeStepFeelingWork;
   }
   if (this->Awaited != MeshingWork)
   {
     this->Regions.End();
-    this->NoteRegionMade();
+    this->ReportRegionMade();
   }
   return this->Awaited;
 }
 
-void ModelSource::NoteRegionMade()
+void ModelSource::ReportRegionMade()
 {
   const std::int64_t time = std::exchange(this->RegionTime, 0);
   const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(this->Filter);
@@ -203,10 +203,10 @@ std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
     return nullptr;
   }
   const std::optional<SurfaceRegion> region =
-    this->Regions.Follow(filter, this->Session.GetLatest()->GetTipPosition());
+    this->Regions.Poll(filter, this->Session.GetLatest()->GetTipPosition());
   const std::shared_ptr<const HapticModel> model = region
     ? filter->GetBaker().BakeRegion(
-        *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
+        *region, rate, this->Session.ComputeCaps(rate), this->DeviceToWorld)
     : nullptr;
   return model && this->HoldRemovalOf(*model, filter) ? model : nullptr;
 }
@@ -222,7 +222,7 @@ void ModelSource::EndPreparing()
   this->Awaited = nullptr;
 }
 
-bool ModelSource::FollowRegion(std::string& status)
+bool ModelSource::PollRegion(std::string& status)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(filter);
@@ -246,17 +246,17 @@ bool ModelSource::FollowRegion(std::string& status)
 
 bool ModelSource::IsUpToDate() const
 {
-  return this->MadeTime == FindChangeTime(this->Filter, this->IsMadeOfFrames);
+  return this->MadeTime == ComputeChangeTime(this->Filter, this->IsMadeOfTimeSteps);
 }
 
-std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
+std::shared_ptr<const HapticModel> ModelSource::PollTimeSteps()
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  std::shared_ptr<const HapticModel> model = this->Playback.Follow(filter);
-  const auto isShown = [this](const FieldFrame& frame)
-  { return frame.Samples.get() == this->Shown.GetArray(); };
+  std::shared_ptr<const HapticModel> model = this->Playback.Poll(filter);
+  const auto isShown = [this](const FieldTimeStep& timeStep)
+  { return timeStep.Samples.get() == this->Shown.GetArray(); };
   const bool hasShown =
-    model && std::any_of(model->Baked->Frames.begin(), model->Baked->Frames.end(), isShown);
+    model && std::any_of(model->Baked->TimeSteps.begin(), model->Baked->TimeSteps.end(), isShown);
   if (model && !hasShown)
   {
     this->Shown.Clear(); // frees its memory, which is needed now
@@ -264,28 +264,28 @@ std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
   return model;
 }
 
-bool ModelSource::LacksFrames() const
+bool ModelSource::LacksTimeSteps() const
 {
-  return !this->IsMadeOfFrames && this->IsUpToDate() && this->Playback.IsFelt(this->Filter);
+  return !this->IsMadeOfTimeSteps && this->IsUpToDate() && this->Playback.IsFelt(this->Filter);
 }
 
-bool ModelSource::HasFrames() const
+bool ModelSource::HasTimeSteps() const
 {
   return this->Filter && this->Playback.GetShown(this->Filter).Array;
 }
 
-vtkImageData* ModelSource::GetFrameImage()
+vtkImageData* ModelSource::GetTimeStepImage()
 {
   auto* const shape =
     vtkImageData::SafeDownCast(this->Filter ? this->Filter->GetInputDataObject(0, 0) : nullptr);
-  const HapticFrame frame = shape ? this->Playback.GetShown(this->Filter) : HapticFrame{};
-  if (!frame.Array)
+  const ImageTimeStep timeStep = shape ? this->Playback.GetShown(this->Filter) : ImageTimeStep{};
+  if (!timeStep.Array)
   {
     this->Shown.Clear();
     return nullptr;
   }
   const bool isComponent = this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
-  return this->Shown.Show(frame, isComponent, shape);
+  return this->Shown.Show(timeStep, isComponent, shape);
 }
 
 Affine3 ModelSource::GetPlacement() const

@@ -9,8 +9,8 @@
 
 #include "VTK/Device/DataPlayback.h"
 #include "VTK/Device/DeviceSession.h"
-#include "VTK/Device/Playback/FrameMesher.h"
 #include "VTK/Device/Playback/RegionMesher.h"
+#include "VTK/Device/Playback/TimeStepMesher.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -72,25 +72,26 @@ public:
    * the source has a new region, which makes the model out of date. `status` says what the source
    * waits for.
    */
-  bool FollowRegion(std::string& status);
+  bool PollRegion(std::string& status);
 
   ///@{
   /**
-   * Time steps of a volume that moves. FollowFrames returns a model with the next window, if there
-   * is one; LacksFrames says whether the volume should move but the last model does not.
+   * Time steps of a volume that moves. PollTimeSteps returns a model with the next time span, if
+   * there is one; LacksTimeSteps says whether the volume should move but the last model does not.
    */
   DataPlayback& GetPlayback() { return this->Playback; }
-  std::shared_ptr<const HapticModel> FollowFrames();
-  bool LacksFrames() const;
-  /** Whether the last model was made of a stream's frames while newer frames had come. */
-  bool IsBehind() const { return this->IsMadeOfFrames && this->Playback.IsBehind(); }
-  /** Whether the servo's model has frames of a volume that moves. */
-  bool HasFrames() const;
+  std::shared_ptr<const HapticModel> PollTimeSteps();
+  bool LacksTimeSteps() const;
+  /** Whether the last model was made of a stream's time steps while newer time steps had come. */
+  bool IsBehind() const { return this->IsMadeOfTimeSteps && this->Playback.IsBehind(); }
+  /** Whether the servo's model has time steps of a volume that moves. */
+  bool HasTimeSteps() const;
   /**
-   * Return the image and the time of the frame nearest to the servo's time; null without a frame.
+   * Return the image and the time of the time step nearest to the servo's time; null without a time
+   * step.
    */
-  vtkImageData* GetFrameImage();
-  double GetFrameTime() const { return this->Playback.GetShown(this->Filter).Time; }
+  vtkImageData* GetTimeStepImage();
+  double GetTimeStepValue() const { return this->Playback.GetShown(this->Filter).Time; }
   ///@}
 
   ///@{
@@ -115,7 +116,7 @@ private:
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
   /** Reports to the source of regions how long it took to make a model of its last region. */
-  void NoteRegionMade();
+  void ReportRegionMade();
 
   vtkHapticDevice* const Device;
   const DeviceSession& Session;
@@ -126,10 +127,10 @@ private:
   /** Removals of the servo's models so far: an older model may still tick. */
   std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
-  FrameImage Shown;
-  std::int64_t RegionTime = 0; ///< time when the region came that has no model yet (ServoClock)
-  bool IsMadeOfFrames = false; ///< whether the last Make was of a volume that moves
-  vtkMTimeType MadeTime = 0;   ///< change time of the filter and its input when Make was called
+  TimeStepImage Shown;
+  std::int64_t RegionTime = 0;    ///< time when the region came that has no model yet (ServoClock)
+  bool IsMadeOfTimeSteps = false; ///< whether the last Make was of a volume that moves
+  vtkMTimeType MadeTime = 0;      ///< change time of the filter and its input when Make was called
 };
 
 } // namespace VolumeHaptics

@@ -23,7 +23,7 @@ namespace
 using Coordinates = double[3];
 
 /** Returns the fault in the points of one space; empty if they span a triangle. */
-std::string FindFlaw(vtkPoints* points, const std::string& space)
+std::string DetectFlaw(vtkPoints* points, const std::string& space)
 {
   Coordinates a, b, c;
   Coordinates ends[2] = {};
@@ -124,8 +124,8 @@ bool vtkHapticCalibration::Compute()
   }
   else
   {
-    flaw = FindFlaw(this->DevicePoints, "of the device");
-    flaw = flaw.empty() ? FindFlaw(this->WorldPoints, "of the world") : flaw;
+    flaw = DetectFlaw(this->DevicePoints, "of the device");
+    flaw = flaw.empty() ? DetectFlaw(this->WorldPoints, "of the world") : flaw;
   }
   if (!flaw.empty())
   {

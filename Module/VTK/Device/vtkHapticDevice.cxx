@@ -71,7 +71,7 @@ bool vtkHapticDevice::Open(const char* id)
   {
     return false;
   }
-  this->TakeLimits();
+  this->UpdateLimits();
   return true;
 }
 
@@ -83,13 +83,13 @@ bool vtkHapticDevice::CalibrateForce(double scale)
   {
     return false;
   }
-  this->TakeLimits();
-  d.Orders.TellMemoryTrouble();
+  this->UpdateLimits();
+  d.Orders.ReportMemoryTrouble();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::TakeLimits()
+void vtkHapticDevice::UpdateLimits()
 {
   const DeviceLimits limits = this->Parts->Session.GetLimits();
   const auto choose = [](double wanted, double most)
@@ -103,7 +103,7 @@ void vtkHapticDevice::TakeLimits()
 void vtkHapticDevice::ResetMaximumForce()
 {
   this->WantedForce = -1.0;
-  this->TakeLimits();
+  this->UpdateLimits();
   this->SendLimits();
 }
 
@@ -111,7 +111,7 @@ void vtkHapticDevice::ResetMaximumForce()
 void vtkHapticDevice::ResetMaximumTorque()
 {
   this->WantedTorque = -1.0;
-  this->TakeLimits();
+  this->UpdateLimits();
   this->SendLimits();
 }
 
@@ -174,12 +174,12 @@ void vtkHapticDevice::Halt()
 bool vtkHapticDevice::UpdateState()
 {
   this->Parts->Recorder->Update();
-  this->Parts->Orders.Follow();
+  this->Parts->Orders.Poll();
   const bool wasForbidden = this->GetState()->IsAtForbiddenLabel();
   const bool isNew = this->Parts->Session.Update(this->Parts->Models.GetPlacement());
-  this->Parts->Orders.TellMemoryTrouble();
-  this->Parts->Orders.FollowRegion();
-  this->Parts->Orders.FollowFrames();
+  this->Parts->Orders.ReportMemoryTrouble();
+  this->Parts->Orders.PollRegion();
+  this->Parts->Orders.PollTimeSteps();
   if (!wasForbidden && this->GetState()->IsAtForbiddenLabel())
   {
     this->InvokeEvent(vtkCommand::UserEvent);
@@ -208,7 +208,7 @@ bool vtkHapticDevice::IsRunning()
 //------------------------------------------------------------------------------
 int vtkHapticDevice::GetStatus()
 {
-  return this->Parts->Session.GetStatus().FindType();
+  return this->Parts->Session.GetStatus().GetType();
 }
 
 //------------------------------------------------------------------------------

@@ -548,7 +548,7 @@ private:
 
   VolumeHaptics::DeviceOptions MakeOptions() const;
   void SendLimits();
-  void TakeLimits();
+  void UpdateLimits();
   void Shut();
   void Halt();
 

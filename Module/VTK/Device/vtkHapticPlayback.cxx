@@ -78,7 +78,7 @@ void vtkHapticPlayback::SetDataTime(double time)
       << "The data time has to be a finite number, in the units of the source's time steps, and "
          "is "
       << time << ": it stays " << this->GetDataTime() << ".";
-    parts->Orders.TellError(error.str());
+    parts->Orders.ReportError(error.str());
   }
   else if (parts)
   {
@@ -108,7 +108,7 @@ void vtkHapticPlayback::SetSpeed(double factor)
     std::ostringstream error;
     error << "The playback speed has to be a finite number, and is " << factor << ": it stays "
           << this->GetSpeed() << ".";
-    parts->Orders.TellError(error.str());
+    parts->Orders.ReportError(error.str());
     return;
   }
   const double clamped = std::clamp(factor, -most, most);
@@ -126,21 +126,21 @@ double vtkHapticPlayback::GetSpeed()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticPlayback::HasFrames()
+bool vtkHapticPlayback::HasTimeSteps()
 {
-  return this->Parts && this->Parts->Models.HasFrames();
+  return this->Parts && this->Parts->Models.HasTimeSteps();
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkHapticPlayback::GetFrameImage()
+vtkImageData* vtkHapticPlayback::GetTimeStepImage()
 {
-  return this->Parts ? this->Parts->Models.GetFrameImage() : nullptr;
+  return this->Parts ? this->Parts->Models.GetTimeStepImage() : nullptr;
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticPlayback::GetFrameTime()
+double vtkHapticPlayback::GetTimeStepValue()
 {
-  return this->Parts ? this->Parts->Models.GetFrameTime() : 0.0;
+  return this->Parts ? this->Parts->Models.GetTimeStepValue() : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -12,10 +12,10 @@
  *   playback->SetModeToLoop();
  *   playback->SetSpeed(0.5);                 // half as fast as the filter says
  *   playback->Play();
- *   ... in the GUI's timer: device->UpdateState(); show playback->GetFrameImage() ...
+ *   ... in the GUI's timer: device->UpdateState(); show playback->GetTimeStepImage() ...
  *   playback->Hold();
  *
- * @sa vtkHapticDevice, vtkHapticFrameSource
+ * @sa vtkHapticDevice, vtkHapticTimeStepSource
  */
 #ifndef vtkHapticPlayback_h
 #define vtkHapticPlayback_h
@@ -42,7 +42,7 @@ public:
   ///@{
   /**
    * The time of a volume that moves: its source has several time steps (TIME_STEPS), or its
-   * components are its frames (SetFramesToComponents of the filter). It begins with the first Play
+   * components are (SetFramesToComponents of the filter). It begins with the first Play
    * or SetDataTime: until then, the time step that the source shows is felt, or the component of
    * the property, and the volume stands still.
    *
@@ -94,15 +94,15 @@ public:
 
   ///@{
   /**
-   * Get the volume that moves as it is felt now: the frame nearest to GetDataTime, as an image
-   * whose scalars are the touched array of that time step, or the component that is the frame; and
-   * its time. The image stays the same until the frame changes; its samples must not be changed.
-   * vtkInteractorStyleHaptic shows it by itself. nullptr if HasFrames is false: no volume that
-   * moves is felt.
+   * Get the volume that moves as it is felt now: the time step nearest to GetDataTime, as an image
+   * whose scalars are the touched array of that time step, or the component that it is; and
+   * its time. The image stays the same until the time step changes; its samples must not be
+   * changed. vtkInteractorStyleHaptic shows it by itself. nullptr if HasTimeSteps is false: no
+   * volume that moves is felt.
    */
-  bool HasFrames();
-  vtkImageData* GetFrameImage();
-  double GetFrameTime();
+  bool HasTimeSteps();
+  vtkImageData* GetTimeStepImage();
+  double GetTimeStepValue();
   ///@}
 
 protected:

@@ -160,14 +160,14 @@ private:
 
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
   /** Returns the hashes of what a filter touches now; null until they are known. */
-  const RecordingHashes* FindHashes(vtkVolumeHapticsFilter* filter);
+  const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
    * Hands over the hashes at the end of a recording. Waits for them, except while a hand would
    * wait, too.
    */
   void AwaitHashes(HapticRecording& recording);
-  void TellTrouble();
-  TickCollector* FindRecordable(const std::string& file) const;
+  void ReportTrouble();
+  TickCollector* GetRecordable(const std::string& file) const;
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
@@ -178,7 +178,7 @@ private:
 };
 
 /** Returns the collector of ticks if a recording into this file can begin; null after an error. */
-TickCollector* vtkHapticRecorder::vtkInternals::FindRecordable(const std::string& name) const
+TickCollector* vtkHapticRecorder::vtkInternals::GetRecordable(const std::string& name) const
 {
   TickCollector* const ticks = this->Session.GetTicks();
   const char* error = nullptr;
@@ -243,7 +243,7 @@ bool vtkHapticRecorder::vtkInternals::Start(const std::string& name, vtkVolumeHa
 
 bool vtkHapticRecorder::vtkInternals::Begin(const std::string& name, vtkVolumeHapticsFilter* felt)
 {
-  TickCollector* const ticks = this->FindRecordable(name);
+  TickCollector* const ticks = this->GetRecordable(name);
   if (!ticks)
   {
     return false;
@@ -269,7 +269,7 @@ bool vtkHapticRecorder::vtkInternals::Begin(const std::string& name, vtkVolumeHa
       DescribeLabels(felt, settings);
     }
     about.Settings = settings.str();
-    if (!this->FindHashes(felt) && EstimateHashing(touched) <= ShortHashing)
+    if (!this->GetHashes(felt) && EstimateHashing(touched) <= ShortHashing)
     {
       this->Hashing.WaitFor(ShortHashWait);
     }
@@ -294,10 +294,10 @@ bool vtkHapticRecorder::vtkInternals::Begin(const std::string& name, vtkVolumeHa
   return true;
 }
 
-const RecordingHashes* vtkHapticRecorder::vtkInternals::FindHashes(vtkVolumeHapticsFilter* filter)
+const RecordingHashes* vtkHapticRecorder::vtkInternals::GetHashes(vtkVolumeHapticsFilter* filter)
 {
   const TouchedArrays touched = filter->GetBaker().GetTouched();
-  return this->Hashing.Follow({ touched[0].GetKey(), touched[1].GetKey() },
+  return this->Hashing.Poll({ touched[0].GetKey(), touched[1].GetKey() },
     [touched](WorkMonitor& monitor) { return HashAll(touched, monitor); });
 }
 
@@ -308,30 +308,30 @@ void vtkHapticRecorder::vtkInternals::Update()
   {
     return;
   }
-  ticks->FollowRecording();
-  if (const RecordingHashes* const hashes = this->Felt ? this->FindHashes(this->Felt) : nullptr)
+  ticks->PollRecording();
+  if (const RecordingHashes* const hashes = this->Felt ? this->GetHashes(this->Felt) : nullptr)
   {
     ticks->SetRecordingHashes(*hashes);
     this->Felt = nullptr;
   }
-  this->Session.NoteBackgroundWork(
+  this->Session.SetBackgroundWork(
     HashingWork, this->Felt ? this->Hashing.GetProgress() : WorkEnded);
-  this->TellTrouble();
+  this->ReportTrouble();
 }
 
 void vtkHapticRecorder::vtkInternals::AwaitHashes(HapticRecording& recording)
 {
-  this->Session.NoteBackgroundWork(HashingWork, WorkEnded);
+  this->Session.SetBackgroundWork(HashingWork, WorkEnded);
   const vtkSmartPointer<vtkVolumeHapticsFilter> felt = std::exchange(this->Felt, nullptr);
   if (!felt)
   {
     return;
   }
-  const RecordingHashes* hashes = this->FindHashes(felt);
+  const RecordingHashes* hashes = this->GetHashes(felt);
   if (!hashes && !this->Session.HasArmOrder())
   {
     this->Hashing.WaitFor(LongestHashWait);
-    hashes = this->FindHashes(felt);
+    hashes = this->GetHashes(felt);
   }
   if (hashes)
   {
@@ -408,7 +408,7 @@ bool vtkHapticRecorder::vtkInternals::IsUnderWay() const
   return ticks && ticks->IsRecording() && this->Session.IsOurs();
 }
 
-void vtkHapticRecorder::vtkInternals::TellTrouble()
+void vtkHapticRecorder::vtkInternals::ReportTrouble()
 {
   const TickCollector* const ticks = this->Session.GetTicks();
   if (!ticks || !ticks->IsRecording() || this->IsTroubleTold)

@@ -62,11 +62,11 @@ VirtualDevice* vtkHapticVirtualHand::FindLed(double x, double y, double z)
   VirtualDevice* const device = parts ? parts->Session.GetVirtual() : nullptr;
   if (parts && !device)
   {
-    parts->Orders.TellError("There is no virtual device to lead: Open(\"virtual\") first.");
+    parts->Orders.ReportError("There is no virtual device to lead: Open(\"virtual\") first.");
   }
   else if (device && !IsFinite(Vector3{ x, y, z }))
   {
-    parts->Orders.TellError("The virtual tip must be finite; it stays where it was.");
+    parts->Orders.ReportError("The virtual tip must be finite; it stays where it was.");
     return nullptr;
   }
   return device;
@@ -87,7 +87,7 @@ void vtkHapticVirtualHand::SetPosition(const double x[3])
   DeviceParts* const parts = this->GetParts();
   if (parts && !x)
   {
-    parts->Orders.TellError(
+    parts->Orders.ReportError(
       "SetPosition() needs three numbers, but got a null pointer; the tip stays where it is.");
   }
   else if (parts)
@@ -129,7 +129,7 @@ void vtkHapticVirtualHand::SetOrientation(double w, double x, double y, double z
   Quaternion world{ w, x, y, z };
   if (parts && !device)
   {
-    parts->Orders.TellError("There is no virtual device to turn: Open(\"virtual\") first.");
+    parts->Orders.ReportError("There is no virtual device to turn: Open(\"virtual\") first.");
   }
   else if (device && IsIdentical(world, NoOrientation))
   {
@@ -137,8 +137,9 @@ void vtkHapticVirtualHand::SetOrientation(double w, double x, double y, double z
   }
   else if (device && !Normalize(world))
   {
-    parts->Orders.TellError("The virtual tip's orientation must be a quaternion of finite numbers "
-                            "that are not all tiny; it stays as it was. Four zeros take it away.");
+    parts->Orders.ReportError(
+      "The virtual tip's orientation must be a quaternion of finite numbers "
+      "that are not all tiny; it stays as it was. Four zeros take it away.");
   }
   else if (device)
   {
@@ -152,7 +153,7 @@ void vtkHapticVirtualHand::SetOrientation(const double wxyz[4])
   DeviceParts* const parts = this->GetParts();
   if (parts && !wxyz)
   {
-    parts->Orders.TellError(
+    parts->Orders.ReportError(
       "SetOrientation() needs four numbers, but got a null pointer; the stylus stays as it is.");
   }
   else if (parts)
@@ -172,8 +173,9 @@ void vtkHapticVirtualHand::SetToolOrientation(double w, double x, double y, doub
   }
   else if (parts && !Normalize(world))
   {
-    parts->Orders.TellError("The tip's orientation must be a quaternion of finite numbers that are "
-                            "not all tiny; it stays as it was. Four zeros take it away.");
+    parts->Orders.ReportError(
+      "The tip's orientation must be a quaternion of finite numbers that are "
+      "not all tiny; it stays as it was. Four zeros take it away.");
   }
   else if (parts)
   {
@@ -210,7 +212,7 @@ void vtkHapticVirtualHand::SetDynamics(
   VirtualDevice* const device = parts ? parts->Session.GetVirtual() : nullptr;
   if (parts && (!device || parts->Session.IsRunning()))
   {
-    parts->Orders.TellError("Dynamics are set between Open(\"virtual\") and Start().");
+    parts->Orders.ReportError("Dynamics are set between Open(\"virtual\") and Start().");
   }
   else if (device)
   {
@@ -234,8 +236,8 @@ void vtkHapticVirtualHand::SetLimits(
   if (parts &&
     (!device || parts->Session.IsRunning() || !std::isfinite(sum) || !(maximumForce > 0.0)))
   {
-    parts->Orders.TellError("Limits are finite, with a force above 0, and are set between "
-                            "Open(\"virtual\") and Start().");
+    parts->Orders.ReportError("Limits are finite, with a force above 0, and are set between "
+                              "Open(\"virtual\") and Start().");
   }
   else if (device)
   {
@@ -245,7 +247,7 @@ void vtkHapticVirtualHand::SetLimits(
     limits.MaximumDamping = std::max(0.0, maximumDamping);
     limits.Damping = std::max(0.0, friction);
     device->SetLimits(limits);
-    parts->Device->TakeLimits();
+    parts->Device->UpdateLimits();
   }
 }
 

@@ -243,7 +243,7 @@ vtkHapticXRController::vtkHapticXRController()
 {
   this->Internals->Observer->SetClientData(this);
   this->Internals->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* data)
-    { static_cast<vtkHapticXRController*>(self)->Follow(event, data); });
+    { static_cast<vtkHapticXRController*>(self)->Handle(event, data); });
 }
 
 //------------------------------------------------------------------------------
@@ -324,12 +324,12 @@ bool vtkHapticXRController::CanVibrate()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticXRController::Follow(unsigned long event, void* data)
+void vtkHapticXRController::Handle(unsigned long event, void* data)
 {
   vtkHapticDevice* const device = this->Internals->Device;
   if (event == vtkCommand::RenderEvent)
   {
-    this->FollowFrame();
+    this->UpdateInFrame();
     return;
   }
   auto* const any = static_cast<vtkEventData*>(data);
@@ -358,7 +358,7 @@ void vtkHapticXRController::Follow(unsigned long event, void* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticXRController::FollowFrame()
+void vtkHapticXRController::UpdateInFrame()
 {
   auto& d = *this->Internals;
   if (d.Device)

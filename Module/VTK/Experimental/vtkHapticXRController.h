@@ -119,8 +119,8 @@ private:
   vtkHapticXRController(const vtkHapticXRController&) = delete;
   void operator=(const vtkHapticXRController&) = delete;
 
-  void Follow(unsigned long event, void* data);
-  void FollowFrame();
+  void Handle(unsigned long event, void* data);
+  void UpdateInFrame();
   void Vibrate(double amplitude);
 
   struct vtkInternals;

@@ -64,9 +64,9 @@ void BakePreparation::EndPreparing()
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> BakePreparation::FillOutside(
-  vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames)
+  vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps)
 {
-  const bool areScalars = areFrames || AreScalars(scalars->GetNumberOfComponents());
+  const bool areScalars = areTimeSteps || AreScalars(scalars->GetNumberOfComponents());
   if (this->Filter->GetProperty()->GetScalarsAreLabels() || !areScalars)
   {
     this->Outside = OutsideFiller{};

@@ -43,10 +43,10 @@ public:
   /**
    * Returns the array with values for its outside samples, or the array itself: vectors and labels
    * stay unchanged.
-   * @param areFrames whether the components of the array are frames
+   * @param areTimeSteps whether the components of the array are time steps
    */
   vtkSmartPointer<vtkDataArray> FillOutside(
-    vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames);
+    vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
 
   /**
    * Whether there is a text on what was guessed about the values, and it was not the last one

@@ -30,11 +30,11 @@ namespace VolumeHaptics
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(
-  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames)
+  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps)
 {
   try
   {
-    return this->BakeInput(rate, deviceCaps, deviceToWorld, std::move(frames));
+    return this->BakeInput(rate, deviceCaps, deviceToWorld, std::move(timeSteps));
   }
   catch (const SourceLacksMemory& lack)
   {
@@ -89,9 +89,9 @@ void HapticBaker::WarnOfStillSteps()
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
-  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames)
+  double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps)
 {
-  const bool isMoving = !frames.Frames.empty();
+  const bool isMoving = !timeSteps.TimeSteps.empty();
   std::string error;
   if (auto* const source =
         vtkHapticRegionSource::SafeDownCast(this->Filter->GetInputAlgorithm(0, 0)))
@@ -107,8 +107,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
       << this->Resampled.DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
     return nullptr;
   }
-  // The baked volume is shared if only the device has moved, as in every frame while it follows the
-  // camera, or if its caps have changed.
+  // The baked volume is shared if only the device has moved, as in every time step while it follows
+  // the camera, or if its caps have changed.
   vtkDataArray* const scalars = this->GetArray(0, image);
   vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   vtkDataArray* const labelArray = labels ? this->GetArray(1, labels) : nullptr;
@@ -130,7 +130,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
   else if (error.empty())
   {
     model = this->BakeImage(
-      image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, std::move(frames));
+      image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, std::move(timeSteps));
   }
   if (!error.empty())
   {
@@ -147,7 +147,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
 //------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, double tickPeriod,
   const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
-  vtkPolyData* recording, HapticFrames&& frames)
+  vtkPolyData* recording, ImageTimeSteps&& timeSteps)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->Filter->GetChosenArray(0, image, association);
@@ -189,14 +189,14 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
       ? ContactAlignment::Edge
       : ContactAlignment::Distinctness;
   }
-  if (frames.Frames.empty() && this->AreLabels(image))
+  if (timeSteps.TimeSteps.empty() && this->AreLabels(image))
   {
     options.Description.Labels = this->Preparation.GetLabels().GetOfScalars(
       image, scalars, this->Filter->GetProperty(), HasFineLabels(recording));
     options.Description.Settings.Geometry =
       options.Description.Labels ? SurfaceGeometry::Labels : SurfaceGeometry::Scalars;
   }
-  const std::string warning = this->Preparation.GetLabels().TakeWarning();
+  const std::string warning = this->Preparation.GetLabels().DrainWarning();
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(this->Filter, << warning);
@@ -206,8 +206,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Description.DeviceCaps = deviceCaps;
   options.Surfaces = &this->Preparation.GetSurfaces();
   options.Regions = &this->Regions;
-  options.Frames = std::move(frames.Frames);
-  options.Series = frames.Series;
+  options.TimeSteps = std::move(timeSteps.TimeSteps);
+  options.Series = timeSteps.Series;
   options.Displacements = this->Filter->GetDisplacementArrayName();
   options.Modes = this->Filter->GetModes();
   options.Tool = this->Filter->GetTool();
@@ -224,12 +224,13 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
       "IsoValue is touched.";
     return nullptr;
   }
-  const bool areFrames = !options.Frames.empty();
+  const bool areTimeSteps = !options.TimeSteps.empty();
   const vtkSmartPointer<vtkDataArray> filled = this->Preparation.FillOutside(image, scalars,
-    areFrames ? options.Frames.front().Component : this->Filter->GetProperty()->GetComponent(),
-    areFrames && this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS);
+    areTimeSteps ? options.TimeSteps.front().Component
+                 : this->Filter->GetProperty()->GetComponent(),
+    areTimeSteps && this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS);
   options.Outside = filled != scalars ? this->GetOutside() : OutsideSamples{};
-  const std::string notice = this->Preparation.GetOutside().TakeNotice();
+  const std::string notice = this->Preparation.GetOutside().DrainNotice();
   if (!notice.empty())
   {
     vtkWarningWithObjectMacro(this->Filter, << Printable(notice));
@@ -349,7 +350,7 @@ std::array<TouchedArray, 2> HapticBaker::GetTouched()
 }
 
 //------------------------------------------------------------------------------
-TouchedArray HapticBaker::GetFilled(int component, bool areFrames)
+TouchedArray HapticBaker::GetFilled(int component, bool areTimeSteps)
 {
   TouchedArray filled = this->GetTouched()[0];
   try
@@ -357,7 +358,7 @@ TouchedArray HapticBaker::GetFilled(int component, bool areFrames)
     if (filled.Array)
     {
       filled.Array = this->Preparation.FillOutside(
-        this->Filter->GetTouchedImage(), filled.Array, component, areFrames);
+        this->Filter->GetTouchedImage(), filled.Array, component, areTimeSteps);
     }
   }
   catch (const std::bad_alloc&)

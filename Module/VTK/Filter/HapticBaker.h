@@ -4,11 +4,11 @@
 #define HapticBaker_h
 
 #include "Core/Model/ForceCaps.h"
-#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/ImageTimeSteps.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Filter/BakePreparation.h"
-#include "VTK/Filter/FilterFrames.h"
+#include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/RegionSeries.h"
 #include "VTK/Filter/ResampledInput.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -52,19 +52,19 @@ public:
   }
 
   /**
-   * Bakes like Bake(), with frames of a volume that moves, whose source is at the first of these
-   * time steps.
+   * Bakes like Bake(), with time steps of a volume that moves, whose source is at the first of
+   * these time steps.
    */
-  std::shared_ptr<const HapticModel> BakeFrames(double rate, const ForceCaps& deviceCaps,
-    vtkMatrix4x4* deviceToWorld, std::vector<HapticFrame>&& frames,
+  std::shared_ptr<const HapticModel> BakeTimeSteps(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, std::vector<ImageTimeStep>&& timeSteps,
     const std::vector<double>& steps)
   {
     return this->BakeOrTell(
-      rate, deviceCaps, deviceToWorld, { std::move(frames), MakeSeries(steps) });
+      rate, deviceCaps, deviceToWorld, { std::move(timeSteps), MakeSeries(steps) });
   }
 
-  /** Returns the data times of the image's frames; empty if there are fewer than two. */
-  std::vector<double> FindFrameTimes()
+  /** Returns the data times of the image's time steps; empty if there are fewer than two. */
+  std::vector<double> GetDataTimes()
   {
     if (this->Filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS)
     {
@@ -84,7 +84,7 @@ public:
   }
 
   /** Says which arrays of a time step are read. */
-  FrameReading GetReading()
+  TimeStepReading GetReading()
   {
     const auto getArray = [filter = this->Filter](vtkImageData* step)
     {
@@ -111,13 +111,13 @@ public:
    */
   std::shared_ptr<const HapticModel> BakeImage(vtkImageData* image, double tickPeriod,
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
-    vtkPolyData* recording, HapticFrames&& frames);
+    vtkPolyData* recording, ImageTimeSteps&& timeSteps);
 
   /**
    * Returns null if Bake() needs no slow work that can be done in the background: the distances to
    * forbidden labels, a large mesh, and the points of a tool with a shape. Otherwise begins this
    * work, and returns a text for the status, such as MeshingWork.
-   * @param isMoving whether BakeFrames() follows, whose frames may have meshes of their own
+   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
    */
   const char* Prepare(bool isMoving = false) { return this->Preparation.Prepare(isMoving); }
   /** Ends the work that Prepare() began. */
@@ -138,8 +138,8 @@ public:
   /** Warns once that only the first time step of a grid is felt. */
   void WarnOfStillSteps();
   /**
-   * Warns, once for a series of frames, if their edges are too fast for blending.
-   * @param isLoop whether the first frame follows the last one
+   * Warns, once for a series of time steps, if their edges are too fast for blending.
+   * @param isLoop whether the first time step follows the last one
    */
   void WarnOfFastMotion(const BakedVolume& volume, bool isLoop);
 
@@ -156,7 +156,7 @@ public:
   {
     return this->GetFilled(this->Filter->GetProperty()->GetComponent(), false);
   }
-  TouchedArray GetFilled(int component, bool areFrames);
+  TouchedArray GetFilled(int component, bool areTimeSteps);
   /** Returns what was outside in the array that was filled last. */
   const OutsideSamples& GetOutside() { return this->Preparation.GetOutside().GetLast(); }
 
@@ -167,10 +167,10 @@ private:
     return this->Filter->GetChosenArray(index, data, association);
   }
   /** Bakes like Bake(), and reports the filter's errors. */
-  std::shared_ptr<const HapticModel> BakeOrTell(
-    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames);
-  std::shared_ptr<const HapticModel> BakeInput(
-    double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, HapticFrames&& frames);
+  std::shared_ptr<const HapticModel> BakeOrTell(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
+  std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
   /** Bakes the labels, if there are any, for a recording (or null); false after an error. */
   bool BakeLabels(
     vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error);

@@ -53,7 +53,7 @@ void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 /**
  * Sets what has to be added to the scalars, if the image shows it, and describes that in `notice`.
  */
-void FindShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+void EstimateShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   const HapticVolume& volume, int component, std::string& notice)
 {
   property->NoteShift(0.0);
@@ -64,7 +64,7 @@ void FindShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* s
   }
   const StoredShift found = volume.Whole.IsThere
     ? volume.Whole.Shift
-    : FindStoredShift(image, scalars, volume.View, component);
+    : EstimateStoredShift(image, scalars, volume.View, component);
   property->NoteShift(found.Shift);
   std::ostringstream text;
   if (found.Shift != 0.0)
@@ -94,7 +94,7 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
     Polyline& line = material.*rule.Baked;
     line = ToPolyline((property->*rule.Get)(), rule.Default);
     error =
-      FindFunctionFault(line, rule.Maximum, std::string(rule.Name) + " of the haptic property",
+      DetectFunctionFault(line, rule.Maximum, std::string(rule.Name) + " of the haptic property",
         DescribeRange(rule), std::string("vtkHapticProperty::Get") + rule.Name + "()");
     if (!error.empty())
     {
@@ -139,7 +139,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
     const double noise =
-      whole.IsThere ? whole.Noise : FindNoise(image, scalars, d.View, component).Noise;
+      whole.IsThere ? whole.Noise : EstimateImageNoise(image, scalars, d.View, component).Noise;
     ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
@@ -168,38 +168,40 @@ void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* s
     return;
   }
   const BackgroundLevel solid =
-    whole.IsThere ? whole.Solid : FindSolid(image, scalars, d.View, component);
+    whole.IsThere ? whole.Solid : EstimateSolid(image, scalars, d.View, component);
   if (solid.IsThere)
   {
     d.Material.SurfaceStrength = CutBelow(d.Material.SurfaceStrength, solid.Threshold, solid.Full);
   }
 }
 
-/** Makes the missing isosurfaces of all frames but the last one. */
-void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
-  std::vector<VolumeFrame>& frames)
+/** Makes the missing isosurfaces of all time steps but the last one. */
+void MeshTimeSteps(const std::vector<ImageTimeStep>& read, double value,
+  const Affine3& indexToWorld, std::vector<VolumeTimeStep>& timeSteps)
 {
-  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+  for (std::size_t i = 0; i + 1 < timeSteps.size(); ++i)
   {
-    if (!frames[i].Mesh)
+    if (!timeSteps[i].Mesh)
     {
-      frames[i].Mesh = MeshFrame(frames[i], frames[i + 1], read[i].Component, value, indexToWorld);
+      timeSteps[i].Mesh =
+        MeshTimeStep(timeSteps[i], timeSteps[i + 1], read[i].Component, value, indexToWorld);
     }
   }
 }
 
 /**
- * Returns the frames' mesh with the most triangles; null, with an error, if no frame has a
+ * Returns the time steps' mesh with the most triangles; null, with an error, if no time step has a
  * triangle.
  */
 std::shared_ptr<const SurfaceMesh> FindLargestMesh(
-  const std::vector<VolumeFrame>& frames, double value, std::string& error)
+  const std::vector<VolumeTimeStep>& timeSteps, double value, std::string& error)
 {
   std::shared_ptr<const SurfaceMesh> largest;
-  for (const VolumeFrame& frame : frames)
+  for (const VolumeTimeStep& timeStep : timeSteps)
   {
     const std::int64_t most = largest ? largest->GetNumberOfTriangles() : 0;
-    largest = frame.Mesh && frame.Mesh->GetNumberOfTriangles() > most ? frame.Mesh : largest;
+    largest =
+      timeStep.Mesh && timeStep.Mesh->GetNumberOfTriangles() > most ? timeStep.Mesh : largest;
   }
   if (!largest)
   {
@@ -226,16 +228,16 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
     d.Settings.ProxyRadius = 0.5 * SmallestSpacing(image);
   }
   d.Settings.HasIsoSurface = options.Surface == nullptr;
-  if (!d.Frames.empty())
+  if (!d.TimeSteps.empty())
   {
-    MeshFrames(options.Frames, d.Settings.IsoValue, d.IndexToWorld, d.Frames);
+    MeshTimeSteps(options.TimeSteps, d.Settings.IsoValue, d.IndexToWorld, d.TimeSteps);
   }
   const std::int64_t* const first = d.View.First;
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
     { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
     !ResidentBox(d.View).IsWhole() };
-  d.Mesh = d.Frames.empty() ? options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error)
-                            : FindLargestMesh(d.Frames, d.Settings.IsoValue, error);
+  d.Mesh = d.TimeSteps.empty() ? options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error)
+                               : FindLargestMesh(d.TimeSteps, d.Settings.IsoValue, error);
   if (!d.Mesh)
   {
     return false;
@@ -263,12 +265,12 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
   return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
 }
 
-/** Copies the component of an array that is a frame. */
-vtkSmartPointer<vtkDataArray> CopyComponent(const HapticFrame& frame)
+/** Copies the component of an array that is a time step. */
+vtkSmartPointer<vtkDataArray> CopyComponent(const ImageTimeStep& timeStep)
 {
-  auto copy = NewArray(frame.Array->GetDataType(), 1, frame.Array->GetNumberOfTuples());
-  copy->SetName(frame.Array->GetName());
-  copy->CopyComponent(0, frame.Array, frame.Component);
+  auto copy = NewArray(timeStep.Array->GetDataType(), 1, timeStep.Array->GetNumberOfTuples());
+  copy->SetName(timeStep.Array->GetName());
+  copy->CopyComponent(0, timeStep.Array, timeStep.Component);
   return copy;
 }
 
@@ -278,33 +280,33 @@ bool AreAlike(const VolumeView& a, const VolumeView& b)
     std::equal(a.First, a.First + 3, b.First) && std::equal(a.Whole, a.Whole + 3, b.Whole);
 }
 
-bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
+bool BakeTimeSteps(const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
-  const std::vector<HapticFrame>& frames = options.Frames;
-  if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy && options.Surface)
+  const std::vector<ImageTimeStep>& timeSteps = options.TimeSteps;
+  if (!timeSteps.empty() && d.Settings.Method == HapticMethod::SurfaceProxy && options.Surface)
   {
     error = "The surface on input port 2 does not move, and the image on input port 0 has several "
             "frames. Disconnect the surface to touch the isosurface at IsoValue, which moves, or "
             "stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
-  if (!frames.empty() && d.Settings.Method == HapticMethod::Primitives)
+  if (!timeSteps.empty() && d.Settings.Method == HapticMethod::Primitives)
   {
     error =
       "PRIMITIVES feels vectors of one time, and the image on input port 0 has several frames. "
       "Choose another method, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
-  // If the frames are a part of the series, the last one needs no displacements.
-  FrameSeries series = d.Series;
-  series.Last = frames.empty() ? 0.0 : frames.back().Time;
-  series.First = frames.empty() ? 0.0 : std::min(series.First, frames.front().Time);
-  const FrameShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements,
+  // If the time steps are a part of the series, the last one needs no displacements.
+  TimeStepSeries series = d.Series;
+  series.Last = timeSteps.empty() ? 0.0 : timeSteps.back().Time;
+  series.First = timeSteps.empty() ? 0.0 : std::min(series.First, timeSteps.front().Time);
+  const TimeStepShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements,
     options.Outside };
-  for (const HapticFrame& frame : frames)
+  for (const ImageTimeStep& timeStep : timeSteps)
   {
-    d.Frames.emplace_back();
-    if (!MakeVolumeFrame(frame, shape, d.Frames.back(), error))
+    d.TimeSteps.emplace_back();
+    if (!MakeVolumeTimeStep(timeStep, shape, d.TimeSteps.back(), error))
     {
       return false;
     }
@@ -314,8 +316,8 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
 
 } // namespace
 
-bool MakeVolumeFrame(
-  const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error)
+bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
+  VolumeTimeStep& timeStep, std::string& error)
 {
   HapticVolume volume;
   std::ostringstream message;
@@ -326,7 +328,7 @@ bool MakeVolumeFrame(
     error = message.str();
     return false;
   }
-  // If the frames are components, a copy would hold all components for each frame.
+  // If the time steps are components, a copy would hold all components for each time step.
   const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
     read.Component >= read.Array->GetNumberOfComponents();
   const vtkSmartPointer<vtkDataArray> array =
@@ -351,18 +353,18 @@ bool MakeVolumeFrame(
   }
   // Samples that are not numbers have the same value at all times.
   volume.View.BorderValue = shape.View.BorderValue;
-  frame = { read.Time, volume.View, ShareArray(volume.Holder) };
-  frame.Mesh = read.Mesh;
+  timeStep = { read.Time, volume.View, ShareArray(volume.Holder) };
+  timeStep.Mesh = read.Mesh;
   const bool isMoved = read.Displacements || read.Time < shape.Series.Last;
   return shape.Displacements.empty() || !isMoved ||
-    ReadDisplacements(read, shape.Displacements, frame, error);
+    ReadDisplacements(read, shape.Displacements, timeStep, error);
 }
 
-std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
-  const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
+std::shared_ptr<const BakedVolume> GoOnWithTimeSteps(const BakedVolume& last,
+  const std::vector<ImageTimeStep>& timeSteps, const TimeStepSeries& series, int kernelRadius,
   const std::string& displacements, const OutsideSamples& outside)
 {
-  const HapticFrame& first = frames.front();
+  const ImageTimeStep& first = timeSteps.front();
   const VolumeView& before = last.Field.GetView();
   HapticVolume volume;
   std::string error;
@@ -379,18 +381,19 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
       now.Dimensions[axis] >= PointsNeeded(kernelRadius);
   }
   volume.View.BorderValue = before.BorderValue;
-  const FrameShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements, outside };
-  std::vector<VolumeFrame> made(frames.size());
-  for (std::size_t i = 0; i < frames.size(); ++i)
+  const TimeStepShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements,
+    outside };
+  std::vector<VolumeTimeStep> made(timeSteps.size());
+  for (std::size_t i = 0; i < timeSteps.size(); ++i)
   {
-    if (!isAlike || !MakeVolumeFrame(frames[i], shape, made[i], error))
+    if (!isAlike || !MakeVolumeTimeStep(timeSteps[i], shape, made[i], error))
     {
       return nullptr; // a new bake reports the reason
     }
   }
   if (last.Mesh)
   {
-    MeshFrames(frames, last.Settings.IsoValue, last.IndexToWorld, made);
+    MeshTimeSteps(timeSteps, last.Settings.IsoValue, last.IndexToWorld, made);
   }
   return std::make_shared<const BakedVolume>(last, made, series);
 }
@@ -402,12 +405,12 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   HapticModelDescription d = options.Description;
   HapticVolume volume;
   const int component =
-    options.Frames.empty() ? property->GetComponent() : options.Frames.front().Component;
+    options.TimeSteps.empty() ? property->GetComponent() : options.TimeSteps.front().Component;
   if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error))
   {
     return nullptr;
   }
-  FindShift(property, image, scalars, volume, component, notice);
+  EstimateShift(property, image, scalars, volume, component, notice);
   if (!BakeFunctions(property, d.Material, error))
   {
     return nullptr;
@@ -447,7 +450,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
       setting.Bake(property, d);
     }
   }
-  if (!BakeFrames(options, d, error) || !BakeSurface(image, scalars, component, options, d, error))
+  if (!BakeTimeSteps(options, d, error) ||
+    !BakeSurface(image, scalars, component, options, d, error))
   {
     return nullptr;
   }
@@ -471,11 +475,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   }
   BakeDistinctness(property, image, scalars, component, whole, options.MetersPerWorldUnit, d);
   BakeSolid(property, image, scalars, component, whole, d);
-  if (!d.Frames.empty())
+  if (!d.TimeSteps.empty())
   {
     // The source may write the next step to the image's memory.
-    d.View = d.Frames.front().View;
-    d.Samples = d.Frames.front().Samples;
+    d.View = d.TimeSteps.front().View;
+    d.Samples = d.TimeSteps.front().Samples;
   }
   const std::string array =
     std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
@@ -483,7 +487,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   auto model = std::make_shared<const HapticModel>(d);
   if (options.Regions)
   {
-    options.Regions->Note(d, whole, array, model->Baked->Number);
+    options.Regions->Record(d, whole, array, model->Baked->Number);
   }
   return model;
 }

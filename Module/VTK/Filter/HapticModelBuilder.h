@@ -9,7 +9,7 @@
 #define HapticModelBuilder_h
 
 #include "Core/Model/HapticModel.h"
-#include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/ImageTimeSteps.h"
 #include "VTK/Base/OutsideFiller.h"
 #include "VTK/Modes/HapticModes.h"
 
@@ -39,11 +39,11 @@ struct HapticModelOptions
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< surface to touch; null for the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
-  /** Frames of a volume that moves; the image is at its first step. */
-  std::vector<HapticFrame> Frames;
+  /** Time steps of a volume that moves; the image is at its first step. */
+  std::vector<ImageTimeStep> TimeSteps;
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
-  FrameSeries Series;            ///< the series that Frames are a part of
-  OutsideSamples Outside;        ///< outside samples of Frames, to be filled
+  TimeStepSeries Series;         ///< the series that Time steps are a part of
+  OutsideSamples Outside;        ///< outside samples of Time steps, to be filled
   HapticModes Modes;             ///< for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr; ///< null stands for a point
   vtkHapticRemoval* Removal = nullptr;
@@ -51,33 +51,33 @@ struct HapticModelOptions
   double MetersPerWorldUnit = 0.001;
 };
 
-/** What all frames of a volume have in common. */
-struct FrameShape
+/** What all time steps of a volume have in common. */
+struct TimeStepShape
 {
   VolumeView View; ///< only its layout counts, not the samples
   Affine3 IndexToWorld;
-  FrameSeries Series; ///< frames before its end need displacements
+  TimeStepSeries Series; ///< time steps before its end need displacements
   int KernelRadius;
   std::string Displacements; ///< name of the displacements' array; empty if there is none
-  OutsideSamples Outside;    ///< outside samples of each frame, to be filled
+  OutsideSamples Outside;    ///< outside samples of each time step, to be filled
 };
 
 /**
- * Makes the frame of a model. False, with the reason and the cure in `error`, if the frame has
- * another shape or can't be touched.
+ * Makes the time step of a model. False, with the reason and the cure in `error`, if the time step
+ * has another shape or can't be touched.
  */
-bool MakeVolumeFrame(
-  const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error);
+bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
+  VolumeTimeStep& timeStep, std::string& error);
 
 /**
- * Returns a baked volume with other frames, which may be of another region. Bakes nothing again
- * except the meshes of SURFACE_PROXY that the frames lack. Null if the frames can't be touched, or
- * differ from the volume in their geometry or type of numbers.
+ * Returns a baked volume with other time steps, which may be of another region. Bakes nothing again
+ * except the meshes of SURFACE_PROXY that the time steps lack. Null if the time steps can't be
+ * touched, or differ from the volume in their geometry or type of numbers.
  * @param displacements name of the displacements' array; empty if there is none
- * @param outside outside samples of the frames, to be filled
+ * @param outside outside samples of the time steps, to be filled
  */
-std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& volume,
-  const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
+std::shared_ptr<const BakedVolume> GoOnWithTimeSteps(const BakedVolume& volume,
+  const std::vector<ImageTimeStep>& timeSteps, const TimeStepSeries& series, int kernelRadius,
   const std::string& displacements, const OutsideSamples& outside);
 
 /**

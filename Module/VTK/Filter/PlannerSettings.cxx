@@ -47,7 +47,7 @@ double FindVoxelSize(vtkHapticRegionPlanner* planner)
  * Computes the largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Its largest value lies at a point
  * of the functions.
  */
-double FindSpring(vtkVolumeHapticsFilter* filter)
+double ComputeSpring(vtkVolumeHapticsFilter* filter)
 {
   vtkHapticProperty* const property = filter->GetProperty();
   vtkPiecewiseFunction* const k = property->GetStiffness();
@@ -86,7 +86,7 @@ double FindSpring(vtkVolumeHapticsFilter* filter)
  * Computes the longest spring of PRIMITIVES: all modes pull in the same direction with full
  * strength.
  */
-double FindModeSpring(vtkVolumeHapticsFilter* filter)
+double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
 {
   double force = 0.0; // N
   for (int i = 0; i < filter->GetNumberOfModes(); ++i)
@@ -130,8 +130,8 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
     method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
   const bool hasModes = method == vtkVolumeHapticsFilter::PRIMITIVES;
   const double spring = isSurface ? LongestSpring
-    : hasModes                    ? FindModeSpring(filter)
-                                  : FindSpring(filter);
+    : hasModes                    ? ComputeModeSpring(filter)
+                                  : ComputeSpring(filter);
   planner->SetSpringLength(spring / filter->GetMetersPerWorldUnit());
   double voxels = radius + ResidencySpare;
   if (hasModes)

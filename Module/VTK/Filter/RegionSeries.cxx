@@ -79,7 +79,7 @@ std::uint64_t RegionSeries::Find(
   return found == this->Last.end() ? 0 : found->Number;
 }
 
-void RegionSeries::Note(const HapticModelDescription& d, const WholeFacts& facts,
+void RegionSeries::Record(const HapticModelDescription& d, const WholeFacts& facts,
   const std::string& array, std::uint64_t number)
 {
   if (!facts.IsThere)

@@ -29,7 +29,7 @@ public:
    */
   std::uint64_t Find(const HapticModelDescription& description, const WholeFacts& facts,
     const std::string& array) const;
-  void Note(const HapticModelDescription& description, const WholeFacts& facts,
+  void Record(const HapticModelDescription& description, const WholeFacts& facts,
     const std::string& array, std::uint64_t number);
 
 private:

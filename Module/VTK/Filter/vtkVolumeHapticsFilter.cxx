@@ -3,21 +3,21 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "VTK/Baking/HapticCut.h"
-#include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/ImageTimeSteps.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticHash.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
-#include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
+#include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
 #include "VTK/Filter/PlannerSettings.h"
 #include "VTK/Modes/ModePresets.h"
 #include "VTK/Regions/RegionsAlongPath.h"
-#include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/TissueArrays.h"
 #include "VTK/Tools/ToolKind.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/Paths/TipPaths.h"
@@ -795,14 +795,14 @@ int vtkVolumeHapticsFilter::TouchPath(
   const RegionsAlongPath regions(source,
     [&](vtkImageData* region, std::string& flaw)
     { return this->Baker->BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {}); });
-  HapticFrames frames;
-  if (path && readable && !source && !CollectFramesOfPaths(this, paths, frames, error))
+  ImageTimeSteps timeSteps;
+  if (path && readable && !source && !CollectTimeStepsOfPaths(this, paths, timeSteps, error))
   {
     vtkErrorMacro(<< error);
     return 0;
   }
   // Without a path, only the input is checked, and a slow mesh is left to the background.
-  if (readable && !source && frames.Frames.empty() &&
+  if (readable && !source && timeSteps.TimeSteps.empty() &&
     !(path ? this->Baker->GetPreparation().AwaitSurface()
            : this->Baker->GetPreparation().IsSurfaceAtHand()))
   {
@@ -812,7 +812,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   std::shared_ptr<const HapticModel> model = source
     ? regions.Begin()
     : this->Baker->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{},
-        nullptr, imageError, recording ? path : nullptr, std::move(frames));
+        nullptr, imageError, recording ? path : nullptr, std::move(timeSteps));
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -824,7 +824,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   {
     this->Baker->WarnOfFastMotion(*model->Baked, true);
   }
-  if (path && !FindLabelHash(path).empty())
+  if (path && !ReadLabelHash(path).empty())
   {
     const std::string hash = this->Hashes[1].Await(this->Baker->GetTouched()[1],
       [this](double)
@@ -866,9 +866,9 @@ int vtkVolumeHapticsFilter::TouchPath(
     }
   }
   trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
-  if (const auto* const shares = walk.GetFinalShares())
+  if (const auto* const shares = walk.GetFinalTissue())
   {
-    AddShareArrays(*shares, FinalShareNames, output->GetFieldData());
+    AddTissueArrays(*shares, FinalTissueNames, output->GetFieldData());
   }
   // Ticks of a recording are points of the path, one for one, unless the user aborted the run.
   vtkDataArray* const orientations =

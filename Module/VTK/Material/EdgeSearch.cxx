@@ -24,7 +24,7 @@ constexpr std::int64_t MostVoxelsInARow = 2048;
 constexpr std::size_t VoxelsAtOnce = 4096;
 constexpr std::size_t LinesAtOnce = 128;
 /** Fraction of a search's time that is spent on finding steep voxels. */
-constexpr double SteepShare = 0.5;
+constexpr double SteepFraction = 0.5;
 
 /** Mixes the bits of a number, as the finalizer of MurmurHash3 (public domain) does. */
 std::uint64_t Scramble(std::uint64_t number)
@@ -115,10 +115,10 @@ std::vector<Vector3> ScatterVoxels(const VolumeView& view)
 }
 
 //------------------------------------------------------------------------------
-std::vector<EdgeLine> FindEdges(const VolumeView& view, const EdgeTracer& tracer,
+std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& tracer,
   const EdgeThresholds& thresholds, const SearchPart& part)
 {
-  const double middle = part.Begin + SteepShare * (part.End - part.Begin);
+  const double middle = part.Begin + SteepFraction * (part.End - part.Begin);
   const std::vector<Vector3> voxels = ScatterVoxels(view);
   std::vector<char> isSteep(voxels.size());
   auto look = [&](vtkIdType begin, vtkIdType end)

@@ -50,8 +50,8 @@ bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Loo
   }
   for (std::size_t first = 0; first < count; first += piece)
   {
-    const double share = static_cast<double>(first) / static_cast<double>(count);
-    if (!part.Monitor->GoesOn(part.Begin + share * (part.End - part.Begin)))
+    const double fraction = static_cast<double>(first) / static_cast<double>(count);
+    if (!part.Monitor->GoesOn(part.Begin + fraction * (part.End - part.Begin)))
     {
       return false;
     }
@@ -75,7 +75,7 @@ std::vector<Vector3> ScatterVoxels(const VolumeView& view);
  * Finds the lines through those voxels that are on an edge; some ten thousand at most. Incomplete
  * if the search is cancelled.
  */
-std::vector<EdgeLine> FindEdges(const VolumeView& view, const EdgeTracer& tracer,
+std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& tracer,
   const EdgeThresholds& thresholds, const SearchPart& part);
 
 } // namespace VolumeHaptics

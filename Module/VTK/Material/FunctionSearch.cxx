@@ -29,7 +29,7 @@ constexpr std::size_t CountedAtOnce = 1024;
 /** Largest slope in the histogram, as a multiple of the largest slope of a boundary. */
 constexpr double SlopeRoom = 1.25;
 /** Fraction of the time that is spent on finding functions; after that, edges are counted. */
-constexpr double ProposalShare = 0.8;
+constexpr double ProposalFraction = 0.8;
 
 EdgeHistogram MakeFrame(const SearchedData& data, double mostSlope)
 {
@@ -44,11 +44,12 @@ FoundFunctions SearchInput(
 {
   FoundFunctions found;
   MaterialProposal proposal;
-  if (ProposeFromVolume(input, { monitor, 0.0, ProposalShare }, proposal, found.Error))
+  if (ProposeFromVolume(input, { monitor, 0.0, ProposalFraction }, proposal, found.Error))
   {
     found.Edges =
       MakeFrame(data, *std::max_element(proposal.Slopes.begin(), proposal.Slopes.end()));
-    CountEdges(input.Volume, proposal.KernelRadius, { monitor, ProposalShare, 1.0 }, found.Edges);
+    CountEdges(
+      input.Volume, proposal.KernelRadius, { monitor, ProposalFraction, 1.0 }, found.Edges);
     found.Proposal = std::move(proposal);
   }
   return found;
@@ -60,7 +61,7 @@ FoundFunctions SearchInput(
 void CountEdges(
   const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram)
 {
-  histogram.Shares.clear();
+  histogram.Fractions.clear();
   const GradientKernel kernel(GradientEstimator::Gaussian, kernelRadius);
   const FieldSampler field(volume.View, kernel);
   const Matrix3 toWorld = Transpose(Inverse(volume.IndexToWorld.Linear));
@@ -89,21 +90,21 @@ void CountEdges(
   {
     return;
   }
-  histogram.Shares.assign(EdgeHistogram::Columns * EdgeHistogram::Rows, 0.0);
+  histogram.Fractions.assign(EdgeHistogram::Columns * EdgeHistogram::Rows, 0.0);
   for (const int cell : cells)
   {
     if (cell != none)
     {
-      histogram.Shares[cell] += 1.0;
+      histogram.Fractions[cell] += 1.0;
     }
   }
   // Voxels without change are so many that edges would look too pale beside them.
   constexpr int edges = EdgeHistogram::Columns * EdgeHistogram::Rows / 8;
-  const double most =
-    std::max(1.0, *std::max_element(histogram.Shares.begin() + edges, histogram.Shares.end()));
-  for (double& share : histogram.Shares)
+  const double most = std::max(
+    1.0, *std::max_element(histogram.Fractions.begin() + edges, histogram.Fractions.end()));
+  for (double& fraction : histogram.Fractions)
   {
-    share = std::min(1.0, std::log1p(share) / std::log1p(most));
+    fraction = std::min(1.0, std::log1p(fraction) / std::log1p(most));
   }
 }
 
@@ -112,7 +113,7 @@ FunctionSearch::DataKey FunctionSearch::MakeKey(const SearchedData& data)
   return { data.Image, data.Image ? data.Image->GetMTime() : 0, data.Component };
 }
 
-FoundFunctions FunctionSearch::FindNow(const SearchedData& data)
+FoundFunctions FunctionSearch::SearchNow(const SearchedData& data)
 {
   FoundFunctions found;
   ProposalInput input;
@@ -129,7 +130,7 @@ bool FunctionSearch::Begin(const SearchedData& data, std::string& error)
   if (this->IsWanted)
   {
     this->SearchedImage = data.Image;
-    this->Search.Follow(MakeKey(data),
+    this->Search.Poll(MakeKey(data),
       [input, data](WorkMonitor& monitor) -> std::optional<FoundFunctions>
       {
         FoundFunctions found = SearchInput(*input, data, &monitor);
@@ -139,7 +140,7 @@ bool FunctionSearch::Begin(const SearchedData& data, std::string& error)
   return this->IsWanted;
 }
 
-std::optional<FoundFunctions> FunctionSearch::Follow(const SearchedData& data)
+std::optional<FoundFunctions> FunctionSearch::Poll(const SearchedData& data)
 {
   if (!this->IsWanted)
   {
@@ -178,7 +179,7 @@ void FunctionSearch::Drop()
   this->Search.Abandon();
 }
 
-const EdgeHistogram* FunctionSearch::FollowEdges(
+const EdgeHistogram* FunctionSearch::PollEdges(
   const SearchedData& data, vtkTable* boundaries, int kernelRadius)
 {
   const EdgeKey key{ MakeKey(data), boundaries };
@@ -193,7 +194,7 @@ const EdgeHistogram* FunctionSearch::FollowEdges(
   std::string error;
   const bool isThere = ReadProposalInput(data.Image, data.Component, *input, error);
   this->CountedImage = data.Image;
-  return this->Count.Follow(key,
+  return this->Count.Poll(key,
     [=](WorkMonitor& monitor) -> std::optional<EdgeHistogram>
     {
       EdgeHistogram edges = frame;
@@ -220,16 +221,16 @@ void FunctionSearch::EndUnless(vtkImageData* image)
 
 double FunctionSearch::GetProgress() const
 {
-  double share = 1.0;
+  double fraction = 1.0;
   if (this->IsWanted)
   {
-    share = this->Search.GetProgress();
+    fraction = this->Search.GetProgress();
   }
   if (this->Count.IsUnderWay())
   {
-    share = std::min(share, this->Count.GetProgress());
+    fraction = std::min(fraction, this->Count.GetProgress());
   }
-  return share;
+  return fraction;
 }
 
 } // namespace VolumeHaptics

@@ -41,7 +41,7 @@ struct EdgeHistogram
    * Frequencies row by row from gradient 0 on: log(1 + count) as a fraction of the largest one
    * beyond the lowest gradients, at most 1; empty without data.
    */
-  std::vector<double> Shares;
+  std::vector<double> Fractions;
 };
 
 /**
@@ -75,15 +75,15 @@ class FunctionSearch
 {
 public:
   /** Searches at once, and waits for the end of the search. */
-  static FoundFunctions FindNow(const SearchedData& data);
+  static FoundFunctions SearchNow(const SearchedData& data);
 
   ///@{
   /**
    * Begin() starts a search in the background; false, with the reason and the cure in `error`, if
-   * the image can't be searched. Follow() returns the result once.
+   * the image can't be searched. Poll() returns the result once.
    */
   bool Begin(const SearchedData& data, std::string& error);
-  std::optional<FoundFunctions> Follow(const SearchedData& data);
+  std::optional<FoundFunctions> Poll(const SearchedData& data);
   bool IsUnderWay() const { return this->IsWanted; }
   /** Ends the search without waiting for it. */
   void Drop();
@@ -93,8 +93,7 @@ public:
    * Returns the edges of the data, with the boundaries and the kernel's radius of an older
    * proposal; null until they are counted in the background.
    */
-  const EdgeHistogram* FollowEdges(
-    const SearchedData& data, vtkTable* boundaries, int kernelRadius);
+  const EdgeHistogram* PollEdges(const SearchedData& data, vtkTable* boundaries, int kernelRadius);
 
   /** Ends the work on any other image, which the program may remove, without waiting for it. */
   void EndUnless(vtkImageData* image);

@@ -33,10 +33,10 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   // Below the documented bounds, because the chord is checked at three positions only. A value that
   // is tiny compared with the piece's height must be accurate, too, except for the last digits near
   // zero.
-  constexpr double share = 0.6;
+  constexpr double fraction = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
-  const double tolerance =
-    std::clamp(share * CurveValueTolerance * value, 1e-9 * height, share * CurveTolerance * height);
+  const double tolerance = std::clamp(
+    fraction * CurveValueTolerance * value, 1e-9 * height, fraction * CurveTolerance * height);
   const auto at = [&](double s)
   {
     const double x = a.X + s * (b.X - a.X);
@@ -56,7 +56,7 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
 }
 
 /** Returns the position at which a piece changes from its first to its second half. */
-double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
+double ComputeMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
 {
   constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
   const double midpoint = std::clamp(a.Midpoint, margin, 1.0 - margin);
@@ -74,7 +74,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   {
     return;
   }
-  const double middle = FindMiddle(function, a, b);
+  const double middle = ComputeMiddle(function, a, b);
   if (a.Sharpness > step)
   {
     // At the step itself, the function already has the value of its right side.
@@ -126,7 +126,7 @@ void ToScalars(vtkHapticProperty* property, Polyline& line)
   }
 }
 
-std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
+std::string DetectFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter)
 {
   for (const Vertex& vertex : line)

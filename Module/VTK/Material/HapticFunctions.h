@@ -40,7 +40,7 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
  * @param allowed such as "0 N or more"
  * @param getter such as "vtkHapticMode::GetStrength()"
  */
-std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
+std::string DetectFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);
 
 /** Converts a function of the property's values to a function of scalars. */

@@ -190,7 +190,7 @@ void Fill(
 
 } // namespace
 
-bool FindPresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
+bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
   PresetScale& scale, std::string& error)
 {
   scale = {};
@@ -213,14 +213,15 @@ bool FindPresetScale(const char* name, vtkImageData* image, vtkHapticProperty* p
     return false;
   }
   const vtkSmartPointer<vtkDataArray> filled =
-    CopyFilled(FindOutside(image, scalars, component), scalars, component);
+    CopyFilled(DetectOutside(image, scalars, component), scalars, component);
   HapticVolume volume;
   if (!ReadVolume(image, filled, component, 1, volume, error))
   {
     return false;
   }
-  const BackgroundLevel level =
-    volume.Whole.IsThere ? volume.Whole.Solid : FindSolid(image, filled, volume.View, component);
+  const BackgroundLevel level = volume.Whole.IsThere
+    ? volume.Whole.Solid
+    : EstimateSolid(image, filled, volume.View, component);
   const auto valueOf = [property](double scalar)
   { return (scalar + property->GetScalarShift()) * property->GetScalarScale(); };
   const double brightness = valueOf(level.Bright) / preset->Body;

@@ -31,7 +31,7 @@ struct PresetScale
  * Finds the factors. Both are 1 if the preset's values have a unit, or if the image has no
  * background level. Returns false, with an error, if the image is needed and can't be read.
  */
-bool FindPresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
+bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
   PresetScale& scale, std::string& error);
 
 /** Fills a property from a preset. Returns false and changes nothing if there is no such preset. */

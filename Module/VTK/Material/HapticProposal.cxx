@@ -38,7 +38,7 @@ constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
 /**
  * Smallest rise of an edge within a voxel, as a fraction of the range; less is shading or rounding.
  */
-constexpr double LeastSlopeShare = 0.003;
+constexpr double LeastSlopeFraction = 0.003;
 constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
 constexpr double FlatNoise = 2.0;      // standard deviations
 /**
@@ -58,7 +58,7 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
 {
   const Polyline ramp = MakeNoiseRamp(noise, kernel, Affine3{});
   EdgeThresholds thresholds;
-  thresholds.Least = LeastSlopeShare * (range[1] - range[0]);
+  thresholds.Least = LeastSlopeFraction * (range[1] - range[0]);
   if (!ramp.empty())
   {
     thresholds.Least = std::max(thresholds.Least, ramp.back().X);
@@ -70,13 +70,13 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
 /**
  * Returns where the values of a dark or bright background end, if the value outside belongs to it.
  */
-std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outside)
+std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double outside)
 {
   vtkDataArray* const scalars = input.Image->GetPointData()->GetScalars();
   const HapticVolume& volume = input.Volume;
   const BackgroundLevel dark = volume.Whole.IsThere
     ? volume.Whole.Solid
-    : FindSolid(input.Image, scalars, volume.View, input.Component);
+    : EstimateSolid(input.Image, scalars, volume.View, input.Component);
   if (dark.IsThere && outside <= dark.Threshold)
   {
     return dark.Threshold;
@@ -85,7 +85,7 @@ std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outsi
   {
     return {}; // a region can't show a bright background
   }
-  const BackgroundLevel bright = BackgroundLevel::Find([&](std::int64_t i)
+  const BackgroundLevel bright = BackgroundLevel::Estimate([&](std::int64_t i)
     { return -scalars->GetComponent(i, input.Component); },
     volume.View.Dimensions);
   return bright.IsThere && outside >= -bright.Threshold ? std::optional<double>(-bright.Threshold)
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkTable> MakeBoundaryTable(
   add("High", [&](std::size_t i) { return property->ScalarToValue(all[i].High); });
   add("Width", [&](std::size_t i) { return all[i].Width; });
   add("Slope", [&](std::size_t i) { return proposal.Slopes[i] * property->GetScalarScale(); });
-  add("Share", [&](std::size_t i) { return all[i].Share; });
+  add("Share", [&](std::size_t i) { return all[i].Fraction; });
   return table;
 }
 
@@ -148,7 +148,7 @@ bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input,
   input.Image->ShallowCopy(image);
   input.Component = component;
   // Samples that are not numbers are left out: they have no edges.
-  OutsideSamples outside = FindOutside(image, scalars, component);
+  OutsideSamples outside = DetectOutside(image, scalars, component);
   const bool hasHoles = std::exchange(outside.AreNonFinite, false);
   const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
   input.Image->GetPointData()->SetScalars(filled);
@@ -175,11 +175,11 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   double range[2];
   if (IsLargeVolume(n))
   {
-    std::copy_n(FindNoise(image, scalars, view, component).Range, 2, range);
+    std::copy_n(EstimateImageNoise(image, scalars, view, component).Range, 2, range);
   }
   else
   {
-    FindFiniteRange(scalars, component, range);
+    ComputeFiniteRange(scalars, component, range);
   }
   if (fewest < LeastPoints)
   {
@@ -202,21 +202,22 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   {
     const GradientKernel kernel(
       GradientEstimator::Gaussian, SearchRadius, GaussianWeights::OwnDerivative);
-    const double noise =
-      volume.Whole.IsThere ? volume.Whole.Noise : FindNoise(image, scalars, view, component).Noise;
+    const double noise = volume.Whole.IsThere
+      ? volume.Whole.Noise
+      : EstimateImageNoise(image, scalars, view, component).Noise;
     const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
     const FieldSampler field(view, kernel);
     ProposalFacts facts;
     facts.SearchVariance = MeasureKernelVariance(kernel);
     const EdgeTracer tracer(field, volume.IndexToWorld, facts.SearchVariance, thresholds);
-    std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds, part);
+    std::vector<EdgeLine> lines = DetectEdges(view, tracer, thresholds, part);
     if (part.IsCancelled())
     {
       error = "The search for functions was cancelled.";
       return false;
     }
     facts.Outside = view.BorderValue;
-    facts.BackgroundEnd = FindBackgroundEnd(input, facts.Outside);
+    facts.BackgroundEnd = DetectBackgroundEnd(input, facts.Outside);
     if (facts.BackgroundEnd)
     {
       // Streaks and other correlated noise, which the estimate of the noise does not include.
@@ -241,7 +242,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
         noise, GradientKernel(GradientEstimator::Gaussian, radius), volume.IndexToWorld);
       return ramp.empty() ? 0.0 : ramp.front().X;
     };
-    const std::vector<Boundary> boundaries = FindBoundaries(lines, axis);
+    const std::vector<Boundary> boundaries = DetectBoundaries(lines, axis);
     proposal = ProposeMaterials(boundaries, axis, facts);
     if (!proposal.Boundaries.empty())
     {
@@ -251,7 +252,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
             << " of the input image";
     // Smoothing helps only against noise: it widens edges that are too wide already.
     const bool isNoisy =
-      !boundaries.empty() || thresholds.Least > LeastSlopeShare * (range[1] - range[0]);
+      !boundaries.empty() || thresholds.Least > LeastSlopeFraction * (range[1] - range[0]);
     if (isNoisy)
     {
       message << ", whose noise has a standard deviation of " << noise

@@ -51,7 +51,7 @@ void PassDuplicates(SetupNode& node, const G& get)
     [get](bool on) { get()->SetClamping(on); });
 }
 
-constexpr NumberRange Share{ 0.0, 1.0 };
+constexpr NumberRange Fraction{ 0.0, 1.0 };
 
 /** Passes an object with a range for each tissue's name. */
 void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>& get)
@@ -105,7 +105,7 @@ void PassFunction(
     "UseLogScale", [get] { return get()->GetUseLogScale(); },
     [get](bool on) { get()->SetUseLogScale(on); });
   node.Table(
-    "Nodes", { AnyNumber(), values, Share, Share },
+    "Nodes", { AnyNumber(), values, Fraction, Fraction },
     [get] { return GetNodes(get(), get()->GetSize(), 4); },
     [get](const std::vector<NumberRow>& rows)
     {
@@ -129,7 +129,7 @@ void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>
     "Scale", { "Linear", "Log10" }, [get] { return get()->GetScale(); },
     [get](int scale) { get()->SetScale(scale); });
   node.Table(
-    "Nodes", { AnyNumber(), Share, Share, Share, Share, Share },
+    "Nodes", { AnyNumber(), Fraction, Fraction, Fraction, Fraction, Fraction },
     [get] { return GetNodes(get(), get()->GetSize(), 6); },
     [get](const std::vector<NumberRow>& rows)
     {

@@ -92,7 +92,7 @@ bool vtkHapticProperty::ApplyPreset(const char* name, vtkImageData* image)
 {
   VolumeHaptics::PresetScale scale;
   std::string error;
-  if (!VolumeHaptics::FindPresetScale(name, image, this, scale, error))
+  if (!VolumeHaptics::ComputePresetScale(name, image, this, scale, error))
   {
     vtkErrorMacro(<< error);
     return false;

@@ -227,7 +227,7 @@ void ReadMarkup(const Json::Value& markup, const std::string& path, const Markup
       read.Samples.push_back(read.Samples.front());
     }
   }
-  const std::string fault = FindFault(read);
+  const std::string fault = DetectFault(read);
   if (!fault.empty())
   {
     notes += type + " \"" + name + "\" is left out: " + fault + ".\n";

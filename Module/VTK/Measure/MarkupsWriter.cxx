@@ -23,7 +23,7 @@ namespace
  * to only one triangle), in order, without the first point again at the end. A closed surface has
  * no border; it gives its first triangle.
  */
-std::vector<Vector3> FindBorder(const Measurement& area)
+std::vector<Vector3> ExtractBorder(const Measurement& area)
 {
   using Edge = std::pair<int, int>;
   std::set<Edge> edges; // with the direction that triangles give them
@@ -82,7 +82,7 @@ const char* ValueName(MeasuredKind kind)
 }
 
 /** Returns as bits which quantities that were felt at a point are known. */
-int FindKnown(const Measurement& point)
+int CollectKnown(const Measurement& point)
 {
   MeasuredSample sample = point.Samples.empty() ? MeasuredSample() : point.Samples[0];
   int known = 0;
@@ -98,7 +98,7 @@ class MarkupsWriter
 public:
   explicit MarkupsWriter(const MarkupsFrame& frame)
     : Frame(frame)
-    , IsMicro(FindLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
+    , IsMicro(ChooseLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
     // The scale is exactly 1 for a world in these units.
     , Scale(this->IsMicro || std::abs(frame.MetersPerWorldUnit - 1e-3) <= 1e-12
           ? 1.0
@@ -124,7 +124,7 @@ public:
     Json::Value& markup = this->Begin(measurement.Kind);
     markup["name"] = measurement.Name;
     const bool isArea = measurement.Kind == MeasuredKind::Area;
-    const std::vector<Vector3> points = isArea ? FindBorder(measurement) : measurement.Points;
+    const std::vector<Vector3> points = isArea ? ExtractBorder(measurement) : measurement.Points;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       this->AddControlPoint(markup, points[i], measurement.Name + "-" + std::to_string(i + 1));
@@ -258,7 +258,7 @@ std::string WriteMarkups(const std::vector<Measurement>& measurements, const Mar
   {
     std::size_t end = i;
     while (end < measurements.size() && measurements[end].Kind == MeasuredKind::Point &&
-      FindKnown(measurements[end]) == FindKnown(measurements[i]))
+      CollectKnown(measurements[end]) == CollectKnown(measurements[i]))
     {
       ++end;
     }

@@ -93,7 +93,7 @@ int CountPoints(MeasuredKind kind)
   return KindPoints[static_cast<int>(kind)];
 }
 
-std::string FindFault(const Measurement& measurement)
+std::string DetectFault(const Measurement& measurement)
 {
   const std::size_t count = measurement.Points.size();
   const auto wanted = static_cast<std::size_t>(CountPoints(measurement.Kind));

@@ -63,7 +63,7 @@ bool FindKind(std::string_view name, MeasuredKind& kind);
  * Returns the fault in the points of a measurement, and the cure; empty if there is none.
  * Coordinates have to be finite, and triangles must refer to existing points.
  */
-std::string FindFault(const Measurement& measurement);
+std::string DetectFault(const Measurement& measurement);
 
 /** Returns the number of points of a kind; 0 stands for any number, but at least one. */
 int CountPoints(MeasuredKind kind);

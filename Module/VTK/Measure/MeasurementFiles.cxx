@@ -280,7 +280,7 @@ std::string WriteMeasurementTable(
 bool ReadMeasurementTable(
   std::string_view text, std::vector<Measurement>& measurements, std::string& error)
 {
-  const char separator = FindSeparator(text);
+  const char separator = DetectSeparator(text);
   CsvRows rows(text, separator);
   std::vector<std::string> cells;
   while (rows.Next(cells) && IsEmptyRow(cells))
@@ -329,7 +329,7 @@ enum class FileKind
   Markups
 };
 
-FileKind FindFileKind(const std::string& file)
+FileKind DetectFileKind(const std::string& file)
 {
   const std::string ending =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
@@ -363,7 +363,7 @@ bool ReadVtp(const std::string& file, std::vector<Measurement>& measurements, st
 bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& measurements,
   const MarkupsFrame& frame, std::string& error)
 {
-  const FileKind kind = FindFileKind(file);
+  const FileKind kind = DetectFileKind(file);
   if (kind == FileKind::Table)
   {
     return WriteText(WriteMeasurementTable(measurements, frame.MetersPerWorldUnit), file, error);
@@ -385,7 +385,7 @@ bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& 
 bool ReadMeasurements(const std::string& file, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error)
 {
-  const FileKind kind = FindFileKind(file);
+  const FileKind kind = DetectFileKind(file);
   if (kind == FileKind::Unknown)
   {
     error = Unknown;

@@ -196,7 +196,7 @@ void ReadTriangles(vtkPolyData* shape, Measurement& area)
 }
 
 /** Finds which cells belong to which measurement, by the array of numbers. */
-bool FindCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
+bool CollectCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
   std::string& error)
 {
   vtkDataArray* const numbers = all->GetCellData()->GetArray(NumberArray);
@@ -403,7 +403,7 @@ bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std:
   }
   const auto count = static_cast<std::size_t>(names->GetNumberOfValues());
   std::vector<std::vector<vtkIdType>> cells;
-  if (!FindCells(all, count, cells, error))
+  if (!CollectCells(all, count, cells, error))
   {
     error += cure;
     return false;

@@ -28,7 +28,7 @@ std::string ForPeople(const std::string& unit)
 
 } // namespace
 
-LengthUnit FindLengthUnit(double metersPerWorldUnit)
+LengthUnit ChooseLengthUnit(double metersPerWorldUnit)
 {
   for (const NamedUnit& unit : Units)
   {
@@ -42,7 +42,7 @@ LengthUnit FindLengthUnit(double metersPerWorldUnit)
 
 std::string GetUnit(MeasuredKind kind, double metersPerWorldUnit)
 {
-  const std::string length = FindLengthUnit(metersPerWorldUnit).Name;
+  const std::string length = ChooseLengthUnit(metersPerWorldUnit).Name;
   switch (kind)
   {
     case MeasuredKind::Point:
@@ -58,7 +58,7 @@ std::string GetUnit(MeasuredKind kind, double metersPerWorldUnit)
 
 double GetValue(const Measurement& measurement, double metersPerWorldUnit)
 {
-  const double length = FindLengthUnit(metersPerWorldUnit).PerWorldUnit;
+  const double length = ChooseLengthUnit(metersPerWorldUnit).PerWorldUnit;
   const double value = measurement.Measure();
   switch (measurement.Kind)
   {
@@ -95,7 +95,7 @@ std::string DescribeValue(const Measurement& measurement, double metersPerWorldU
       return text.str() + "\xC2\xB0"; // degree sign
     case MeasuredKind::Area:
     {
-      const std::string length = FindLengthUnit(metersPerWorldUnit).Name;
+      const std::string length = ChooseLengthUnit(metersPerWorldUnit).Name;
       return text.str() + " " + ForPeople(length) + "\xC2\xB2"; // superscript two
     }
     default:

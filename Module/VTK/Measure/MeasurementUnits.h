@@ -21,7 +21,7 @@ struct LengthUnit
   double PerWorldUnit; ///< exactly 1 if it is the unit of the world
 };
 
-LengthUnit FindLengthUnit(double metersPerWorldUnit);
+LengthUnit ChooseLengthUnit(double metersPerWorldUnit);
 
 /** Returns "mm", "deg", "mm2", or an empty text, as in UCUM. */
 std::string GetUnit(MeasuredKind kind, double metersPerWorldUnit);

@@ -77,7 +77,7 @@ struct vtkHapticMeasurements::vtkInternals
   /** Appends a measurement. Returns its index, or -1 after an error. */
   vtkIdType Append(vtkHapticMeasurements* self, Measurement added, const char* name)
   {
-    const std::string fault = FindFault(added);
+    const std::string fault = DetectFault(added);
     if (!fault.empty())
     {
       vtkErrorWithObjectMacro(self, << "The measurement can't be added: " << fault << ".");
@@ -96,7 +96,7 @@ struct vtkHapticMeasurements::vtkInternals
     List items;
     for (Measurement& measurement : all)
     {
-      const std::string fault = FindFault(measurement);
+      const std::string fault = DetectFault(measurement);
       if (!fault.empty())
       {
         vtkErrorWithObjectMacro(self, << what << " can't be read: measurement " << items.size() + 1

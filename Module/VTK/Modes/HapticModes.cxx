@@ -104,7 +104,7 @@ private:
   {
     line = ToPolyline(function.Function, function.Default);
     const std::string fault =
-      FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of a " + NameOf(mode),
+      DetectFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of a " + NameOf(mode),
         "0 N or more", std::string("vtkHapticMode::") + function.Getter);
     this->Message << fault;
     return fault.empty();

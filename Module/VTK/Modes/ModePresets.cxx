@@ -21,7 +21,7 @@ struct ModePreset
   const char* Name;
   int Kind;
   /** Of the strength that the image proposes, which the second strength gets; 0: none. */
-  double Share;
+  double Fraction;
   bool TouchesSurfaces;
   void (*Adjust)(vtkHapticMode*); ///< null: the kind's own settings are the defaults
 };
@@ -74,11 +74,11 @@ void FillSecond(const ModePreset& preset, vtkHapticMode* mode)
   {
     double node[4];
     strength->GetNodeValue(i, node);
-    second->AddPoint(node[0], preset.Share * node[1], node[2], node[3]);
+    second->AddPoint(node[0], preset.Fraction * node[1], node[2], node[3]);
   }
   if (strength->GetSize() == 0)
   {
-    second->AddPoint(0.0, preset.Share * GetModeFunctions(mode).front().Default);
+    second->AddPoint(0.0, preset.Fraction * GetModeFunctions(mode).front().Default);
   }
 }
 
@@ -103,7 +103,7 @@ HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& e
     {
       return {};
     }
-    if (preset.Share > 0.0)
+    if (preset.Fraction > 0.0)
     {
       FillSecond(preset, modes.front());
     }

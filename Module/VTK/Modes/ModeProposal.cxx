@@ -26,9 +26,9 @@ constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
 /** Largest number of positions along an axis that are examined: some thousand in all suffice. */
 constexpr std::int64_t MostLookups = 24;
 /** Fraction of the positions whose measure is below the value that counts as large. */
-constexpr double LargeShare = 0.95;
-/** LargeShare for ridges: vessels fill only little of a volume. */
-constexpr double LargeRidgeShare = 0.995;
+constexpr double LargeFraction = 0.95;
+/** LargeFraction for ridges: vessels fill only little of a volume. */
+constexpr double LargeRidgeFraction = 0.995;
 
 using Measure = std::function<double(const Vector3& index)>;
 
@@ -63,8 +63,8 @@ std::vector<double> CollectMeasure(const VolumeView& view, const Measure& measur
 double FirstRate(const Matrix3& j)
 {
   const Matrix3 turned = Transpose(j);
-  return FindEigen({ { 0.5 * (j.Row[0] + turned.Row[0]), 0.5 * (j.Row[1] + turned.Row[1]),
-                     0.5 * (j.Row[2] + turned.Row[2]) } })
+  return ComputeEigen({ { 0.5 * (j.Row[0] + turned.Row[0]), 0.5 * (j.Row[1] + turned.Row[1]),
+                        0.5 * (j.Row[2] + turned.Row[2]) } })
     .Value[0];
 }
 
@@ -104,7 +104,7 @@ Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, 
     const Matrix3 turned = Transpose(worldToIndex);
     const Matrix3 hessian = sign * (turned * (ofIndex * worldToIndex));
     const Matrix3 other = Transpose(hessian);
-    const SymmetricEigen eigen = FindEigen({ { 0.5 * (hessian.Row[0] + other.Row[0]),
+    const SymmetricEigen eigen = ComputeEigen({ { 0.5 * (hessian.Row[0] + other.Row[0]),
       0.5 * (hessian.Row[1] + other.Row[1]), 0.5 * (hessian.Row[2] + other.Row[2]) } });
     return -eigen.Value[1] - std::abs(eigen.Value[0]);
   };
@@ -122,13 +122,13 @@ void SetPoints(vtkHapticMode* mode, double none, double whole)
  * Sets a strength of 0 up to a tenth of the measure that counts as large, and full from half of it
  * on.
  */
-bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double share)
+bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double fraction)
 {
   if (found.empty())
   {
     return false;
   }
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(found.size() - 1));
+  const auto at = static_cast<std::size_t>(fraction * static_cast<double>(found.size() - 1));
   SetPoints(mode, 0.1 * found[at], 0.5 * found[at]);
   return true;
 }
@@ -172,13 +172,13 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
     const FieldSampler scalars(volume.View, kernel);
     isFound = SetPointsOf(mode,
       CollectMeasure(volume.View, MeasureRidges(scalars, volume.IndexToWorld, d.IsDark)),
-      LargeRidgeShare);
+      LargeRidgeFraction);
   }
   else
   {
     const VectorField field(d.View, volume.IndexToWorld, d.Axes);
     isFound =
-      SetPointsOf(mode, CollectMeasure(volume.View, MeasureVectors(d.Kind, field)), LargeShare);
+      SetPointsOf(mode, CollectMeasure(volume.View, MeasureVectors(d.Kind, field)), LargeFraction);
   }
   error = isFound
     ? ""

@@ -37,11 +37,11 @@ struct AxisPlace
     const double inside = at > 0.0 ? std::min(at, static_cast<double>(last)) : 0.0;
     this->Before = std::min(static_cast<std::int64_t>(inside), std::max<std::int64_t>(last - 1, 0));
     this->Behind = std::min(this->Before + 1, last);
-    this->Share = inside - static_cast<double>(this->Before);
+    this->Fraction = inside - static_cast<double>(this->Before);
   }
   std::int64_t Before;
   std::int64_t Behind;
-  double Share;
+  double Fraction;
 };
 
 template <typename T>
@@ -296,7 +296,7 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
     error = "The CoarseImage has no point scalars. Give its point data active scalars.";
     return nullptr;
   }
-  const OutsideSamples outside = areLabels ? OutsideSamples{} : FindOutside(image, scalars, 0);
+  const OutsideSamples outside = areLabels ? OutsideSamples{} : DetectOutside(image, scalars, 0);
   const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, 0);
   if (!ReadVolume(image, filled, 0, kernelRadius, volume, error))
   {
@@ -326,15 +326,15 @@ void CoarseLevel::FindRow(const BoxExtent& box, int j, int k, double* values) co
     {
       const T* const row = data + b * stride[1] + c * stride[2];
       const auto first = static_cast<double>(row[x.Before * stride[0]]);
-      return first + x.Share * (static_cast<double>(row[x.Behind * stride[0]]) - first);
+      return first + x.Fraction * (static_cast<double>(row[x.Behind * stride[0]]) - first);
     };
     const auto across = [&](std::int64_t c)
     {
       const double first = along(y.Before, c);
-      return first + y.Share * (along(y.Behind, c) - first);
+      return first + y.Fraction * (along(y.Behind, c) - first);
     };
     const double first = across(z.Before);
-    const double value = first + z.Share * (across(z.Behind) - first);
+    const double value = first + z.Fraction * (across(z.Behind) - first);
     *values++ = std::isfinite(value) ? value : this->View.BorderValue;
   }
 }

@@ -29,7 +29,7 @@ void GetEdges(const vtkBoundingBox& box, double edges[3])
 
 } // namespace
 
-std::vector<vtkDataSet*> FindParts(vtkDataObject* data)
+std::vector<vtkDataSet*> CollectParts(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> parts;
   const auto add = [&](vtkDataObject* part)
@@ -62,7 +62,7 @@ double CountCells(const std::vector<vtkDataSet*>& parts)
   return cells;
 }
 
-vtkBoundingBox FindBox(const std::vector<vtkDataSet*>& parts)
+vtkBoundingBox ComputeBox(const std::vector<vtkDataSet*>& parts)
 {
   vtkBoundingBox box;
   for (vtkDataSet* const part : parts)
@@ -72,7 +72,7 @@ vtkBoundingBox FindBox(const std::vector<vtkDataSet*>& parts)
   return box;
 }
 
-double FindSampleSpacing(const vtkBoundingBox& box, double cells)
+double ComputeSampleSpacing(const vtkBoundingBox& box, double cells)
 {
   double edges[3];
   GetEdges(box, edges);

@@ -28,18 +28,18 @@ struct SamplingGrid
 };
 
 /** Finds the parts with cells: the data set, or the leaves of a composite one. */
-std::vector<vtkDataSet*> FindParts(vtkDataObject* data);
+std::vector<vtkDataSet*> CollectParts(vtkDataObject* data);
 
 double CountCells(const std::vector<vtkDataSet*>& parts);
 
 /** Computes the box around all parts; not valid if they have no points. */
-vtkBoundingBox FindBox(const std::vector<vtkDataSet*>& parts);
+vtkBoundingBox ComputeBox(const std::vector<vtkDataSet*>& parts);
 
 /**
  * Returns the edge of a cube as large as the average cell of the box, but small enough for 24
  * samples along the shortest edge. 0 or not finite if the box has no volume.
  */
-double FindSampleSpacing(const vtkBoundingBox& box, double cells);
+double ComputeSampleSpacing(const vtkBoundingBox& box, double cells);
 
 /**
  * Places the grid in the middle of the box, so that the rest of its edges lies outside on both

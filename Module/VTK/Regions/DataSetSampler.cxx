@@ -81,7 +81,7 @@ DataSetSampler::~DataSetSampler() = default;
 std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   vtkDataObject* data, const std::vector<std::string>& wanted, double spacing, std::string& error)
 {
-  std::vector<vtkDataSet*> parts = FindParts(data);
+  std::vector<vtkDataSet*> parts = CollectParts(data);
   if (parts.empty())
   {
     error = std::string("The ") + data->GetClassName() +
@@ -90,9 +90,9 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
     return nullptr;
   }
   std::shared_ptr<DataSetSampler> sampler(new DataSetSampler);
-  const vtkBoundingBox box = FindBox(parts);
+  const vtkBoundingBox box = ComputeBox(parts);
   if (!PlaceGrid(
-        box, spacing > 0.0 ? spacing : FindSampleSpacing(box, CountCells(parts)), sampler->Grid))
+        box, spacing > 0.0 ? spacing : ComputeSampleSpacing(box, CountCells(parts)), sampler->Grid))
   {
     std::ostringstream message;
     message
@@ -124,13 +124,13 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(data) != nullptr;
   const std::string known = ListArrays(parts.front());
   vtkDataObject* const averaged = average->GetOutputDataObject(0);
-  if (!averaged || FindParts(averaged).size() != parts.size())
+  if (!averaged || CollectParts(averaged).size() != parts.size())
   {
     error = "The cell arrays of the data on input port 0 can't be averaged to its points.";
     return nullptr;
   }
   sampler->Data = averaged;
-  parts = FindParts(averaged);
+  parts = CollectParts(averaged);
   vtkPointData* const arrays = parts.front()->GetPointData();
   // A composite data set has its active arrays in its parts.
   std::vector<SampledArray> fields;

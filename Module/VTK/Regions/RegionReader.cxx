@@ -57,12 +57,12 @@ struct RegionReader::Work
   std::optional<BoxExtent> AwaitOrder();
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
   /** Stores why a read failed, and waits a while. False if the thread must end. */
-  bool NoteFailure(const std::string& error);
+  bool RecordFailure(const std::string& error);
   /** Records that a reader ends the thread; called while the thread unwinds. */
-  void NoteLoss() noexcept;
+  void RecordLoss() noexcept;
 };
 
-bool RegionReader::Work::NoteFailure(const std::string& error)
+bool RegionReader::Work::RecordFailure(const std::string& error)
 {
   this->Delay = std::clamp(2 * this->Delay, ShortestDelay, LongestDelay);
   std::unique_lock<std::mutex> lock(this->Mutex);
@@ -70,7 +70,7 @@ bool RegionReader::Work::NoteFailure(const std::string& error)
   return !this->Wake.wait_for(lock, this->Delay, [this] { return this->IsEnding; });
 }
 
-void RegionReader::Work::NoteLoss() noexcept
+void RegionReader::Work::RecordLoss() noexcept
 {
   this->Delay = std::clamp(2 * this->Delay, ShortestDelay, LongestDelay);
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -102,7 +102,7 @@ bool RegionReader::Work::Survey()
     std::string error;
     if (!survey.Advance(error))
     {
-      if (!this->NoteFailure(error))
+      if (!this->RecordFailure(error))
       {
         return false;
       }
@@ -165,7 +165,7 @@ void RegionReader::Work::Run()
     std::optional<RegionSamples> samples = this->Read(*region, error);
     if (!samples)
     {
-      if (!this->NoteFailure(error))
+      if (!this->RecordFailure(error))
       {
         return;
       }
@@ -194,7 +194,7 @@ void RegionReader::Work::RunToEnd()
     {
       if (!this->IsOrderly)
       {
-        this->Of.NoteLoss();
+        this->Of.RecordLoss();
       }
     }
   } end{ *this };
@@ -207,7 +207,7 @@ void RegionReader::Work::RunToEnd()
     }
     catch (const std::bad_alloc&) // while making a message: there may be memory later
     {
-      goesOn = this->NoteFailure(std::string());
+      goesOn = this->RecordFailure(std::string());
     }
   }
   end.IsOrderly = true;
@@ -304,7 +304,7 @@ void RegionReader::Revive()
   }
 }
 
-std::optional<RegionSamples> RegionReader::Take()
+std::optional<RegionSamples> RegionReader::Drain()
 {
   this->Revive();
   const std::lock_guard<std::mutex> lock(this->Shared->Mutex);

@@ -58,7 +58,7 @@ public:
   /** Returns the facts, once they are known. */
   std::optional<VolumeFacts> GetFacts() const;
   /** Returns the last region that has arrived since the last call, if there is one. */
-  std::optional<RegionSamples> Take();
+  std::optional<RegionSamples> Drain();
   /** Returns why the last read failed; empty if it did not. */
   std::string GetTrouble() const;
 

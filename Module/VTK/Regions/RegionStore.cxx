@@ -30,7 +30,7 @@ constexpr double VelocityTime = 0.01;
 /** Samples in a region of the coarse level: about ten milliseconds of work. */
 constexpr vtkIdType MostStandInSamples = 1 << 20;
 /** Fraction of the force that is felt on the coarse level. */
-constexpr double StandInShare = 0.5;
+constexpr double StandInFraction = 0.5;
 /** A longer interval (s) means that the owner was busy, and predicts nothing for the next one. */
 constexpr double LongestInterval = 0.5;
 
@@ -57,7 +57,7 @@ void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const Lar
   this->Volume = std::move(volume);
   if (this->Volume->IsSmooth)
   {
-    this->NoteFacts({ 0.0, this->Volume->BorderValue, {}, {}, {} });
+    this->SetFacts({ 0.0, this->Volume->BorderValue, {}, {}, {} });
   }
 }
 
@@ -87,7 +87,7 @@ void RegionStore::SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const Coa
   this->Coarse = std::move(level);
 }
 
-void RegionStore::NoteFacts(const VolumeFacts& facts)
+void RegionStore::SetFacts(const VolumeFacts& facts)
 {
   this->Facts = facts;
   vtkTimeStamp stamp;
@@ -108,7 +108,7 @@ bool RegionStore::Survey(std::string& error)
         return false;
       }
     }
-    this->NoteFacts(survey.GetFacts());
+    this->SetFacts(survey.GetFacts());
   }
   return true;
 }
@@ -145,7 +145,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
   fields.Shifts = { facts.Shift };
   fields.Time = this->Facts ? static_cast<double>(this->WholeTime) : 0.0;
   fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
-    ? StandInShare
+    ? StandInFraction
     : 1.0;
   if (!isFilled)
   {
@@ -171,16 +171,16 @@ void RegionStore::Show(RegionSamples&& region, bool standsIn)
   this->StandsIn = standsIn;
 }
 
-bool RegionStore::TakeRegion(const double tip[3], double interval)
+bool RegionStore::ReceiveRegion(const double tip[3], double interval)
 {
   const std::optional<VolumeFacts> facts = this->Facts ? std::nullopt : this->Thread->GetFacts();
   if (facts)
   {
-    this->NoteFacts(*facts);
+    this->SetFacts(*facts);
     this->OrderTime = ServoClock::Now(); // the survey does not count as latency
   }
   this->Trouble = this->Thread->GetTrouble();
-  std::optional<RegionSamples> come = this->Thread->Take();
+  std::optional<RegionSamples> come = this->Thread->Drain();
   if (!come)
   {
     return false;
@@ -199,7 +199,7 @@ bool RegionStore::TakeRegion(const double tip[3], double interval)
   return true;
 }
 
-bool RegionStore::FollowStandIn(const double tip[3])
+bool RegionStore::UpdateStandIn(const double tip[3])
 {
   const bool isWanted = this->Coarse && this->Facts && !this->Holds(this->Region, tip);
   const std::shared_ptr<RegionSamples>* const made =
@@ -225,7 +225,7 @@ bool RegionStore::FollowStandIn(const double tip[3])
   if (isThere)
   {
     this->StandIns.Forget(); // the same box may be requested again
-    this->StandIns.Follow(box,
+    this->StandIns.Poll(box,
       [box, level = this->Coarse, volume = this->Volume](
         WorkMonitor&) -> std::optional<std::shared_ptr<RegionSamples>>
       {
@@ -277,7 +277,7 @@ void RegionStore::Order(const double tip[3])
   }
 }
 
-bool RegionStore::Follow(const double tip[3], double time)
+bool RegionStore::Poll(const double tip[3], double time)
 {
   const std::int64_t now = ServoClock::Now();
   const double interval = this->LookTime > 0
@@ -298,9 +298,9 @@ bool RegionStore::Follow(const double tip[3], double time)
     }
   }
   this->MeasureVelocity(tip, time);
-  const bool hasCome = this->TakeRegion(tip, interval);
+  const bool hasCome = this->ReceiveRegion(tip, interval);
   this->Order(tip);
-  return this->FollowStandIn(tip) || hasCome;
+  return this->UpdateStandIn(tip) || hasCome;
 }
 
 } // namespace VolumeHaptics

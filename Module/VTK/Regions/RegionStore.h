@@ -90,7 +90,7 @@ public:
    * Accepts the region that has arrived, and orders the region that a tip needs at a time (s).
    * Returns whether the resident region has changed.
    */
-  bool Follow(const double tip[3], double time);
+  bool Poll(const double tip[3], double time);
 
   /** Sets how long (s) it takes until a region that has arrived can be felt. */
   void SetUseTime(double seconds) { this->UseTime = seconds; }
@@ -105,7 +105,7 @@ public:
   /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
   /** Returns once what is treated as outside, then an empty text. */
-  std::string TakeNotice() { return std::exchange(this->Notice, {}); }
+  std::string DrainNotice() { return std::exchange(this->Notice, {}); }
 
   /** Reads a region into a new array within this call; null, with an error, on failure. */
   vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
@@ -114,10 +114,10 @@ public:
 
 private:
   bool Survey(std::string& error);
-  void NoteFacts(const VolumeFacts& facts);
-  bool TakeRegion(const double tip[3], double interval);
+  void SetFacts(const VolumeFacts& facts);
+  bool ReceiveRegion(const double tip[3], double interval);
   /** Makes a region of the coarse level if the resident region lacks samples for the tip. */
-  bool FollowStandIn(const double tip[3]);
+  bool UpdateStandIn(const double tip[3]);
   /** Whether a region has all samples for a hand that presses no deeper than the tip is now. */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);

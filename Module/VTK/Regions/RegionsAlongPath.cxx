@@ -71,7 +71,7 @@ double MakeRegion(const ReadBox& box, double spare, const int whole[6], int regi
 /**
  * Finds the largest region of at most UsualSamples, or else the smallest one that contains the box.
  */
-double FindRegion(const ReadBox& box, const int whole[6], int region[6])
+double ComputeRegion(const ReadBox& box, const int whole[6], int region[6])
 {
   constexpr double most = 256.0; // spare voxels
   double low = 1.0;
@@ -115,19 +115,19 @@ std::shared_ptr<const HapticModel> RegionsAlongPath::Find(
   std::shared_ptr<const HapticModel> model, const ServoState& state, const Vector3& tip) const
 {
   ReadBox box;
-  if (FindResidency(*model, state, tip) == 1.0 || !FindReadBox(*model, state, tip, box))
+  if (ComputeResidency(*model, state, tip) == 1.0 || !ComputeReadBox(*model, state, tip, box))
   {
     return model;
   }
   int region[6];
-  if (FindRegion(box, this->Source->GetWholeExtent(), region) > MostSamplesOfRegion)
+  if (ComputeRegion(box, this->Source->GetWholeExtent(), region) > MostSamplesOfRegion)
   {
     throw RegionLost("The tip jumps so far in one tick that the samples between are more than "
                      "2^27. Give the path more points, or a point array \"Time\" with later "
                      "times.");
   }
   auto found = this->Read(region);
-  if (FindResidency(*found, state, tip) < 1.0)
+  if (ComputeResidency(*found, state, tip) < 1.0)
   {
     throw RegionLost("The samples of a tick are not in the region that was read for it.");
   }

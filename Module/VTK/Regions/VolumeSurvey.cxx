@@ -42,7 +42,7 @@ VolumeSurvey::VolumeSurvey(const LargeVolume& volume)
 {
   if (IsLargeVolume(volume.Extent.data()))
   {
-    this->Boxes = FindNoiseBoxes(volume.Extent.data());
+    this->Boxes = ComputeNoiseBoxes(volume.Extent.data());
   }
   else
   {
@@ -109,10 +109,10 @@ bool VolumeSurvey::Advance(std::string& error)
 VolumeFacts VolumeSurvey::GetFacts() const
 {
   NoiseSamples filled = this->Samples;
-  const OutsideSamples outside = this->Volume.AreLabels ? OutsideSamples{} : FindOutside(filled);
+  const OutsideSamples outside = this->Volume.AreLabels ? OutsideSamples{} : DetectOutside(filled);
   FillOutside(outside, filled);
-  return { EstimateNoise(filled), FindBorderValue(filled), outside, BackgroundLevel::Find(filled),
-    StoredShift::Find(filled) };
+  return { EstimateNoise(filled), FindBorderValue(filled), outside,
+    BackgroundLevel::Estimate(filled), StoredShift::Estimate(filled) };
 }
 
 } // namespace VolumeHaptics

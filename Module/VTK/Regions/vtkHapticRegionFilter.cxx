@@ -268,14 +268,14 @@ int vtkHapticRegionFilter::RequestData(
     {
       // Found in all pieces: this process may have no piece, and no array.
       const auto outside = VolumeHaptics::AreScalars(static_cast<int>(samples.size()))
-        ? VolumeHaptics::FindOutside(component)
+        ? VolumeHaptics::DetectOutside(component)
         : VolumeHaptics::OutsideSamples{};
       VolumeHaptics::FillOutside(outside, component);
       this->Outside.push_back(outside);
       this->Noise.push_back(VolumeHaptics::EstimateNoise(component));
       this->BorderValues.push_back(VolumeHaptics::FindBorderValue(component));
-      this->Solids.push_back(VolumeHaptics::BackgroundLevel::Find(component));
-      this->Shifts.push_back(VolumeHaptics::StoredShift::Find(component));
+      this->Solids.push_back(VolumeHaptics::BackgroundLevel::Estimate(component));
+      this->Shifts.push_back(VolumeHaptics::StoredShift::Estimate(component));
     }
     this->GatheredTime = time;
   }

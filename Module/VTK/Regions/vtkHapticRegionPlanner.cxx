@@ -109,7 +109,7 @@ void vtkHapticRegionPlanner::ResetLatency()
 //------------------------------------------------------------------------------
 double vtkHapticRegionPlanner::GetHalfWidth()
 {
-  return FindHalfWidth(NeedsOf(this));
+  return ComputeHalfWidth(NeedsOf(this));
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +135,7 @@ double vtkHapticRegionPlanner::FindRoom(const double tip[3], const int region[6]
     vtkErrorMacro("FindRoom() needs a tip and an extent of six numbers, but got a null pointer.");
     return 0.0;
   }
-  return FindSpareRoom(WholeOf(this), NeedsOf(this), { tip[0], tip[1], tip[2] }, region);
+  return ComputeSpareRoom(WholeOf(this), NeedsOf(this), { tip[0], tip[1], tip[2] }, region);
 }
 
 //------------------------------------------------------------------------------

@@ -40,7 +40,7 @@ namespace
 {
 void WarnOfOutside(vtkHapticRegionSource* source, RegionStore& store)
 {
-  const std::string notice = store.TakeNotice();
+  const std::string notice = store.DrainNotice();
   if (!notice.empty())
   {
     vtkWarningWithObjectMacro(source, << Printable(notice));
@@ -461,7 +461,7 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time)
     return false; // the pipeline reports the reason
   }
   const std::string before = this->Store->GetTrouble();
-  const bool hasCome = this->Store->Follow(tip, time);
+  const bool hasCome = this->Store->Poll(tip, time);
   const std::string& trouble = this->Store->GetTrouble();
   if (before.empty() && !trouble.empty())
   {
@@ -591,7 +591,7 @@ int vtkHapticRegionSource::RequestInformation(
   // Without samples the region is as thin as a kernel allows, so that nothing in it counts as
   // resident.
   region = this->Store->GetSamples() ? this->Store->GetRegion()
-                                     : FindMiddle(region, 2 * this->KernelRadius + 1);
+                                     : ComputeMiddle(region, 2 * this->KernelRadius + 1);
   vtkInformation* const info = outputs->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region.data(), 6);
   info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);

@@ -30,7 +30,7 @@ constexpr double SecondsOfMinute = 60.0;
  * Returns the head of a radius, shared with the models that use it: a servo keeps the points that
  * it has.
  */
-std::shared_ptr<const PointShell> FindHead(double radius)
+std::shared_ptr<const PointShell> GetHead(double radius)
 {
   static std::mutex mutex;
   // Never destroyed: a filter may live until the process exits.
@@ -98,8 +98,8 @@ vtkSmartPointer<vtkPolyData> MakeBladedHead(double radius)
     // Blades twist with the height; between them the surface is below the radius.
     const double turn = std::atan2(x[1], x[0]) + x[2] / radius;
     const double between = 0.5 - 0.5 * std::cos(Blades * turn);
-    const double share = 1.0 - BladeDepth * between * std::hypot(x[0], x[1]) / radius;
-    points->SetPoint(i, share * x[0], share * x[1], share * x[2]);
+    const double fraction = 1.0 - BladeDepth * between * std::hypot(x[0], x[1]) / radius;
+    points->SetPoint(i, fraction * x[0], fraction * x[1], fraction * x[2]);
   }
   return head;
 }
@@ -138,7 +138,7 @@ public:
   {
     return MakeBurr(vtkHapticBurr::SafeDownCast(tool)->GetRadius());
   }
-  double FindReach(vtkHapticTool* tool) const override
+  double ComputeReach(vtkHapticTool* tool) const override
   {
     return vtkHapticBurr::SafeDownCast(tool)->GetRadius();
   }
@@ -162,7 +162,7 @@ void BurrKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
   settings.Friction = burr->GetFriction();
   settings.Vibration = burr->GetVibration();
   settings.SpinButton = burr->GetSpinButton();
-  described.Head.Points = FindHead(burr->GetRadius());
+  described.Head.Points = GetHead(burr->GetRadius());
   described.SpecificEnergy = this->ReadFunction(this->GetFunctions()[0], tool, plan);
   plan.Tool = std::make_shared<const BakedBurr>(std::move(described));
 }

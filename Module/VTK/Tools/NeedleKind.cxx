@@ -39,7 +39,7 @@ void NeedleKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
                  "it with SetMethodToProxy(), or take the needle away with SetTool(nullptr).";
     return;
   }
-  if (!plan.Model.Frames.empty())
+  if (!plan.Model.TimeSteps.empty())
   {
     plan.Error = "A vtkHapticNeedle can't be inserted into a volume that moves, and the image on "
                  "input port 0 has several frames. Stop time with SetTimeUnitsPerSecond(0), or "

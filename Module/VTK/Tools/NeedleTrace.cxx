@@ -32,7 +32,7 @@ constexpr double LeastAngle = 1e-4;
  * Returns the angle between an axis and the normal at the entry (degrees); -1 without a normal.
  * Both are unit vectors.
  */
-double FindAngle(const Vector3& axis, const Vector3& normal)
+double ComputeAngle(const Vector3& axis, const Vector3& normal)
 {
   return Dot(normal, normal) > 0.0
     ? DegreesPerRadian * std::acos(std::clamp(Dot(axis, normal), -1.0, 1.0))
@@ -145,13 +145,13 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   const auto isHeld = [&ticks](vtkIdType tick)
   { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
   vtkIdType before = first - 1;
-  while (isHeld(before - 1) && FindAngle(axis, ReadVector(ticks.Normals, before)) < LeastAngle)
+  while (isHeld(before - 1) && ComputeAngle(axis, ReadVector(ticks.Normals, before)) < LeastAngle)
   {
     --before;
   }
   const Vector3 normal = isHeld(before) ? ReadVector(ticks.Normals, before) : Vector3{};
   TrackWriter::AddNumber(track, "Depth", ticks.DepthAt(deepest));
-  TrackWriter::AddNumber(track, "Angle", FindAngle(axis, normal));
+  TrackWriter::AddNumber(track, "Angle", ComputeAngle(axis, normal));
   if (ticks.Touches)
   {
     TrackWriter::AddNumber(track, "ForbiddenTouches", ticks.Touches->GetComponent(last, 0));
@@ -232,7 +232,7 @@ void WriteNeedleTrack(
     track, "Depth", needle.IsInserted ? model.WorldUnitsPerMeter * needle.Depth : 0.0);
   TrackWriter::AddNumber(track, "Deepest", model.WorldUnitsPerMeter * needle.Deepest);
   TrackWriter::AddNumber(
-    track, "Angle", needle.IsInserted ? FindAngle(needle.Axis, needle.Normal) : -1.0);
+    track, "Angle", needle.IsInserted ? ComputeAngle(needle.Axis, needle.Normal) : -1.0);
   TrackWriter::AddNumber(track, "ShaftForce", stretches.Sum(needle.Depth));
   TrackWriter::AddNumber(track, "ForbiddenTouches", needle.Touches);
 }

@@ -63,7 +63,7 @@ public:
   {
     return vtkHapticPointShell::SafeDownCast(tool)->GetMesh();
   }
-  double FindReach(vtkHapticTool* tool) const override;
+  double ComputeReach(vtkHapticTool* tool) const override;
   bool IsTurnable() const override { return true; }
 };
 
@@ -87,7 +87,7 @@ void PointShellKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
   plan.Tool = std::make_shared<const BakedShell>(std::move(described));
 }
 
-double PointShellKind::FindReach(vtkHapticTool* tool) const
+double PointShellKind::ComputeReach(vtkHapticTool* tool) const
 {
   vtkPolyData* const mesh = vtkHapticPointShell::SafeDownCast(tool)->GetMesh();
   if (!mesh || mesh->GetNumberOfPoints() == 0)

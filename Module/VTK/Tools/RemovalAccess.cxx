@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Tools/RemovalAccess.h"
 
-#include "Core/Carving/ShareImage.h"
+#include "Core/Carving/TissueImage.h"
 #include "Core/Tools/PointShell/BakedShell.h"
 
 #include "vtkDataArray.h"
@@ -27,7 +27,7 @@ constexpr double AirQuantile = 0.02;
 /**
  * Finds the value that only few samples, spread evenly, are below, or above; 0 if none is finite.
  */
-double FindAir(vtkDataArray* scalars, int component, bool isLargest)
+double ComputeAir(vtkDataArray* scalars, int component, bool isLargest)
 {
   const vtkIdType n = scalars->GetNumberOfTuples();
   const vtkIdType count = std::min(n, MostAirSamples);
@@ -62,7 +62,7 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
  * Finds the index of a volume's first sample among the samples of another volume. False if the
  * samples lie between those, or elsewhere.
  */
-bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
+bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {
   constexpr double rounding = 1e-3; // voxels, over the whole volume
   const int* const extent = volume->GetExtent();
@@ -126,9 +126,9 @@ void RemovalData::SetFoundAir(vtkHapticRemoval* removal, double value)
   removal->Data->HasAir = true;
 }
 
-void RemovalData::TakeRead(std::unique_ptr<RemovalContent> content)
+void RemovalData::ApplyContent(std::unique_ptr<RemovalContent> content)
 {
-  this->Replace(content->Shares, content->Geometry);
+  this->Replace(content->Fractions, content->Geometry);
   this->Read = std::move(content);
   this->ReadChanges = this->Tissue->Bricks.GetChanges();
 }
@@ -148,7 +148,7 @@ bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
   vtkNew<vtkImageData> volume;
   CopyGeometry(geometry, extent, volume);
   std::int64_t first[3];
-  return FindShift(volume, this->Read->Geometry, first) &&
+  return DetectShift(volume, this->Read->Geometry, first) &&
     !std::equal(first, first + 3, this->ReadFirst);
 }
 
@@ -156,8 +156,8 @@ bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
 {
   vtkNew<vtkImageData> volume;
   CopyGeometry(geometry, extent, volume);
-  ShareBox box{};
-  if (!FindShift(volume, this->Read->Geometry, box.First))
+  TissueBox box{};
+  if (!DetectShift(volume, this->Read->Geometry, box.First))
   {
     return false;
   }
@@ -166,17 +166,17 @@ bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
     box.Size[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
   }
   std::unique_ptr<RemovalContent> content = std::move(this->Read);
-  const bool isDone = this->Replace(MoveShares(content->Shares, box), volume);
+  const bool isDone = this->Replace(MoveTissue(content->Fractions, box), volume);
   this->Read = std::move(content);
   std::copy(box.First, box.First + 3, this->ReadFirst);
   this->ReadChanges = isDone ? this->Tissue->Bricks.GetChanges() : this->ReadChanges;
   return isDone;
 }
 
-bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry)
+bool RemovalData::Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry)
 {
   auto tissue = std::make_shared<TissueRemoval>();
-  if (!WriteBricks(shares, tissue->Bricks))
+  if (!WriteBricks(fractions, tissue->Bricks))
   {
     return false;
   }
@@ -228,7 +228,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
     data.Tissue && (!IsSameExtent(data.Geometry, extent) || data.IsOtherPart(geometry, extent));
   const bool isFitted = isOther && data.IsAsRead() && data.FitRead(geometry, extent);
   const bool isUsed = data.Tissue &&
-    (!data.Tissue->Bricks.IsWhole() || (data.IsAsRead() && !data.Read->Shares.empty()));
+    (!data.Tissue->Bricks.IsWhole() || (data.IsAsRead() && !data.Read->Fractions.empty()));
   if (isOther && !isFitted)
   {
     if (isUsed)
@@ -246,7 +246,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
     data.Read = nullptr;
     data.HasAir = false;
   }
-  if (!d.Frames.empty() || (!removes && !isUsed))
+  if (!d.TimeSteps.empty() || (!removes && !isUsed))
   {
     return true;
   }
@@ -259,7 +259,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   {
     const auto* const shaped = dynamic_cast<const ShapedTool*>(d.Tool.get());
     const bool isBelow = removes && shaped && shaped->Description.Touch.IsBelow;
-    RemovalData::SetFoundAir(removal, FindAir(scalars, component, isBelow));
+    RemovalData::SetFoundAir(removal, ComputeAir(scalars, component, isBelow));
   }
   CopyGeometry(geometry, extent, data.Geometry);
   d.Removal = data.Tissue;

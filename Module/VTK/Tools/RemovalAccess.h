@@ -37,7 +37,8 @@ struct RemovalData
   const void* Holder = nullptr;  ///< owner of the servo that ticks with it; null: none
   ///@{
   /**
-   * Contents that were read from a file; null if there are none. Obsolete once the shares change.
+   * Contents that were read from a file; null if there are none. Obsolete once the fractions
+   * change.
    */
   std::unique_ptr<RemovalContent> Read;
   std::uint64_t ReadChanges = 0;  ///< changes of the bricks when they were read
@@ -54,10 +55,10 @@ struct RemovalData
    * Creates tissue with these shares, for a volume with that geometry. False if there are too many
    * shares.
    */
-  bool Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry);
+  bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
-  void TakeRead(std::unique_ptr<RemovalContent> content);
-  /** Whether the shares still equal a file's shares, as far as they lie in the volume. */
+  void ApplyContent(std::unique_ptr<RemovalContent> content);
+  /** Whether the fractions still equal a file's shares, as far as they lie in the volume. */
   bool IsAsRead() const;
   /** Whether a volume with the extent of the last one is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
@@ -82,8 +83,8 @@ void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
 
 /**
  * Adds to the description of a model the tissue that is removed from its volume, if its tool
- * removes tissue, or some was removed before. The description already has its tool, its frames and
- * its view. False, with the reason and the cure in `error`, if the tissue belongs to another
+ * removes tissue, or some was removed before. The description already has its tool, its time steps
+ * and its view. False, with the reason and the cure in `error`, if the tissue belongs to another
  * volume.
  * @param geometry origin, spacing and direction of the volume
  * @param extent extent of the whole volume; the scalars may be a region of it

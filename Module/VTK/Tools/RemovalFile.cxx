@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Tools/RemovalFile.h"
 
-#include "Core/Carving/ShareImage.h"
+#include "Core/Carving/TissueImage.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/XmlFiles.h"
@@ -25,15 +25,15 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr const char* ShareName = "RemainingShares";
+constexpr const char* TissueName = "RemainingShares";
 constexpr const char* ExtentName = "VolumeExtent";
 constexpr const char* AirName = "AirValue";
 constexpr const char* WriteCure = " Give a file that vtkHapticRemoval::WriteFile() has written.";
 
 /** Converts an extent to a box of samples, counted from the volume's first sample. */
-ShareBox BoxOf(const int extent[6], const int volume[6])
+TissueBox BoxOf(const int extent[6], const int volume[6])
 {
-  ShareBox box{};
+  TissueBox box{};
   for (int axis = 0; axis < 3; ++axis)
   {
     box.First[axis] = std::int64_t{ extent[2 * axis] } - volume[2 * axis];
@@ -46,11 +46,11 @@ ShareBox BoxOf(const int extent[6], const int volume[6])
  * Finds the extent of all bricks that are not whole, within the volume; one sample if there are
  * none.
  */
-std::array<int, 6> FindUsedExtent(const std::vector<BrickShares>& bricks, const int volume[6])
+std::array<int, 6> ComputeUsedExtent(const std::vector<BrickTissue>& bricks, const int volume[6])
 {
   std::array<int, 6> used{ volume[0], volume[0], volume[2], volume[2], volume[4], volume[4] };
   bool isFirst = true;
-  for (const BrickShares& brick : bricks)
+  for (const BrickTissue& brick : bricks)
   {
     const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);
     const std::int64_t places[] = { place.X, place.Y, place.Z };
@@ -113,20 +113,20 @@ void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to)
   to->SetDirectionMatrix(from->GetDirectionMatrix());
 }
 
-void MakeShareImage(
-  const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* shares)
+void MakeTissueImage(
+  const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* fractions)
 {
-  shares->Initialize();
-  CopyGeometry(geometry, extent, shares);
+  fractions->Initialize();
+  CopyGeometry(geometry, extent, fractions);
   if (!bricks)
   {
     return;
   }
   vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(ShareName);
-  AllocateTuples(array, shares->GetNumberOfPoints());
-  WriteShares(*bricks, BoxOf(extent, geometry->GetExtent()), array->GetPointer(0));
-  shares->GetPointData()->SetScalars(array);
+  array->SetName(TissueName);
+  AllocateTuples(array, fractions->GetNumberOfPoints());
+  WriteTissue(*bricks, BoxOf(extent, geometry->GetExtent()), array->GetPointer(0));
+  fractions->GetPointData()->SetScalars(array);
 }
 
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
@@ -134,7 +134,7 @@ bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData*
 {
   const int* const volume = geometry->GetExtent();
   vtkNew<vtkImageData> image;
-  MakeShareImage(&bricks, geometry, FindUsedExtent(CopyBricks(bricks), volume).data(), image);
+  MakeTissueImage(&bricks, geometry, ComputeUsedExtent(CopyBricks(bricks), volume).data(), image);
   vtkNew<vtkIntArray> extent;
   extent->SetName(ExtentName);
   extent->SetNumberOfComponents(6);
@@ -156,7 +156,7 @@ bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::stri
     return false;
   }
   auto* const array =
-    vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(ShareName));
+    vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(TissueName));
   auto* const extent = vtkIntArray::SafeDownCast(image->GetFieldData()->GetArray(ExtentName));
   vtkDataArray* const air = image->GetFieldData()->GetArray(AirName);
   const bool hasExtent =
@@ -172,14 +172,14 @@ bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::stri
   }
   const int* const volume = extent->GetPointer(0);
   CarvedBricks bricks;
-  if (!ReadShares(bricks, BoxOf(image->GetExtent(), volume), array->GetPointer(0)))
+  if (!ReadTissue(bricks, BoxOf(image->GetExtent(), volume), array->GetPointer(0)))
   {
     error = "has tissue removed in more than " + std::to_string(bricks.GetMost()) +
       " bricks of 8 x 8 x 8 samples, which is all that there is memory for." +
       std::string(WriteCure);
     return false;
   }
-  content.Shares = CopyBricks(bricks);
+  content.Fractions = CopyBricks(bricks);
   content.AirValue = air->GetComponent(0, 0);
   CopyGeometry(image, volume, content.Geometry);
   return true;

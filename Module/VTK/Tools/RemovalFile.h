@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads files of removed tissue: a .vti image of the shares in the part of the volume
+ * Writes and reads files of removed tissue: a .vti image of the fractions in the part of the volume
  * from which something was removed, with the volume's extent and its AirValue as field arrays.
  */
 #ifndef RemovalFile_h
 #define RemovalFile_h
 
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -22,9 +22,9 @@ namespace VolumeHaptics
 /** Gives an image an extent, and the origin, spacing and direction of another image. */
 void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
 
-/** Makes an image of the shares in an extent of a volume, with its geometry. */
-void MakeShareImage(
-  const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* shares);
+/** Makes an image of the fractions in an extent of a volume, with its geometry. */
+void MakeTissueImage(
+  const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* fractions);
 
 /** Writes a file. False, with the reason and the cure in `error`, on failure. */
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
@@ -34,7 +34,7 @@ bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData*
 struct RemovalContent
 {
   vtkNew<vtkImageData> Geometry; ///< geometry of the volume
-  std::vector<BrickShares> Shares;
+  std::vector<BrickTissue> Fractions;
   double AirValue = 0.0;
 };
 

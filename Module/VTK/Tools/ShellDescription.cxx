@@ -24,8 +24,8 @@ double ValueAt(const Polyline& line, double x)
     if (x <= line[i].X)
     {
       const double way = line[i].X - line[i - 1].X;
-      const double share = way > 0.0 ? (x - line[i - 1].X) / way : 1.0;
-      return line[i - 1].Y + share * (line[i].Y - line[i - 1].Y);
+      const double fraction = way > 0.0 ? (x - line[i - 1].X) / way : 1.0;
+      return line[i - 1].Y + fraction * (line[i].Y - line[i - 1].Y);
     }
   }
   return line.back().Y;
@@ -35,7 +35,7 @@ double ValueAt(const Polyline& line, double x)
  * Computes the surface strength where something is visible, 0 elsewhere, with all break points of
  * both.
  */
-Polyline FindFeltStrength(const HapticMaterial& material)
+Polyline ComputeFeltStrength(const HapticMaterial& material)
 {
   // The visibility is 0 or 1, and jumps where two vertices have the same value.
   std::vector<double> values;
@@ -69,7 +69,7 @@ bool CheckToolVolume(
       "away with SetTool(nullptr).";
     return false;
   }
-  if (!d.Frames.empty())
+  if (!d.TimeSteps.empty())
   {
     error = begin +
       " can't feel a volume that moves, and the image on input port 0 has several frames. Stop "
@@ -84,7 +84,7 @@ bool FindSolid(
 {
   if (tool->GetSolid() == vtkHapticShapedTool::FROM_STRENGTH)
   {
-    return FindSolidLevel(material, level, error) ||
+    return ComputeSolidLevel(material, level, error) ||
       ((error = std::string("The ") + tool->GetClassName() + error), false);
   }
   level = { tool->GetContactValue(), tool->GetSolid() == vtkHapticShapedTool::BELOW };
@@ -132,9 +132,9 @@ bool DescribeShapedTool(
   return true;
 }
 
-bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error)
+bool ComputeSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error)
 {
-  const Polyline felt = FindFeltStrength(material);
+  const Polyline felt = ComputeFeltStrength(material);
   double most = 0.0;
   for (const Vertex& vertex : felt)
   {

@@ -28,7 +28,7 @@ struct SolidLevel
  * so, or more than once; `error` then has the reason and the cure, and continues the name of the
  * tool.
  */
-bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error);
+bool ComputeSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error);
 
 /** A number of a tool, which must be more than 0. */
 struct ToolNumber

@@ -160,7 +160,7 @@ bool ShellPreparation::Prepare(vtkPolyData* mesh, int count)
     this->Spreading.Abandon();
     return false;
   }
-  this->Spreading.Follow(key,
+  this->Spreading.Poll(key,
     [copy = CopyMesh(mesh), count](WorkMonitor& monitor) -> std::optional<SpreadShell>
     {
       SpreadShell made = Spread(copy, count, &monitor);

@@ -314,7 +314,7 @@ struct OwnPlaces
   double Count = 0.0;
 };
 
-std::vector<OwnPlaces> FindMiddles(const std::vector<SurfacePlace>& places,
+std::vector<OwnPlaces> ComputeMiddles(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& owners, std::size_t count)
 {
   std::vector<OwnPlaces> all(count);
@@ -337,7 +337,7 @@ std::vector<OwnPlaces> FindMiddles(const std::vector<SurfacePlace>& places,
 void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
   std::vector<std::size_t>& chosen)
 {
-  const std::vector<OwnPlaces> own = FindMiddles(places, owners, chosen.size());
+  const std::vector<OwnPlaces> own = ComputeMiddles(places, owners, chosen.size());
   std::vector<double> nearest(chosen.size(), std::numeric_limits<double>::max());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -385,7 +385,7 @@ std::vector<ShellPoint> SpreadShellPoints(
   // Each point lies in the middle of its part, but on the surface: sums of a linear function along
   // a plane then equal integrals. On a curved surface that is pressed into a plane, the excess of
   // the points on it balances the deficit of those at the rim of the contact.
-  const std::vector<OwnPlaces> own = FindMiddles(places, owners, chosen.size());
+  const std::vector<OwnPlaces> own = ComputeMiddles(places, owners, chosen.size());
   std::vector<ShellPoint> points;
   points.reserve(chosen.size());
   for (std::size_t i = 0; i < chosen.size(); ++i)

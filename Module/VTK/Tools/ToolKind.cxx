@@ -60,7 +60,7 @@ Polyline ToolKind::ReadFunction(
   Polyline line = ToPolyline(function.Get(tool), function.Default);
   const std::string name = std::string("vtkHaptic") + this->Name;
   const std::string error =
-    FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of the " + name,
+    DetectFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of the " + name,
       std::string("0 ") + function.Unit + " or more", name + "::Get" + function.Name + "()");
   if (!error.empty())
   {

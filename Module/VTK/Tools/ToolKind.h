@@ -46,7 +46,7 @@ struct ToolFunction
 struct ToolPlan
 {
   vtkHapticProperty* Property;           ///< of the material
-  const HapticModelDescription& Model;   ///< has its settings, material, frames and geometry
+  const HapticModelDescription& Model;   ///< has its settings, material, time steps and geometry
   std::shared_ptr<const BakedTool> Tool; ///< to be made
   std::string Error;                     ///< the reason and the cure, if it can't be felt
 };
@@ -92,7 +92,7 @@ public:
    * and the distance of its farthest touching point from the hand, 0 for a point.
    */
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
-  virtual double FindReach(vtkHapticTool* /*tool*/) const { return 0.0; }
+  virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
   /** Whether its mesh turns with the stylus, and spins, instead of with what is felt. */
   virtual bool TurnsWithStylus() const { return false; }
   /** Whether it looks different when it is turned. */
@@ -168,7 +168,7 @@ const ToolKind* FindToolKind(vtkHapticTool* tool);
 void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool);
 
 /**
- * Describes a tool to a model's description that has its settings and frames already. Null is a
+ * Describes a tool to a model's description that has its settings and time steps already. Null is a
  * point. False, with the reason and the cure in `error`, if it can't be felt.
  */
 bool DescribeTool(vtkHapticTool* tool, vtkHapticProperty* property,

@@ -5,7 +5,7 @@
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Tools/RemovalAccess.h"
 #include "VTK/Tools/RemovalFile.h"
-#include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/TissueArrays.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -118,14 +118,14 @@ int vtkHapticRemoval::GetNumberOfRequests()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRemoval::MakeShares(vtkImageData* shares)
+void vtkHapticRemoval::MakeShares(vtkImageData* fractions)
 {
   const auto& tissue = this->Data->Tissue;
   vtkImageData* const geometry = this->Data->Geometry;
-  if (shares)
+  if (fractions)
   {
-    VolumeHaptics::MakeShareImage(
-      tissue ? &tissue->Bricks : nullptr, geometry, geometry->GetExtent(), shares);
+    VolumeHaptics::MakeTissueImage(
+      tissue ? &tissue->Bricks : nullptr, geometry, geometry->GetExtent(), fractions);
   }
 }
 
@@ -160,7 +160,7 @@ bool vtkHapticRemoval::ReadFile(const std::string& file)
     return false;
   }
   RemovalData::SetFoundAir(this, content->AirValue);
-  this->Data->TakeRead(std::move(content));
+  this->Data->ApplyContent(std::move(content));
   this->Modified();
   return true;
 }
@@ -168,8 +168,8 @@ bool vtkHapticRemoval::ReadFile(const std::string& file)
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::ReadTrace(vtkPolyData* trace)
 {
-  const VolumeHaptics::ShareArrayNames& names = VolumeHaptics::FinalShareNames;
-  std::vector<VolumeHaptics::BrickShares> shares;
+  const VolumeHaptics::TissueArrayNames& names = VolumeHaptics::FinalTissueNames;
+  std::vector<VolumeHaptics::BrickTissue> fractions;
   std::string flaw;
   if (!this->Data->Tissue)
   {
@@ -180,11 +180,11 @@ bool vtkHapticRemoval::ReadTrace(vtkPolyData* trace)
   {
     flaw = "has no removed tissue. Make it with a vtkHapticBurr and a single path.";
   }
-  else if (!VolumeHaptics::ReadShareArrays(trace->GetFieldData(), names, shares, flaw))
+  else if (!VolumeHaptics::ReadTissueArrays(trace->GetFieldData(), names, fractions, flaw))
   {
     flaw = "can't be read: " + flaw + ". Make it again.";
   }
-  else if (!this->Data->Replace(shares, this->Data->Geometry))
+  else if (!this->Data->Replace(fractions, this->Data->Geometry))
   {
     flaw = "has tissue removed in more bricks than there is memory for. Shorten its path.";
   }

@@ -120,7 +120,7 @@ public:
    * scalars as long as there was no tick with a burr. It has the volume's size: one byte for each
    * sample.
    */
-  void MakeShares(vtkImageData* shares);
+  void MakeShares(vtkImageData* fractions);
 
   ///@{
   /**

@@ -133,7 +133,7 @@ private:
     static const TraceRow row{};
     const auto* const begin = reinterpret_cast<const unsigned char*>(&row);
     const auto* const at = reinterpret_cast<const unsigned char*>(&(row.*member));
-    unsigned char* const tuples = this->Trace.FindColumn(static_cast<std::size_t>(at - begin));
+    unsigned char* const tuples = this->Trace.GetColumn(static_cast<std::size_t>(at - begin));
     return tuples ? reinterpret_cast<Value*>(tuples) + Components * this->FirstRow : nullptr;
   }
 

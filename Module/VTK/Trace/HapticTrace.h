@@ -48,7 +48,7 @@ public:
    * Returns the tuples of the proxy, or of the chosen array whose numbers have this offset (bytes)
    * in a TraceRow; null if the array is not chosen.
    */
-  unsigned char* FindColumn(std::size_t offset) const { return this->Columns[offset]; }
+  unsigned char* GetColumn(std::size_t offset) const { return this->Columns[offset]; }
   /** Returns the labels; null if they are not chosen. */
   long long* GetLabels() const { return this->LabelNumbers; }
   /**

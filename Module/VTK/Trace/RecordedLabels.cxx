@@ -81,14 +81,14 @@ bool HasFineLabels(vtkPolyData* recording)
     !FindRecordedSetting(recording, RecordingNames::LabelGrid).empty();
 }
 
-std::string FindLabelHash(vtkPolyData* recording)
+std::string ReadLabelHash(vtkPolyData* recording)
 {
   return FindRecordedSetting(recording, RecordingNames::LabelHash);
 }
 
 std::string CompareLabels(vtkPolyData* path, const std::string& hash)
 {
-  const std::string recorded = FindLabelHash(path);
+  const std::string recorded = ReadLabelHash(path);
   if (recorded.empty() || recorded == hash)
   {
     return {};

@@ -42,7 +42,7 @@ bool IsOlderThanMaterialPlacement(vtkPolyData* recording);
 bool HasFineLabels(vtkPolyData* recording);
 
 /** Returns the hash of the label image in the settings of a recording; empty if it had none. */
-std::string FindLabelHash(vtkPolyData* recording);
+std::string ReadLabelHash(vtkPolyData* recording);
 
 /**
  * Compares the label image of a recorded path with the label image of this hash (empty: none).

@@ -55,7 +55,7 @@ bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
     return false;
   }
   const ForbiddenPlace place =
-    model.Baked->Labels->FindForbidden(model.DeviceToLabel(record.Proxy));
+    model.Baked->Labels->ComputeForbidden(model.DeviceToLabel(record.Proxy));
   return place.IsNear && place.Distance < zone->GetStandOff() + 2.0 * zone->GetTolerance();
 }
 

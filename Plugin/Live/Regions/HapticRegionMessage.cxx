@@ -93,7 +93,7 @@ public:
   {
   }
 
-  bool Take(void* data, std::int64_t size)
+  bool Parse(void* data, std::int64_t size)
   {
     if (size < 0 || size > static_cast<std::int64_t>(this->Message.size() - this->Next))
     {
@@ -106,31 +106,31 @@ public:
   }
 
   template <typename T>
-  T Take()
+  T Parse()
   {
     T number = {};
-    this->Take(&number, sizeof(T));
+    this->Parse(&number, sizeof(T));
     return number;
   }
 
-  std::string TakeText()
+  std::string ParseText()
   {
-    const auto size = this->Take<std::int64_t>();
+    const auto size = this->Parse<std::int64_t>();
     std::string text;
     if (size > 0 && size <= static_cast<std::int64_t>(this->Message.size() - this->Next))
     {
       text.resize(static_cast<std::size_t>(size));
-      this->Take(text.data(), size);
+      this->Parse(text.data(), size);
     }
     return text;
   }
 
-  vtkSmartPointer<vtkDataArray> TakeArray()
+  vtkSmartPointer<vtkDataArray> ParseArray()
   {
-    const std::string name = this->TakeText();
-    const auto type = this->Take<std::int32_t>();
-    const auto components = this->Take<std::int32_t>();
-    const auto tuples = this->Take<std::int64_t>();
+    const std::string name = this->ParseText();
+    const auto type = this->Parse<std::int32_t>();
+    const auto components = this->Parse<std::int32_t>();
+    const auto tuples = this->Parse<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
     // Avoid a division by zero: bits have no size.
@@ -145,7 +145,7 @@ public:
     array->SetName(name.c_str());
     array->SetNumberOfComponents(components);
     VolumeHaptics::AllocateTuples(array, tuples);
-    this->Take(array->GetVoidPointer(0), tuples * components * size);
+    this->Parse(array->GetVoidPointer(0), tuples * components * size);
     return array;
   }
 
@@ -204,36 +204,36 @@ std::vector<char> PackRegion(vtkImageData* image)
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error)
 {
   Reader reader(message);
-  if (reader.Take<std::int32_t>() != Mark)
+  if (reader.Parse<std::int32_t>() != Mark)
   {
     error = "The server's numbers can't be read here. Use a client and a server of the same "
             "version, on computers "
             "with the same order of bytes.";
     return false;
   }
-  if (reader.Take<std::int32_t>() != Contents::Region)
+  if (reader.Parse<std::int32_t>() != Contents::Region)
   {
-    error = reader.TakeText();
+    error = reader.ParseText();
     return false;
   }
   int extent[6] = {};
   double origin[3] = {};
   double spacing[3] = {};
   double direction[9] = {};
-  reader.Take(extent, sizeof(extent));
-  reader.Take(origin, sizeof(origin));
-  reader.Take(spacing, sizeof(spacing));
-  reader.Take(direction, sizeof(direction));
-  const vtkSmartPointer<vtkDataArray> scalars = reader.TakeArray();
+  reader.Parse(extent, sizeof(extent));
+  reader.Parse(origin, sizeof(origin));
+  reader.Parse(spacing, sizeof(spacing));
+  reader.Parse(direction, sizeof(direction));
+  const vtkSmartPointer<vtkDataArray> scalars = reader.ParseArray();
   image->Initialize();
   image->SetExtent(extent);
   image->SetOrigin(origin);
   image->SetSpacing(spacing);
   image->SetDirectionMatrix(direction);
-  const auto fields = reader.Take<std::int32_t>();
+  const auto fields = reader.Parse<std::int32_t>();
   for (std::int32_t i = 0; i < fields && reader.IsGood; ++i)
   {
-    if (const vtkSmartPointer<vtkDataArray> array = reader.TakeArray())
+    if (const vtkSmartPointer<vtkDataArray> array = reader.ParseArray())
     {
       image->GetFieldData()->AddArray(array);
     }

@@ -52,7 +52,7 @@ struct vtkPVHapticRegionSender::Instant
   std::string Problem;                            ///< why it failed
   ///@}
 
-  void TakeGrid(vtkDataObject* data)
+  void CopyGrid(vtkDataObject* data)
   {
     if (data != this->Seen || data->GetMTime() != this->SeenTime || !this->Piece)
     {
@@ -162,7 +162,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   auto* const piece = vtkImageData::SafeDownCast(data);
   if (isGood && data && !piece)
   {
-    instant.TakeGrid(data);
+    instant.CopyGrid(data);
     return true;
   }
   instant.Piece = nullptr;

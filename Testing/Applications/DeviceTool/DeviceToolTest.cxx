@@ -89,7 +89,7 @@ TEST_F(DeviceToolTest, FeelsAWallOfANewton)
   EXPECT_TRUE(this->Complains("Enter was not pressed")) << this->Errors;
   EXPECT_EQ(this->Falcon.GetForce(), Numbers{}) << "it was not armed";
   this->IsPressing = true;
-  this->Falcon.TakeLargestCommand();
+  this->Falcon.DrainLargestCommand();
   EXPECT_EQ(this->Run({ "test", "falcon", "--seconds", "6" }, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("on the negative side of z")) << this->Out;
   EXPECT_TRUE(this->Shows("  1.00 N")) << this->Out;

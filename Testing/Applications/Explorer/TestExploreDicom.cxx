@@ -491,7 +491,7 @@ int TestExploreDicom(int argc, char* argv[])
   thorax.Series = "1.2.32";
   WriteSlices("beat/at10", thorax, 5);
   const Explore::Volume beat = Explore::LoadVolumes({ folder + "/beat" });
-  Expect(beat.Frames && beat.Frames->GetNumberOfFrames() == 2, "phases are not frames");
+  Expect(beat.TimeSteps && beat.TimeSteps->GetNumberOfTimeSteps() == 2, "phases are no time steps");
   ExpectSlices("a phase", Explore::LoadVolumes({ folder + "/beat" }, false, 2), 5, false);
 
   ExpectUnpacked(thorax);

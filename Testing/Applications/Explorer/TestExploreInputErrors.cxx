@@ -167,7 +167,7 @@ Explore::Options ParseNewtons(std::string newtons)
 }
 
 /// Of a closed surface of triangles that face outwards, by the divergence theorem.
-double FindVolume(vtkPolyData* surface)
+double ComputeVolume(vtkPolyData* surface)
 {
   double volume = 0.0;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
@@ -284,7 +284,7 @@ void ExpectTools()
   const std::string inward = write("inward.ply", 4, "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n");
   for (const std::string& name : { file, inward })
   {
-    Expect(std::abs(FindVolume(Explore::ReadToolFile(name)) - 10.0) < 1e-5,
+    Expect(std::abs(ComputeVolume(Explore::ReadToolFile(name)) - 10.0) < 1e-5,
       "the triangles of " + name + " face outwards");
   }
 }

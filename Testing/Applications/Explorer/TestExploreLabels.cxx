@@ -118,7 +118,7 @@ void ExpectLabelMap(const Explore::Volume& head)
   const std::string path = LabelMap("balls.vti", false);
   Explore::Volume volume = Explore::LoadVolume(path);
   Expect(volume.MayBeLabels, "a label map is recognised");
-  Explore::TakeAsLabels(volume, path, { File("Names.csv", "label,name,stiffness\n7,liver,300\n") });
+  Explore::UseAsLabels(volume, path, { File("Names.csv", "label,name,stiffness\n7,liver,300\n") });
   Expect(volume.LabelTable->GetLabelName(7) == "liver" &&
       volume.LabelTable->GetLabelName(2) == "label 2",
     "labels have names");
@@ -148,7 +148,7 @@ void ExpectLabelMap(const Explore::Volume& head)
     values.Image->SetDimensions(5, 5, 5);
     values.Image->AllocateScalars(VTK_FLOAT, 1);
     values.Image->GetPointData()->GetScalars()->Fill(0.5);
-    Explore::TakeAsLabels(values, "half.vti", {});
+    Explore::UseAsLabels(values, "half.vti", {});
   }
   catch (const Explore::InputError& error)
   {

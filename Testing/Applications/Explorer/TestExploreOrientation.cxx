@@ -77,7 +77,7 @@ int TestExploreOrientation(int argc, char* argv[])
                                       "AnatomicalOrientation = RAI", Explore::WorldAxes::Patient },
          { "AnatomicalOrientation = ???", Explore::WorldAxes::Unknown } })
   {
-    Expect(Explore::FindMetaImageAxes(WriteText("axes.mhd", line + "\n")) == axes, line);
+    Expect(Explore::ReadMetaImageAxes(WriteText("axes.mhd", line + "\n")) == axes, line);
   }
   for (const auto& [line, axes] :
     { std::pair<std::string, Explore::WorldAxes>{ "space: LPS", Explore::WorldAxes::Patient },
@@ -87,7 +87,7 @@ int TestExploreOrientation(int argc, char* argv[])
       { "space: 3D-right-handed", Explore::WorldAxes::Other },
       { "type: short", Explore::WorldAxes::Unknown } })
   {
-    Expect(Explore::FindNrrdAxes(WriteText("axes.nhdr", "NRRD0004\n" + line + "\n")) == axes, line);
+    Expect(Explore::ReadNrrdAxes(WriteText("axes.nhdr", "NRRD0004\n" + line + "\n")) == axes, line);
   }
   for (const char* space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A volume that moves, in every form that it may have: frames, times and voxels are those that were
-// written, and the window plays them.
+// A volume that moves, in every form that it may have: time steps, times and voxels are those that
+// were written, and the window plays them.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
@@ -23,26 +23,27 @@ namespace
 {
 constexpr int COUNT = 3;
 
-/// The head, with values that tell its frame.
+/// The head, with values that tell its time step.
 vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
 {
-  auto frame = vtkSmartPointer<vtkImageData>::New();
-  frame->DeepCopy(head);
-  vtkDataArray* const values = frame->GetPointData()->GetScalars();
+  auto timeStep = vtkSmartPointer<vtkImageData>::New();
+  timeStep->DeepCopy(head);
+  vtkDataArray* const values = timeStep->GetPointData()->GetScalars();
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     values->SetComponent(i, 0, values->GetComponent(i, 0) + number);
   }
-  return frame;
+  return timeStep;
 }
 
-/// The head, which goes up by so many slices from frame to frame; and that, as displacements.
+/// The head, which goes up by so many slices from time step to time step; and that, as
+/// displacements.
 vtkSmartPointer<vtkImageData> MakeLiftedFrame(vtkImageData* head, int number, int slices)
 {
-  auto frame = vtkSmartPointer<vtkImageData>::New();
-  frame->DeepCopy(head);
+  auto timeStep = vtkSmartPointer<vtkImageData>::New();
+  timeStep->DeepCopy(head);
   const int* const n = head->GetDimensions();
-  vtkDataArray* const values = frame->GetPointData()->GetScalars();
+  vtkDataArray* const values = timeStep->GetPointData()->GetScalars();
   vtkDataArray* const own = head->GetPointData()->GetScalars();
   const vtkIdType slice = static_cast<vtkIdType>(n[0]) * n[1];
   const vtkIdType shift = slice * slices * number;
@@ -56,8 +57,8 @@ vtkSmartPointer<vtkImageData> MakeLiftedFrame(vtkImageData* head, int number, in
   motion->SetNumberOfTuples(values->GetNumberOfTuples());
   motion->Fill(0.0);
   motion->FillComponent(2, (number + 1 < COUNT ? slices : -2 * slices) * head->GetSpacing()[2]);
-  frame->GetPointData()->AddArray(motion);
-  return frame;
+  timeStep->GetPointData()->AddArray(motion);
+  return timeStep;
 }
 
 std::string WriteImage(const std::string& name, vtkImageData* image)
@@ -77,18 +78,19 @@ void ExpectSeries(const std::string& what, const std::vector<std::string>& paths
 {
   const Explore::Volume volume = Explore::LoadVolumes(paths);
   const int count = static_cast<int>(order.size());
-  const bool isThere = volume.Frames && volume.Frames->GetNumberOfFrames() == count;
+  const bool isThere = volume.TimeSteps && volume.TimeSteps->GetNumberOfTimeSteps() == count;
   Expect(isThere, what + " has other frames");
   for (int i = 0; isThere && i < count; ++i)
   {
-    vtkImageData* const frame = volume.Frames->GetFrame(i);
-    const double difference = frame->GetPointData()->GetScalars()->GetComponent(0, 0) -
+    vtkImageData* const timeStep = volume.TimeSteps->GetTimeStepImage(i);
+    const double difference = timeStep->GetPointData()->GetScalars()->GetComponent(0, 0) -
       volume.Image->GetPointData()->GetScalars()->GetComponent(0, 0);
     Expect(difference == order[i] - order[0], what + " has its frames in another order");
-    Expect(std::abs(volume.Frames->GetFrameTime(i) - begin - i * spacing) < 1e-6,
+    Expect(std::abs(volume.TimeSteps->GetTimeStepValue(i) - begin - i * spacing) < 1e-6,
       what + " has other times");
   }
-  Expect(isThere && volume.Frames->GetFrame(0) == volume.Image, what + " has another image");
+  Expect(
+    isThere && volume.TimeSteps->GetTimeStepImage(0) == volume.Image, what + " has another image");
 }
 
 void ExpectError(const std::vector<std::string>& paths, const std::string& fault,
@@ -122,7 +124,7 @@ struct MessageCount
   int Count = 0;
 };
 
-/// Frame after frame is felt and seen, with an array of displacements or none.
+/// Time step after time step is felt and seen, with an array of displacements or none.
 void ExpectPlaying(const std::vector<std::string>& paths, const std::string& displacements = "")
 {
   Explore::Volume volume = Explore::LoadVolumes(paths);
@@ -148,8 +150,8 @@ void ExpectPlaying(const std::vector<std::string>& paths, const std::string& dis
     [&]
     {
       touch.Style->UpdateHaptics();
-      latest = std::max(latest, touch.Device->GetPlayback()->GetFrameTime());
-      return touch.Device->GetPlayback()->HasFrames() && latest > 0.15;
+      latest = std::max(latest, touch.Device->GetPlayback()->GetTimeStepValue());
+      return touch.Device->GetPlayback()->HasTimeSteps() && latest > 0.15;
     });
   Expect(plays, "the window does not get to the last frame");
   const bool warns = displacements.empty();
@@ -171,9 +173,9 @@ int TestExploreSeries(int argc, char* argv[])
   const char* const names[COUNT] = { "phases/at2.vti", "phases/at9.vti", "phases/at10.vti" };
   for (int i = 0; i < COUNT; ++i)
   {
-    const auto frame = MakeFrame(head, i);
-    files.push_back(WriteImage(names[i], frame));
-    times->AddInputData(frame);
+    const auto timeStep = MakeFrame(head, i);
+    files.push_back(WriteImage(names[i], timeStep));
+    times->AddInputData(timeStep);
   }
   ExpectSeries("a list of files", files, 0.0, 0.1);
   ExpectSeries("a list in another order", { files[2], files[0] }, 0.0, 0.1, { 2, 0 });
@@ -196,7 +198,7 @@ int TestExploreSeries(int argc, char* argv[])
   writer->Write();
   ExpectSeries("a NIfTI file", { nifti }, 0.0, 0.25);
 
-  Expect(!Explore::LoadVolumes({ files[1] }).Frames, "one file moves");
+  Expect(!Explore::LoadVolumes({ files[1] }).TimeSteps, "one file moves");
   ExpectError({ WriteText("empty.pvd", "<VTKFile/>") }, "is not a ParaView collection");
   ExpectError({ WriteText("twice.pvd",
                 "<VTKFile><Collection><DataSet timestep=\"1\" file=\"a.vti\"/>"

@@ -106,7 +106,7 @@ int CountWrongInScene(vtkRenderWindow* window, const Explore::Exploration& explo
   int wrong = 0;
   {
     Explore::LoadingScreen loading(window);
-    loading.Tell("Reading", 0.5);
+    loading.Report("Reading", 0.5);
     wrong += CountWrong(window);
   }
   Explore::SceneOptions options;

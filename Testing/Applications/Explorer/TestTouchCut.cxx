@@ -47,7 +47,7 @@ struct CutHead : TouchedHead
     return planes;
   }
   /// What the mapper hides, as a position in the picture: of the middle of a face of the box.
-  void FindFace(int face, int display[2])
+  void ComputeFace(int face, int display[2])
   {
     const std::array<double, 6> planes = this->GetPlanes();
     double x[4] = { 0.5 * (planes[0] + planes[1]), 0.5 * (planes[2] + planes[3]),
@@ -153,7 +153,7 @@ void DragFace(CutHead& head)
   camera->GetPosition(eye.data());
   int at[2];
   constexpr int top = 5;
-  head.FindFace(top, at);
+  head.ComputeFace(top, at);
   head.Drag(at, 0, -25);
   const std::array<double, 6> after = head.GetPlanes();
   std::array<double, 3> eyeAfter;

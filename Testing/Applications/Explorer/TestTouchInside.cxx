@@ -19,7 +19,7 @@ namespace
 {
 /// How many voxels behind the proxy, seen from the camera, half of the opacity is, by the
 /// definition of vtkVolumeProperty: a layer of the unit distance has the function's opacity.
-double FindHalfOpacity(TouchedHead& head)
+double MeasureHalfOpacity(TouchedHead& head)
 {
   vtkVolumeProperty* const look = head.Touch.Scene.Look;
   const double unit = look->GetScalarOpacityUnitDistance();
@@ -73,7 +73,7 @@ int TestTouchInside(int argc, char* argv[])
     {
       head.Press(150, 230, 2);
       isFelt = device->GetState()->GetContact() != 0;
-      outside = FindHalfOpacity(head);
+      outside = MeasureHalfOpacity(head);
       skin = device->GetState()->GetSurfaceValue();
     });
   const auto press = [&]

@@ -36,14 +36,14 @@ public:
   bool Connect(std::string&) override { return true; }
   void Serve(HardwareExchange& exchange) override
   {
-    exchange.Tell({});
+    exchange.Report({});
     exchange.SetCondition(DeviceStage::Ready, "");
     while (!exchange.MustStop())
     {
       exchange.WaitForWake(2);
       DeviceSample sample;
       sample.Tip = exchange.GetForce();
-      exchange.Tell(sample);
+      exchange.Report(sample);
     }
   }
   void Disconnect() noexcept override {}

@@ -234,7 +234,7 @@ struct Punctuality
   std::vector<double> Wake[4];
   RealTimeGrant Grant = RealTimeGrant::Unknown;
 };
-constexpr double WakeShares[4] = { 0.5, 0.9, 0.99, 0.999 };
+constexpr double WakeFractions[4] = { 0.5, 0.9, 0.99, 0.999 };
 
 /** In turn, so that what else the machine does falls on each way of scheduling alike. */
 void PrintTimeKeeping(
@@ -262,7 +262,7 @@ void PrintTimeKeeping(
         kind.Missed += static_cast<double>(loop->GetMissedTicks());
         for (int i = 0; i < 4; ++i)
         {
-          kind.Wake[i].push_back(1e-3 * loop->GetWakeLatency().GetPercentile(WakeShares[i]));
+          kind.Wake[i].push_back(1e-3 * loop->GetWakeLatency().GetPercentile(WakeFractions[i]));
         }
       }
     }

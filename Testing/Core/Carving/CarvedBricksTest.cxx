@@ -21,17 +21,17 @@ namespace
 {
 using SampleIndex = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
 
-/// Sets the share at one sample.
-void PutShare(CarvedBricks& bricks, const SampleIndex& index, std::uint8_t share)
+/// Sets the fraction at one sample.
+void PutTissue(CarvedBricks& bricks, const SampleIndex& index, std::uint8_t fraction)
 {
   const auto [i, j, k] = index;
   const std::uint32_t brick = bricks.FindOrAdd(CarvedBricks::KeyOf({ i / 8, j / 8, k / 8 }));
   ASSERT_NE(brick, CarvedBricks::None);
   const auto row = static_cast<int>(j % 8 + 8 * (k % 8));
   const auto shift = static_cast<int>(8 * (i % 8));
-  std::uint64_t shares = bricks.GetRow(brick, row);
-  shares &= ~(std::uint64_t{ 255 } << shift);
-  bricks.SetRow(brick, row, shares | std::uint64_t{ share } << shift);
+  std::uint64_t fractions = bricks.GetRow(brick, row);
+  fractions &= ~(std::uint64_t{ 255 } << shift);
+  bricks.SetRow(brick, row, fractions | std::uint64_t{ fraction } << shift);
   bricks.MarkChanged(brick);
 }
 } // namespace
@@ -54,20 +54,20 @@ TEST(CarvedBricks, KeepShares)
   for (int n = 0; n < 20000; ++n)
   {
     const SampleIndex index = random();
-    const auto share = static_cast<std::uint8_t>(engine());
-    expected[index] = share;
-    PutShare(bricks, index, share);
+    const auto fraction = static_cast<std::uint8_t>(engine());
+    expected[index] = fraction;
+    PutTissue(bricks, index, fraction);
   }
   for (int n = 0; n < 20000; ++n)
   {
     expected.emplace(random(), CarvedBricks::Whole);
   }
-  for (const auto& [index, share] : expected)
+  for (const auto& [index, fraction] : expected)
   {
     const auto [i, j, k] = index;
-    ASSERT_EQ(bricks.GetShare(i, j, k), share);
+    ASSERT_EQ(bricks.GetFraction(i, j, k), fraction);
   }
-  EXPECT_EQ(bricks.GetShare(16000000, 3, 2047), CarvedBricks::Whole);
+  EXPECT_EQ(bricks.GetFraction(16000000, 3, 2047), CarvedBricks::Whole);
   // Boxes.
   for (int n = 0; n < 2000; ++n)
   {
@@ -116,7 +116,7 @@ TEST(CarvedBricks, TellEachChangeOnce)
   const auto take = [&]()
   {
     std::set<std::uint32_t> taken;
-    bricks.TakeChanged(
+    bricks.DrainChanged(
       follower, [&](std::uint32_t brick) { EXPECT_TRUE(taken.insert(brick).second); });
     return taken;
   };
@@ -141,7 +141,7 @@ TEST(CarvedBricks, TellEachFollowerByItself)
   const auto take = [&](int follower)
   {
     std::set<std::uint32_t> taken;
-    bricks.TakeChanged(follower, [&](std::uint32_t brick) { taken.insert(brick); });
+    bricks.DrainChanged(follower, [&](std::uint32_t brick) { taken.insert(brick); });
     return taken;
   };
   const auto change = [&](std::uint64_t key) { bricks.MarkChanged(bricks.FindOrAdd(key)); };

@@ -37,7 +37,7 @@ using Mirror = std::map<std::uint64_t, Rows>;
 
 void Follow(CarvedBricks& bricks, int follower, Mirror& mirror)
 {
-  bricks.TakeChanged(
+  bricks.DrainChanged(
     follower, [&](std::uint32_t brick) { mirror[bricks.GetKey(brick)] = CopyRows(bricks, brick); });
 }
 } // namespace
@@ -89,10 +89,10 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
     {
       second = removal.Bricks.AddFollower();
     }
-    // Any thread may look a share up.
-    const std::uint8_t share =
-      removal.Bricks.GetShare(static_cast<std::int64_t>(engine() % 4000), 0, 0);
-    EXPECT_LE(share, CarvedBricks::Whole);
+    // Any thread may look a fraction up.
+    const std::uint8_t fraction =
+      removal.Bricks.GetFraction(static_cast<std::int64_t>(engine() % 4000), 0, 0);
+    EXPECT_LE(fraction, CarvedBricks::Whole);
     EXPECT_LE(removal.Journal.GetUndoable(), RemovalJournal::MostStrokes);
     const auto dice = engine() % 1000;
     if (dice < 3)
@@ -156,7 +156,7 @@ TEST(RemovalHandOff, ASnapshotIsOfOneTick)
     std::this_thread::yield();
   }
   std::map<std::uint64_t, Rows> taken;
-  for (const BrickShares& brick : removal.EndSnapshot())
+  for (const BrickTissue& brick : removal.EndSnapshot())
   {
     Rows& rows = taken[brick.Key];
     std::copy(brick.Rows.begin(), brick.Rows.end(), rows.begin());

@@ -34,7 +34,7 @@ bool AreSame(const ValuePair& a, const ValuePair& b)
 class CarvedSamples : public testing::TestWithParam<GradientEstimator>
 {
 protected:
-  /// Removes random shares of a part of a volume.
+  /// Removes random fractions of a part of a volume.
   static void Remove(const TestVolume& volume, CarvedBricks& bricks, std::uint64_t samples)
   {
     std::mt19937_64 engine(17);
@@ -46,7 +46,7 @@ protected:
       { return first[a] + static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(n[a])); };
       const std::int64_t i = along(0);
       const std::int64_t j = along(1);
-      SetShare(bricks, i, j, along(2), static_cast<std::uint8_t>(engine()));
+      SetFraction(bricks, i, j, along(2), static_cast<std::uint8_t>(engine()));
     }
   }
 
@@ -69,9 +69,9 @@ protected:
     {
       const auto along = [&](int a)
       {
-        const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+        const double fraction = static_cast<double>(engine() >> 11) * 0x1p-53;
         const double x = static_cast<double>(volume.View.First[a]) +
-          (1.2 * share - 0.1) * static_cast<double>(n[a] - 1);
+          (1.2 * fraction - 0.1) * static_cast<double>(n[a] - 1);
         return engine() % 5 == 0 ? std::round(x) : x;
       };
       const Vector3 at{ along(0), along(1), along(2) };
@@ -140,11 +140,11 @@ TEST_P(CarvedSamples, ArePlainWhereNothingWasRemoved)
     const Vector3 far{ 33.2, 6.4, 5.7 };
     const Vector3 near{ 4.2, 6.4, 5.7 };
     ASSERT_TRUE(AreSame(carved.Gradient(near, &memory), plain.Gradient(near)));
-    const auto set = [&bricks](std::uint8_t share)
+    const auto set = [&bricks](std::uint8_t fraction)
     {
       for (std::int64_t at = 0; at < 8 * 12 * 12; ++at)
       {
-        SetShare(bricks, at % 8, at / 8 % 12, at / 96, share);
+        SetFraction(bricks, at % 8, at / 8 % 12, at / 96, fraction);
       }
     };
     set(40);

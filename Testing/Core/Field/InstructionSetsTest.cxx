@@ -75,9 +75,10 @@ protected:
     }
   }
 };
-FieldSampler::OtherFrame With(const FieldSampler& first, const FieldSampler& second, double share)
+FieldSampler::OtherTimeStep With(
+  const FieldSampler& first, const FieldSampler& second, double fraction)
 {
-  return { second, share, first.BlendsSamples(second) };
+  return { second, fraction, first.BlendsSamples(second) };
 }
 
 } // namespace
@@ -173,7 +174,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
       Norm(a.Gradient - b.Gradient) <= 1e-12 * scale;
   };
   const auto compare =
-    [&](const TestVolume& first, const TestVolume& second, double share, int radius)
+    [&](const TestVolume& first, const TestVolume& second, double fraction, int radius)
   {
     TestVolume blended(ScalarType::Float64, { 12, 11, 10 });
     double largest = 0.0;
@@ -183,7 +184,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
         const double a = first(i, j, k);
         const double b = second(i, j, k);
         largest = std::max({ largest, std::abs(a), std::abs(b) });
-        return a + share * (b - a);
+        return a + fraction * (b - a);
       });
     const GradientKernel kernel(this->GetParam(), radius);
     const FieldSampler expected(blended.View, kernel);
@@ -200,10 +201,10 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
         const Vector3 near{ std::floor(p.X) + 0.3, std::floor(p.Y) + 0.9, std::floor(p.Z) };
         for (const Vector3& at : { p, near, p })
         {
-          const FieldSampler::OtherFrame other = With(a, b, share);
-          const FieldSampler::OtherFrame own = With(a, a, share);
-          const double half = 0.5 * share;
-          const FieldSampler::OtherFrame before = With(a, b, half);
+          const FieldSampler::OtherTimeStep other = With(a, b, fraction);
+          const FieldSampler::OtherTimeStep own = With(a, a, fraction);
+          const double half = 0.5 * fraction;
+          const FieldSampler::OtherTimeStep before = With(a, b, half);
           const FieldSample sample = a.Gradient(other, at);
           const FieldSample blend = expected.Gradient(at);
           ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
@@ -214,13 +215,13 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
           ASSERT_TRUE(IsSame(a.Gradient(own, at), a.Gradient(at)));
           ASSERT_TRUE(IsSame(a.Value(other, at), expected.Value(at)));
-          const SharePair pair = a.Values(other, half, at);
+          const FractionPair pair = a.Values(other, half, at);
           ASSERT_TRUE(IsSame(pair.First, a.Value(other, at)));
           ASSERT_TRUE(IsSame(pair.Second, a.Value(before, at)));
           // Values from the gradient's samples, where those reach so far.
-          const FrameTaps* const taps = a.FindTaps(other, memory);
+          const TimeStepTaps* const taps = a.GetTaps(other, memory);
           ASSERT_TRUE(!taps || hasTaps(radius));
-          const SharePair tapped = a.Values(other, half, at, taps);
+          const FractionPair tapped = a.Values(other, half, at, taps);
           ASSERT_TRUE(IsSame(tapped.First, pair.First) && IsSame(tapped.Second, pair.Second));
           const Vector3 aside{ 3.0 * uniform(engine), -2.0 * uniform(engine), uniform(engine) };
           const ValuePair expectedSides = a.Values(other, at, aside);
@@ -252,7 +253,7 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
   }
 }
 
-TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
+TEST_P(InstructionSets, TwoTimeStepsAtOnceAreAsEachAlone)
 {
   const auto compare = [this](const TestVolume& first, const TestVolume& second, int radius)
   {
@@ -314,7 +315,7 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
 }
 
 /// V goes to that of the next frame without a step, also where one frame lacks a sample.
-TEST_P(InstructionSets, ASampleThatOneFrameLacksMakesNoStep)
+TEST_P(InstructionSets, ASampleThatOneTimeStepLacksMakesNoStep)
 {
   const GradientKernel kernel(this->GetParam(), 2);
   TestVolume frames[2] = { { ScalarType::Float32, { 12, 11, 10 } },
@@ -340,12 +341,14 @@ TEST_P(InstructionSets, ASampleThatOneFrameLacksMakesNoStep)
     constexpr int steps = 1000;
     for (int i = 1; i <= steps; ++i)
     {
-      const double share = static_cast<double>(i) / steps;
-      const double now = i < steps ? first.Value(With(first, second, share), at) : second.Value(at);
-      const double nowAhead = i < steps ? first.Values(With(first, second, share), at, offset).Ahead
-                                        : second.Values(at, offset).Ahead;
-      EXPECT_LE(std::abs(now - before), 2.0 * whole / steps) << share;
-      EXPECT_LE(std::abs(nowAhead - ahead), 2.0 * whole / steps) << share;
+      const double fraction = static_cast<double>(i) / steps;
+      const double now =
+        i < steps ? first.Value(With(first, second, fraction), at) : second.Value(at);
+      const double nowAhead = i < steps
+        ? first.Values(With(first, second, fraction), at, offset).Ahead
+        : second.Values(at, offset).Ahead;
+      EXPECT_LE(std::abs(now - before), 2.0 * whole / steps) << fraction;
+      EXPECT_LE(std::abs(nowAhead - ahead), 2.0 * whole / steps) << fraction;
       before = now;
       ahead = nowAhead;
     }
@@ -391,24 +394,24 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           const Vector3 p{ 13.0 * uniform(engine), 12.0 * uniform(engine), 11.0 * uniform(engine) };
           LabelBlock blocks[2];
           LabelWeights weights[2];
-          baseline.Find(p, blocks[0]);
+          baseline.Collect(p, blocks[0]);
           baseline.Weigh(p, weights[0]);
-          avx2.Find(p, blocks[1]);
+          avx2.Collect(p, blocks[1]);
           avx2.Weigh(p, weights[1]);
           ASSERT_EQ(blocks[0].Count, blocks[1].Count);
           for (int l = 0; l < blocks[0].Count; ++l)
           {
             ASSERT_EQ(blocks[0].Label[l], blocks[1].Label[l]);
-            const FieldSample share = baseline.Share(weights[0], blocks[0].Planes[l]);
-            ASSERT_TRUE(IsSame(share, avx2.Share(weights[1], blocks[1].Planes[l])));
+            const FieldSample fraction = baseline.Fraction(weights[0], blocks[0].Planes[l]);
+            ASSERT_TRUE(IsSame(fraction, avx2.Fraction(weights[1], blocks[1].Planes[l])));
             LabelSteps steps;
             if (steps.Set(blocks[0].Planes[l]))
             {
               ++stepped;
-              const FieldSample other = baseline.Share(p, steps);
-              ASSERT_TRUE(IsSame(other, avx2.Share(p, steps)));
-              ASSERT_NEAR(other.Value, share.Value, 1e-14);
-              ASSERT_NEAR(Norm(other.Gradient - share.Gradient), 0.0, 1e-14);
+              const FieldSample other = baseline.Fraction(p, steps);
+              ASSERT_TRUE(IsSame(other, avx2.Fraction(p, steps)));
+              ASSERT_NEAR(other.Value, fraction.Value, 1e-14);
+              ASSERT_NEAR(Norm(other.Gradient - fraction.Gradient), 0.0, 1e-14);
             }
           }
         }

@@ -39,8 +39,8 @@ TestVolume MakeLabels(ScalarType type, std::int64_t step)
   return volume;
 }
 
-/// The sum of the shares of a label in a cell.
-double ShareOf(const LabelCell& cell, std::int64_t label)
+/// The sum of the fractions of a label in a cell.
+double FractionOf(const LabelCell& cell, std::int64_t label)
 {
   if (cell.IsUniform)
   {
@@ -49,7 +49,7 @@ double ShareOf(const LabelCell& cell, std::int64_t label)
   double sum = 0.0;
   for (int c = 0; c < LabelCell::Corners; ++c)
   {
-    sum += cell.Label[c] == label ? cell.Share[c] : 0.0;
+    sum += cell.Label[c] == label ? cell.Fraction[c] : 0.0;
   }
   return sum;
 }
@@ -76,7 +76,7 @@ TEST(LabelView, HasEveryTypeAndStride)
   }
 }
 
-TEST(LabelView, SharesAreTrilinear)
+TEST(LabelView, FractionsAreTrilinear)
 {
   const TestVolume volume = MakeLabels(ScalarType::Int16, 1);
   const LabelView view(volume.View);
@@ -88,7 +88,7 @@ TEST(LabelView, SharesAreTrilinear)
     const int j = (c >> 1) & 1;
     const int k = c >> 2;
     const double share = (i ? 0.25 : 0.75) * 0.5 * (k ? 0.125 : 0.875);
-    EXPECT_NEAR(ShareOf(cell, LabelAt(ScalarType::Int16, 2 + i, 3 + j, 4 + k)), share, 1e-15);
+    EXPECT_NEAR(FractionOf(cell, LabelAt(ScalarType::Int16, 2 + i, 3 + j, 4 + k)), share, 1e-15);
   }
 }
 
@@ -97,11 +97,11 @@ TEST(LabelView, FadesToNoLabelWithinAVoxelBeyondTheImage)
   TestVolume volume(ScalarType::UInt8, { 4, 4, 4 });
   volume.Fill<std::uint8_t>([](std::int64_t, std::int64_t, std::int64_t) { return 9; });
   const LabelView view(volume.View);
-  EXPECT_DOUBLE_EQ(ShareOf(view.Cell({ 1.5, 1.5, 1.5 }), 9), 1.0);
-  EXPECT_DOUBLE_EQ(ShareOf(view.Cell({ 3.0, 3.0, 3.0 }), 9), 1.0);
-  EXPECT_DOUBLE_EQ(ShareOf(view.Cell({ 3.25, 1.0, 1.0 }), 9), 0.75);
-  EXPECT_DOUBLE_EQ(ShareOf(view.Cell({ -0.75, 1.0, 1.0 }), 9), 0.25);
-  EXPECT_DOUBLE_EQ(ShareOf(view.Cell({ -0.5, 3.5, 1.0 }), 9), 0.25);
+  EXPECT_DOUBLE_EQ(FractionOf(view.Cell({ 1.5, 1.5, 1.5 }), 9), 1.0);
+  EXPECT_DOUBLE_EQ(FractionOf(view.Cell({ 3.0, 3.0, 3.0 }), 9), 1.0);
+  EXPECT_DOUBLE_EQ(FractionOf(view.Cell({ 3.25, 1.0, 1.0 }), 9), 0.75);
+  EXPECT_DOUBLE_EQ(FractionOf(view.Cell({ -0.75, 1.0, 1.0 }), 9), 0.25);
+  EXPECT_DOUBLE_EQ(FractionOf(view.Cell({ -0.5, 3.5, 1.0 }), 9), 0.25);
   const double huge = std::numeric_limits<double>::max();
   for (const double x : { -1.0, 4.0, 1e30, -huge, huge, HUGE_VAL, -HUGE_VAL, std::nan("") })
   {

@@ -29,9 +29,9 @@ inline double Evaluate(const Polyline& line, double x)
   {
     if (x <= line[i].X)
     {
-      const long double share = (static_cast<long double>(x) - line[i - 1].X) /
+      const long double fraction = (static_cast<long double>(x) - line[i - 1].X) /
         (static_cast<long double>(line[i].X) - line[i - 1].X);
-      return static_cast<double>(line[i - 1].Y + share * (line[i].Y - line[i - 1].Y));
+      return static_cast<double>(line[i - 1].Y + fraction * (line[i].Y - line[i - 1].Y));
     }
   }
   return line.back().Y;
@@ -51,13 +51,13 @@ inline std::vector<double> Arguments(const std::array<Polyline, 5>& lines, std::
   std::sort(breaks.begin(), breaks.end());
   std::vector<double> arguments = breaks;
   const double width = breaks.back() - breaks.front();
-  std::uniform_real_distribution<double> share(-0.1, 1.1);
+  std::uniform_real_distribution<double> fraction(-0.1, 1.1);
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {
     arguments.push_back(std::nextafter(breaks[i], -HUGE_VAL));
     arguments.push_back(std::nextafter(breaks[i], HUGE_VAL));
     arguments.push_back(breaks[i] / 2.0 + breaks[(i + 1) % breaks.size()] / 2.0);
-    arguments.push_back(breaks.front() + share(engine) * width);
+    arguments.push_back(breaks.front() + fraction(engine) * width);
   }
   arguments.insert(arguments.end(), { -1e308, 1e308, 0.0 });
   return arguments;
@@ -85,9 +85,9 @@ inline Polyline RandomLine(std::mt19937_64& engine, double low, double width, in
   for (Vertex& v : line)
   {
     // On a grid of 64, so that channels share break points and steps occur.
-    const double share =
+    const double fraction =
       uniform(engine) < 0.5 ? std::floor(64.0 * uniform(engine)) / 64.0 : uniform(engine);
-    v = { low + share * width, 2000.0 * uniform(engine) };
+    v = { low + fraction * width, 2000.0 * uniform(engine) };
   }
   std::sort(line.begin(), line.end(), [](const Vertex& a, const Vertex& b) { return a.X < b.X; });
   return line;

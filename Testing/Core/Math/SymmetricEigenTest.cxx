@@ -35,7 +35,7 @@ TEST(SymmetricEigen, KnownSystemsAreFoundAgain)
     const Matrix3 diagonal = { { { values[0], 0.0, 0.0 }, { 0.0, values[1], 0.0 },
       { 0.0, 0.0, values[2] } } };
     const Matrix3 matrix = turn * (diagonal * Transpose(turn));
-    const SymmetricEigen eigen = FindEigen(matrix);
+    const SymmetricEigen eigen = ComputeEigen(matrix);
     std::sort(values, values + 3, [](double a, double b) { return a > b; });
     for (int i = 0; i < 3; ++i)
     {
@@ -55,7 +55,7 @@ TEST(SymmetricEigen, WhatIsNoMatrixHasNoValues)
   for (const double bad : { nan, infinity, -infinity, 0.0 })
   {
     const Matrix3 matrix = { { { bad, 0.0, bad }, { 0.0, bad, 0.0 }, { bad, 0.0, 0.0 } } };
-    const SymmetricEigen eigen = FindEigen(matrix);
+    const SymmetricEigen eigen = ComputeEigen(matrix);
     for (int i = 0; i < 3; ++i)
     {
       EXPECT_EQ(eigen.Value[i], 0.0);

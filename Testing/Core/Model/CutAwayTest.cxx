@@ -51,12 +51,12 @@ TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3 index = this->DrawIndex();
-    const CutPlace place = cut.Find(index);
+    const CutPlace place = cut.Compute(index);
     EXPECT_NEAR(place.Depth, Dot(normal, this->Image(index)) - 4.0, 1e-12);
     EXPECT_EQ(Norm(place.Normal - normal), 0.0);
     const Vector3 voxel = Inverse(this->Image.Linear) * (place.Voxel * normal);
     EXPECT_NEAR(Norm(voxel), 1.0, 1e-12);
-    EXPECT_NEAR(place.Share(), std::fmin(1.0, std::fmax(0.0, place.Depth / place.Voxel)), 1e-12);
+    EXPECT_NEAR(place.Fraction(), std::fmin(1.0, std::fmax(0.0, place.Depth / place.Voxel)), 1e-12);
   }
 }
 
@@ -81,18 +81,18 @@ TEST_F(CutAwayPlaces, AHiddenVoxelEndsHalfwayToTheNextOne)
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3 index{ this->Draw(4.001, 4.999), this->Draw(0.0, 8.0), this->Draw(-1.0, 5.0) };
-    const CutPlace place = cut.Find(index);
+    const CutPlace place = cut.Compute(index);
     EXPECT_NEAR(place.Depth, 0.5 * (index.X - 4.5), 1e-12);
     EXPECT_NEAR(Norm(place.Normal - normal), 0.0, 1e-12);
-    EXPECT_NEAR(place.Share(), std::clamp(2.0 * (index.X - 4.5), 0.0, 1.0), 1e-12);
+    EXPECT_NEAR(place.Fraction(), std::clamp(2.0 * (index.X - 4.5), 0.0, 1.0), 1e-12);
   }
   for (const double x : { -3.0, 2.0, 3.9, 4.0 })
   {
-    EXPECT_EQ(cut.Find({ x, 3.3, 2.1 }).Depth, -HUGE_VAL) << x;
+    EXPECT_EQ(cut.Compute({ x, 3.3, 2.1 }).Depth, -HUGE_VAL) << x;
   }
   for (const double x : { 5.0, 6.5, 9.0, 30.0 })
   {
-    EXPECT_EQ(cut.Find({ x, 3.3, 2.1 }).Depth, HUGE_VAL) << x;
+    EXPECT_EQ(cut.Compute({ x, 3.3, 2.1 }).Depth, HUGE_VAL) << x;
   }
 }
 
@@ -107,7 +107,7 @@ TEST_F(CutAwayPlaces, SeveralPlanesKeepWhatIsInFrontOfAll)
     const Vector3 index = this->DrawIndex();
     const Vector3 x = this->Image(index);
     const bool isKept = x.X > 1.0 && x.Z < 20.0 && 0.6 * x.Y + 0.8 * x.Z > 2.0;
-    EXPECT_EQ(cut.Find(index).Depth > 0.0, isKept);
+    EXPECT_EQ(cut.Compute(index).Depth > 0.0, isKept);
     kept += isKept ? 1 : 0;
   }
   EXPECT_GT(kept, 50);
@@ -141,7 +141,7 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
     for (int i = 0; i < 50; ++i)
     {
       const Vector3 index = this->DrawIndex();
-      const CutPlace place = cut.Find(index);
+      const CutPlace place = cut.Compute(index);
       ASSERT_EQ(place.Depth > 0.0, isKept(index));
       if (!std::isfinite(place.Depth))
       {
@@ -151,8 +151,8 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
       // behind it is not.
       ++faces;
       EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);
-      const auto at = [&](double share)
-      { return toIndex(this->Image(index) - (share * place.Depth) * place.Normal); };
+      const auto at = [&](double fraction)
+      { return toIndex(this->Image(index) - (fraction * place.Depth) * place.Normal); };
       EXPECT_EQ(isKept(at(1.0 - 1e-9)), isKept(index));
       EXPECT_NE(isKept(at(1.0 + 1e-9)), isKept(index));
     }
@@ -163,6 +163,6 @@ TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
 TEST_F(CutAwayPlaces, WithoutACutAllIsKept)
 {
   const CutAway cut({}, {}, this->Image, true);
-  EXPECT_EQ(cut.Find({ 1.0, 2.0, 3.0 }).Depth, HUGE_VAL);
-  EXPECT_EQ(cut.Find({ 1.0, 2.0, 3.0 }).Share(), 1.0);
+  EXPECT_EQ(cut.Compute({ 1.0, 2.0, 3.0 }).Depth, HUGE_VAL);
+  EXPECT_EQ(cut.Compute({ 1.0, 2.0, 3.0 }).Fraction(), 1.0);
 }

@@ -111,7 +111,7 @@ TEST(ForbiddenZone, KnowsAnisotropicVoxels)
   ASSERT_NE(zone, nullptr);
   for (const double z : { 7.0, 8.5, 9.9 })
   {
-    const ForbiddenPlace place = zone->Find({ 12.2, 11.4, z / 2.0 });
+    const ForbiddenPlace place = zone->Compute({ 12.2, 11.4, z / 2.0 });
     ASSERT_TRUE(place.IsNear);
     EXPECT_NEAR(place.Distance, 11.0 - z, 0.02);
     EXPECT_NEAR(place.Gradient.Z, -2.0, 0.05);
@@ -126,9 +126,9 @@ TEST(ForbiddenZone, StandsOffFromASlab)
   const LabelView view(labels.View);
   const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 2.0);
   ASSERT_NE(zone, nullptr);
-  EXPECT_NEAR(zone->Find({ 13.2, 14.1, 9.5 }).Distance, 2.0, 0.05);
-  EXPECT_NEAR(zone->Find({ 13.2, 14.1, 17.5 }).Distance, 2.0, 0.05);
-  EXPECT_LT(zone->Find({ 13.2, 14.1, 13.5 }).Distance, -1.0);
+  EXPECT_NEAR(zone->Compute({ 13.2, 14.1, 9.5 }).Distance, 2.0, 0.05);
+  EXPECT_NEAR(zone->Compute({ 13.2, 14.1, 17.5 }).Distance, 2.0, 0.05);
+  EXPECT_LT(zone->Compute({ 13.2, 14.1, 13.5 }).Distance, -1.0);
 }
 
 TEST(ForbiddenZone, StandsOffFromAVessel)
@@ -146,7 +146,7 @@ TEST(ForbiddenZone, StandsOffFromAVessel)
       const double angle = 0.1047 * i;
       const double r = radius + 2.0;
       const ForbiddenPlace place =
-        zone->Find({ 12.0 + 0.1 * i, 16.2 + r * std::cos(angle), 15.9 + r * std::sin(angle) });
+        zone->Compute({ 12.0 + 0.1 * i, 16.2 + r * std::cos(angle), 15.9 + r * std::sin(angle) });
       ASSERT_TRUE(place.IsNear);
       EXPECT_NEAR(place.Distance, 2.0, 0.45) << radius << ", " << angle;
     }
@@ -163,10 +163,10 @@ TEST(ForbiddenZone, KeepsThinVesselsAndSpecks)
   const LabelView view(labels.View);
   const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 2.0);
   ASSERT_NE(zone, nullptr);
-  EXPECT_NEAR(zone->Find({ 20.0, 13.0, 10.0 }).Distance, 2.5, 0.2);
-  EXPECT_NEAR(zone->Find({ 20.4, 10.0, 7.0 }).Distance, 2.5, 0.2);
-  EXPECT_NEAR(zone->Find({ 30.0, 30.0, 33.0 }).Distance, 2.5, 0.2);
-  EXPECT_NEAR(zone->Find({ 32.0, 32.0, 30.0 }).Distance, std::sqrt(8.0) - 0.5, 0.2);
+  EXPECT_NEAR(zone->Compute({ 20.0, 13.0, 10.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Compute({ 20.4, 10.0, 7.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Compute({ 30.0, 30.0, 33.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Compute({ 32.0, 32.0, 30.0 }).Distance, std::sqrt(8.0) - 0.5, 0.2);
 }
 
 TEST(ForbiddenZone, IsNotThereWithoutForbiddenLabels)
@@ -178,8 +178,8 @@ TEST(ForbiddenZone, IsNotThereWithoutForbiddenLabels)
   EXPECT_THROW(ForbiddenZone::Make(view, Forbid(1), Affine3{}, 1e9), std::bad_alloc);
   const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 1.0);
   ASSERT_NE(zone, nullptr);
-  EXPECT_FALSE(zone->Find({ 6.0, 6.0, -1000.0 }).IsNear);
-  EXPECT_FALSE(zone->Find({ std::nan(""), 6.0, 6.0 }).IsNear);
+  EXPECT_FALSE(zone->Compute({ 6.0, 6.0, -1000.0 }).IsNear);
+  EXPECT_FALSE(zone->Compute({ std::nan(""), 6.0, 6.0 }).IsNear);
 }
 
 TEST(ForbiddenZone, EndsWhenItIsTold)

@@ -68,7 +68,7 @@ TEST(LabelTable, FindsAMillionLabelsOfAllSignsAndSizes)
   }
 }
 
-TEST(LabelTable, MixesBySharesAndLeavesTheRestToTheFunctions)
+TEST(LabelTable, MixesByFractionsAndLeavesTheRestToTheFunctions)
 {
   TestVolume volume(ScalarType::Int32, { 3, 2, 2 });
   volume.Fill<std::int32_t>(

@@ -5,7 +5,7 @@
  * Walls between labels are those of a slow reference, in random volumes.
  *
  * The reference knows the equations of LabelWalls.h and GradientKernel.h, and nothing of the module
- * but the interface: it computes the window at every tap with exp(), adds up the share of each
+ * but the interface: it computes the window at every tap with exp(), adds up the fraction of each
  * label in a map, voxel by voxel, and takes the slopes of the weights from central differences.
  */
 
@@ -104,12 +104,12 @@ struct ReferenceWall
   double SecondValue = 2.0; ///< |value| of the next wall
 };
 
-ReferenceWall FindReference(
+ReferenceWall ComputeReference(
   const TestVolume& volume, const Entries& entries, int radius, const Vector3& x)
 {
   struct Part
   {
-    double Share = 0.0;
+    double Fraction = 0.0;
     Vector3 Gradient;
   };
   std::map<Hardness, Part, std::greater<>> parts;
@@ -125,7 +125,7 @@ ReferenceWall FindReference(
           volume(axes[0].First + i, axes[1].First + j, axes[2].First + k));
         Part& part = parts[HardnessOf(entries, label)];
         const double w[3] = { axes[0].Value[i], axes[1].Value[j], axes[2].Value[k] };
-        part.Share += w[0] * w[1] * w[2];
+        part.Fraction += w[0] * w[1] * w[2];
         part.Gradient += { axes[0].Slope[i] * w[1] * w[2], w[0] * axes[1].Slope[j] * w[2],
           w[0] * w[1] * axes[2].Slope[k] };
       }
@@ -141,7 +141,7 @@ ReferenceWall FindReference(
     {
       break;
     }
-    share += part.Share;
+    share += part.Fraction;
     gradient += part.Gradient;
     const double value = 2.0 * share - 1.0;
     if (std::abs(value) < std::abs(wall.Value))
@@ -226,8 +226,8 @@ int Compare(
   for (int i = 0; i < positions; ++i)
   {
     const Vector3 x = DrawPosition(draw, { n[0], n[1], n[2] });
-    const ReferenceWall expected = FindReference(volume, entries, radius, x);
-    const LabelWall wall = walls.Find(x);
+    const ReferenceWall expected = ComputeReference(volume, entries, radius, x);
+    const LabelWall wall = walls.Compute(x);
     SCOPED_TRACE(testing::Message() << "at " << x.X << " " << x.Y << " " << x.Z);
     EXPECT_EQ(wall.IsThere, expected.IsThere);
     if (!wall.IsThere || !expected.IsThere)
@@ -376,8 +376,8 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
     x += { draw.Between(-0.3, 0.3), draw.Between(-0.3, 0.3), draw.Between(-0.3, 0.3) };
     x = Least(Most(x, { 0, 0, 0 }), { 29, 29, 29 });
     const LabelWalls& walls = i / 50 % 2 == 0 ? first : second;
-    const LabelWall fresh = walls.Find(x);
-    const LabelWall remembered = walls.Find(x, memory);
+    const LabelWall fresh = walls.Compute(x);
+    const LabelWall remembered = walls.Compute(x, memory);
     ASSERT_EQ(fresh.IsThere, remembered.IsThere);
     ASSERT_EQ(fresh.Value, remembered.Value);
     ASSERT_EQ(Norm(fresh.Gradient - remembered.Gradient), 0.0);
@@ -409,7 +409,7 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
   for (int i = 0; i < 300; ++i)
   {
     const Vector3 x{ draw.Between(5, 45), draw.Between(5, 30), draw.Between(2, 11) };
-    const ReferenceWall expected = FindReference(volume, {}, 3, x);
+    const ReferenceWall expected = ComputeReference(volume, {}, 3, x);
     if (!expected.IsThere || expected.SecondValue - std::abs(expected.Value) < 1e-7 ||
       Norm(expected.Gradient) < 1e-3)
     {
@@ -417,7 +417,7 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
     }
     ++compared;
     const Vector3 world{ 3.0 + spacing.X * x.X, 1.5 + spacing.Y * x.Y, 2.0 + spacing.Z * x.Z };
-    const Surface surface = Law::FindSurface(model, model.Baked->At(0.0), world, memory);
+    const Surface surface = Law::ComputeSurface(model, model.Baked->At(0.0), world, memory);
     const Vector3 gradient{ expected.Gradient.X / spacing.X, expected.Gradient.Y / spacing.Y,
       expected.Gradient.Z / spacing.Z };
     ASSERT_TRUE(surface.IsWall);

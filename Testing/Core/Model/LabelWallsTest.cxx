@@ -41,7 +41,7 @@ double FindWall(const LabelWalls& walls, const Vector3& centre, const Vector3& d
   for (int i = 0; i < 50; ++i)
   {
     const double middle = 0.5 * (inside + outside);
-    (walls.Find(centre + middle * direction).Value > 0.0 ? inside : outside) = middle;
+    (walls.Compute(centre + middle * direction).Value > 0.0 ? inside : outside) = middle;
   }
   return inside;
 }
@@ -89,7 +89,7 @@ BallErrors MeasureBall(double ball, int kernelRadius)
   {
     const Vector3 direction = Direction(i, count);
     const double at = FindWall(walls, centre, direction, ball - 3.0, ball + 2.0);
-    const Vector3 gradient = walls.Find(centre + at * direction).Gradient;
+    const Vector3 gradient = walls.Compute(centre + at * direction).Gradient;
     const double cosine = -Dot(gradient, direction) / Norm(gradient);
     const double angle = 57.29577951308232 * std::acos(std::min(cosine, 1.0));
     errors.Mean += angle / count;
@@ -152,14 +152,15 @@ TEST(LabelWalls, OfPlanesAreExact)
     for (const double offset : { 0.0, 0.3, 0.77 })
     {
       const Vector3 on = 7.5 * normal + (7.0 + offset) * (Vector3{ 1, 1, 1 } - normal);
-      const LabelWall wall = walls.Find(on);
+      const LabelWall wall = walls.Compute(on);
       ASSERT_TRUE(wall.IsThere);
       EXPECT_NEAR(wall.Value, 0.0, 1e-9);
       EXPECT_NEAR(Norm(wall.Gradient - Dot(wall.Gradient, normal) * normal), 0.0, 1e-9);
       EXPECT_GT(Dot(wall.Gradient, normal), 0.0) << "into the higher number";
       // On the way through, the value is that of a smoothed step, and antisymmetric.
-      EXPECT_NEAR(walls.Find(on + 0.9 * normal).Value, -walls.Find(on - 0.9 * normal).Value, 1e-9);
-      EXPECT_GT(walls.Find(on + 0.9 * normal).Value, 0.3);
+      EXPECT_NEAR(
+        walls.Compute(on + 0.9 * normal).Value, -walls.Compute(on - 0.9 * normal).Value, 1e-9);
+      EXPECT_GT(walls.Compute(on + 0.9 * normal).Value, 0.3);
     }
   }
 }
@@ -179,15 +180,15 @@ TEST(LabelWalls, HaveTheGradientOfTheirValue)
   {
     const auto draw = [&] { return 19.0 * static_cast<double>(engine() >> 11) * 0x1p-53; };
     const Vector3 x{ draw(), draw(), draw() };
-    const LabelWall wall = walls.Find(x);
+    const LabelWall wall = walls.Compute(x);
     constexpr double h = 1e-5;
     Vector3 slope;
     bool isOne = wall.IsThere;
     for (int axis = 0; axis < 3 && isOne; ++axis)
     {
       const Vector3 step{ axis == 0 ? h : 0.0, axis == 1 ? h : 0.0, axis == 2 ? h : 0.0 };
-      const LabelWall ahead = walls.Find(x + step);
-      const LabelWall behind = walls.Find(x - step);
+      const LabelWall ahead = walls.Compute(x + step);
+      const LabelWall behind = walls.Compute(x - step);
       // Where the nearest wall changes, the value does.
       isOne = ahead.IsThere && behind.IsThere && std::abs(ahead.Value - behind.Value) < 10.0 * h;
       (axis == 0      ? slope.X
@@ -212,7 +213,7 @@ TEST(LabelWalls, LeadIntoTheHarderLabel)
   {
     const LabelTable table(entries);
     const LabelWalls walls(view, table, 3);
-    const LabelWall wall = walls.Find({ 7.5, 8.0, 8.0 });
+    const LabelWall wall = walls.Compute({ 7.5, 8.0, 8.0 });
     return wall.IsThere ? wall.Gradient.X : 0.0;
   };
   EXPECT_LT(slope({}), 0.0) << "the higher number";
@@ -225,7 +226,7 @@ TEST(LabelWalls, LeadIntoTheHarderLabel)
 
 TEST(LabelWalls, OfSheetsAreThereFromTheirLeastThicknessOn)
 {
-  // Between equal labels a sheet of w voxels has a share of erf(w / (sqrt(8) s)) at its middle.
+  // Between equal labels a sheet of w voxels has a fraction of erf(w / (sqrt(8) s)) at its middle.
   for (const int thickness : { 1, 2, 3, 4 })
   {
     const TestVolume volume =
@@ -233,10 +234,10 @@ TEST(LabelWalls, OfSheetsAreThereFromTheirLeastThicknessOn)
     const LabelView view(volume.View);
     const LabelTable table;
     const LabelWalls walls(view, table, 3);
-    const LabelWall middle = walls.Find({ 10.3, 9.8, 8.5 + 0.5 * thickness });
+    const LabelWall middle = walls.Compute({ 10.3, 9.8, 8.5 + 0.5 * thickness });
     ASSERT_TRUE(middle.IsThere);
-    const double share = std::erf(thickness / (std::sqrt(8.0) * 0.355 * 4.0));
-    EXPECT_NEAR(middle.Value, 2.0 * share - 1.0, 0.08) << thickness;
+    const double fraction = std::erf(thickness / (std::sqrt(8.0) * 0.355 * 4.0));
+    EXPECT_NEAR(middle.Value, 2.0 * fraction - 1.0, 0.08) << thickness;
   }
 }
 
@@ -246,11 +247,11 @@ TEST(LabelWalls, AreNotBeyondTheImageAndNotInOneLabel)
   const LabelView view(volume.View);
   const LabelTable table;
   const LabelWalls walls(view, table, 3);
-  EXPECT_FALSE(walls.Find({ 2.0, 8.0, 8.0 }).IsThere);
-  EXPECT_TRUE(walls.Find({ 7.0, 15.0, 0.0 }).IsThere);
+  EXPECT_FALSE(walls.Compute({ 2.0, 8.0, 8.0 }).IsThere);
+  EXPECT_TRUE(walls.Compute({ 7.0, 15.0, 0.0 }).IsThere);
   for (const double x : { -1e-9, 15.0 + 1e-9, 1e300, HUGE_VAL, std::nan("") })
   {
-    EXPECT_FALSE(walls.Find({ 7.0, x, 8.0 }).IsThere) << x;
+    EXPECT_FALSE(walls.Compute({ 7.0, x, 8.0 }).IsThere) << x;
   }
   EXPECT_EQ(walls.BorderFade({ 7.0, 0.0, 8.0 }), 0.0);
   EXPECT_DOUBLE_EQ(walls.BorderFade({ 7.0, 1.5, 8.0 }), 0.5);
@@ -267,7 +268,7 @@ TEST(LabelWalls, StandAThousandLabelsInOnePlace)
   for (const int radius : { 2, 3, 4, 9, 16 })
   {
     const LabelWalls walls(view, table, radius);
-    const LabelWall wall = walls.Find({ 4.3, 5.1, 4.9 });
+    const LabelWall wall = walls.Compute({ 4.3, 5.1, 4.9 });
     EXPECT_TRUE(wall.IsThere);
     EXPECT_LE(std::abs(wall.Value), 1.0);
   }

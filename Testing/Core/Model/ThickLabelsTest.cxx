@@ -65,14 +65,14 @@ public:
       this->Labels.Refine(FineLabels::Make(this->Labels.View, spacing));
     }
     this->Walls = std::make_unique<LabelWalls>(this->Labels.View, this->Labels.Table, 3,
-      this->Labels.Fine ? this->Labels.Fine->GetShares() : nullptr);
+      this->Labels.Fine ? this->Labels.Fine->GetFractions() : nullptr);
     this->WorldToIndex = Inverse(this->Labels.IndexToWorld);
     this->GradientToWorld = Transpose(this->WorldToIndex.Linear);
   }
 
   LabelWall At(const Vector3& world) const
   {
-    LabelWall wall = this->Walls->Find(this->WorldToIndex(world));
+    LabelWall wall = this->Walls->Compute(this->WorldToIndex(world));
     wall.Gradient = this->GradientToWorld * wall.Gradient;
     return wall;
   }
@@ -293,7 +293,7 @@ TEST(ThickLabels, AnyImageOfTheSameLabelsHasTheSameFineOnes)
     const VolumeView& found = other.Labels.View.GetView();
     ASSERT_EQ(found.Type, expected.Type);
     EXPECT_EQ(std::memcmp(found.Data, expected.Data, 2 * static_cast<std::size_t>(voxels)), 0);
-    EXPECT_EQ(std::memcmp(other.Labels.Fine->GetShares(), first.Labels.Fine->GetShares(),
+    EXPECT_EQ(std::memcmp(other.Labels.Fine->GetFractions(), first.Labels.Fine->GetFractions(),
                 static_cast<std::size_t>(voxels)),
       0);
   }
@@ -324,7 +324,7 @@ TEST(ThickLabels, OnlyChangedSlicesAreFoundAgain)
   const auto voxels =
     static_cast<std::size_t>(found.Dimensions[0] * found.Dimensions[1] * found.Dimensions[2]);
   EXPECT_EQ(std::memcmp(found.Data, fresh->GetView().GetView().Data, voxels), 0);
-  EXPECT_EQ(std::memcmp(again->GetShares(), fresh->GetShares(), voxels), 0);
+  EXPECT_EQ(std::memcmp(again->GetFractions(), fresh->GetFractions(), voxels), 0);
 }
 
 TEST(ThickLabels, MemoryIsBounded)

@@ -47,7 +47,7 @@ class RealtimeKitService : public testing::Test
 protected:
   void SetUp() override
   {
-    if (const char* const missing = this->Bus.FindMissing())
+    if (const char* const missing = this->Bus.DetectMissing())
     {
       GTEST_SKIP() << missing;
     }

@@ -34,13 +34,13 @@ double Tick(ForceGate& gate, bool isStale, bool flows)
   }
   else if (gate.IsRetreating())
   {
-    gate.NoteRetreat(isStale, flows);
+    gate.ReportRetreat(isStale, flows);
   }
   else
   {
     share = gate.Pass(0.1);
   }
-  gate.NoteCommand(flows);
+  gate.ReportCommand(flows);
   return share;
 }
 } // namespace
@@ -83,23 +83,23 @@ TEST(ConfirmGate, AnUnconfirmedGateConfirmsInsteadOfRamping)
             each->FadeOut();
             break;
           case 4:
-            each->NoteSilence();
+            each->ReportSilence();
             break;
           case 5:
-            isSole ? each->NoteNotReady() : each->NoteFault(fault);
+            isSole ? each->ReportNotReady() : each->ReportFault(fault);
             break;
           default:
             break;
         }
-        each->NoteData(1.0, 0.02);
+        each->ReportData(1.0, 0.02);
       }
-      ASSERT_EQ(gate.TakeRestart(), plain.TakeRestart());
+      ASSERT_EQ(gate.DrainRestart(), plain.DrainRestart());
       const bool isStale = chance(0.2 * rate);
       const bool flows = chance(0.7);
       if (isStale || chance(0.2 * rate))
       {
-        plain.NoteGap(isStale, flows);
-        gate.NoteGap(isStale, flows);
+        plain.ReportGap(isStale, flows);
+        gate.ReportGap(isStale, flows);
       }
       Tick(plain, isStale, flows);
       const double share = Tick(gate, isStale, flows);
@@ -128,19 +128,19 @@ TEST(ConfirmGate, OnceConfirmedTheForceRisesFromZeroWithTheProxyAtTheTip)
   ForceGate gate;
   gate.SetUnconfirmed(true);
   gate.Arm();
-  EXPECT_TRUE(gate.TakeRestart());
+  EXPECT_TRUE(gate.DrainRestart());
   for (int i = 0; i < 50; ++i)
   {
     EXPECT_EQ(gate.Pass(0.1), 1.0) << "of the pushes";
-    gate.NoteCommand(true);
+    gate.ReportCommand(true);
   }
   EXPECT_EQ(gate.GetState(), GateState::Confirming);
-  EXPECT_FALSE(gate.TakeRestart());
+  EXPECT_FALSE(gate.DrainRestart());
   gate.SetUnconfirmed(false);
-  EXPECT_TRUE(gate.TakeRestart());
+  EXPECT_TRUE(gate.DrainRestart());
   EXPECT_EQ(gate.GetState(), GateState::Ramping);
   EXPECT_EQ(gate.Pass(0.1), 0.0);
-  gate.NoteCommand(false);
+  gate.ReportCommand(false);
   EXPECT_EQ(gate.GetReason(), GateReason::Rising);
 }
 
@@ -151,7 +151,7 @@ TEST(ConfirmGate, AWrongSignHoldsUntilArm)
     ForceGate gate;
     gate.SetUnconfirmed(true);
     gate.Arm();
-    gate.NoteFault(fault);
+    gate.ReportFault(fault);
     Tick(gate, false, false);
     EXPECT_EQ(gate.GetState(), GateState::Fault);
     EXPECT_EQ(gate.GetFault(), fault);

@@ -29,7 +29,7 @@ public:
   bool Step(const Vector3& tip, const Vector3& force)
   {
     this->IsFound = this->Observer.Observe(tip, 1e-3) || this->IsFound;
-    this->Observer.NoteSent(force);
+    this->Observer.RecordSent(force);
     return this->IsFound;
   }
   EnergyObserver Observer;
@@ -106,7 +106,7 @@ TEST(EnergyObserver, TellsTheEnergyOfAStretchedSpring)
   for (int i = 0; i <= steps; ++i)
   {
     observer.Observe({ -depth * i / steps, 0.0, 0.0 }, 1e-3);
-    observer.NoteSent({ k * depth * i / steps, 0.0, 0.0 });
+    observer.RecordSent({ k * depth * i / steps, 0.0, 0.0 });
   }
   EXPECT_NEAR(observer.GetEnergy(), -0.5 * k * depth * depth * (1.0 - 1.0 / steps), 1e-12);
 }

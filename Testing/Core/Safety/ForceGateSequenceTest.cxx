@@ -94,14 +94,14 @@ struct Flags
       this->Arm(false);
     }
   }
-  void NoteSilence()
+  void ReportSilence()
   {
     if (this->CanFlow() && !this->IsHeld)
     {
       this->FadeTo(GateReason::Unattended);
     }
   }
-  void NoteUnstable()
+  void ReportUnstable()
   {
     if (this->CanFlow())
     {
@@ -118,7 +118,7 @@ struct Flags
     this->EndFault = GateReason::None;
     this->FadesOut = false;
   }
-  void FollowData(double there, double period)
+  void UpdateData(double there, double period)
   {
     const double wanted = this->FadesOut || this->IsHeld ? 0.0 : there;
     const double most = period / 0.05;
@@ -232,30 +232,30 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       flags.Clutch(isClutched);
       if (chance(0.3 * trouble))
       {
-        gate.NoteSilence();
-        flags.NoteSilence();
+        gate.ReportSilence();
+        flags.ReportSilence();
       }
       if (chance(0.1 * trouble))
       {
-        gate.NoteUnstable();
-        flags.NoteUnstable();
+        gate.ReportUnstable();
+        flags.ReportUnstable();
       }
       if (chance(0.3 * trouble))
       {
-        gate.NoteNotReady();
+        gate.ReportNotReady();
         flags.IsArmed = flags.Returns = false;
       }
-      ASSERT_EQ(gate.TakeRestart(), flags.Restarts) << sequence << ", " << tick;
+      ASSERT_EQ(gate.DrainRestart(), flags.Restarts) << sequence << ", " << tick;
       flags.Restarts = false;
 
       if (chance(0.3 * trouble))
       {
-        gate.NoteJump();
+        gate.ReportJump();
         flags.Ramp = flags.CanFlow() ? 0.0 : flags.Ramp;
       }
       there = chance(trouble) ? pick({ 0.0, 0.4, 1.0 }) : there;
-      gate.NoteData(there, period);
-      flags.FollowData(there, period);
+      gate.ReportData(there, period);
+      flags.UpdateData(there, period);
 
       const double before = gate.GetShare();
       const bool flowed = flags.Flowed;
@@ -268,7 +268,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       flags.Finish(fault, gap, isStale, wants, step);
       if (fault != GateReason::None)
       {
-        gate.NoteFault(fault);
+        gate.ReportFault(fault);
       }
       const bool isOpen = gate.IsOpen();
       if (!isOpen)
@@ -279,11 +279,11 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       {
         if (gap)
         {
-          gate.NoteGap(isStale, flowed);
+          gate.ReportGap(isStale, flowed);
         }
-        gate.IsRetreating() ? gate.NoteRetreat(isStale, wants) : void(gate.Pass(step));
+        gate.IsRetreating() ? gate.ReportRetreat(isStale, wants) : void(gate.Pass(step));
       }
-      gate.NoteCommand(isOpen && wants);
+      gate.ReportCommand(isOpen && wants);
 
       ASSERT_EQ(gate.GetState() != GateState::Disarmed, flags.IsArmed) << sequence << ", " << tick;
       ASSERT_EQ(gate.GetFault(), flags.Fault) << sequence << ", " << tick;

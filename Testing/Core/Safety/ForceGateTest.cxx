@@ -163,13 +163,13 @@ void Tick(ForceGate& gate, bool flows, bool isStale = false)
   }
   else if (gate.IsRetreating())
   {
-    gate.NoteRetreat(isStale, flows);
+    gate.ReportRetreat(isStale, flows);
   }
   else
   {
     gate.Pass(0.0);
   }
-  gate.NoteCommand(flows);
+  gate.ReportCommand(flows);
 }
 
 /// Brings a gate into the state of a row; with a ramp from 0 to 1, and force or not in an open one.
@@ -179,10 +179,10 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   gate.Arm();
   gate.Pass(ramp);
   gate.Pass(0.0);
-  gate.NoteCommand(flows);
+  gate.ReportCommand(flows);
   if (Has(causes, 's'))
   {
-    gate.NoteSilence();
+    gate.ReportSilence();
   }
   if (Has(causes, 'f'))
   {
@@ -190,17 +190,17 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   }
   if (Has(causes, 'r'))
   {
-    gate.NoteGap(true, flows);
+    gate.ReportGap(true, flows);
     Tick(gate, flows, true);
   }
   if (causes[0] == 'd' || causes[0] == 'O')
   {
-    gate.NoteFault(GateReason::OverSpeed);
+    gate.ReportFault(GateReason::OverSpeed);
     Tick(gate, false);
   }
   if (causes[0] == 'd' || (causes[0] == 'D' && causes.find_first_of("fs") != std::string::npos))
   {
-    gate.NoteNotReady(); // it leaves a fade unchanged
+    gate.ReportNotReady(); // it leaves a fade unchanged
     Tick(gate, false);
   }
   else if (causes[0] == 'D' && !Has(causes, 'C'))
@@ -221,7 +221,7 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   {
     gate.SetHeld(true);
   }
-  gate.TakeRestart();
+  gate.DrainRestart();
   return gate;
 }
 
@@ -253,25 +253,25 @@ void Apply(ForceGate& gate, Event event)
       gate.SetHeld(false);
       break;
     case Silence:
-      gate.NoteSilence();
+      gate.ReportSilence();
       break;
     case NotReady:
-      gate.NoteNotReady();
+      gate.ReportNotReady();
       break;
     case Lost:
-      gate.NoteFault(GateReason::DeviceLost);
+      gate.ReportFault(GateReason::DeviceLost);
       break;
     case GapOver:
-      gate.NoteGap(false, false);
+      gate.ReportGap(false, false);
       break;
     case GapOn:
-      gate.NoteGap(true, false);
+      gate.ReportGap(true, false);
       break;
     case Force:
       Tick(gate, true);
       break;
     case NoForceClosed:
-      gate.NoteData(1.0, ForceGate::FadeTime);
+      gate.ReportData(1.0, ForceGate::FadeTime);
       Tick(gate, false);
       break;
     case NoForce:
@@ -284,7 +284,7 @@ void Apply(ForceGate& gate, Event event)
       gate.SetClutched(false);
       break;
     case Jump:
-      gate.NoteJump();
+      gate.ReportJump();
       break;
     case Events:
       break;
@@ -336,8 +336,8 @@ TEST(ForceGate, DoesInEveryStateWhatTheTableSays)
         EXPECT_EQ(LetterOf(gate), expected)
           << causes << ", event " << i << ", with the ramp at " << ramp;
         EXPECT_EQ(gate.IsOpen(), std::strchr("arTHFS", expected) != nullptr);
-        EXPECT_EQ(gate.TakeRestart(), ExpectsRestart(causes, event)) << causes << ", event " << i;
-        EXPECT_FALSE(gate.TakeRestart()) << "once";
+        EXPECT_EQ(gate.DrainRestart(), ExpectsRestart(causes, event)) << causes << ", event " << i;
+        EXPECT_FALSE(gate.DrainRestart()) << "once";
         const GateReason fault = std::strchr("dO", expected) ? GateReason::OverSpeed
           : expected == 'L'                                  ? GateReason::DeviceLost
           : expected == 'U'                                  ? GateReason::Unattended
@@ -353,18 +353,18 @@ TEST(ForceGate, OfAnUnstableLoopFadesAndThenIsAFault)
   for (const bool isHeld : { false, true })
   {
     ForceGate gate = Make(isHeld ? "oh" : "o", 1.0, true);
-    gate.NoteUnstable();
+    gate.ReportUnstable();
     EXPECT_EQ(gate.GetState(), GateState::Fading);
     EXPECT_EQ(gate.GetReason(), GateReason::Active);
-    gate.NoteSilence();
+    gate.ReportSilence();
     double share = 1.0;
     for (int i = 0; gate.IsOpen() && i < 100; ++i)
     {
-      gate.NoteData(1.0, 1e-3);
+      gate.ReportData(1.0, 1e-3);
       gate.Pass(1.0);
       EXPECT_LE(gate.GetShare(), share);
       share = gate.GetShare();
-      gate.NoteCommand(share > 0.0);
+      gate.ReportCommand(share > 0.0);
     }
     EXPECT_EQ(gate.GetState(), GateState::Fault);
     EXPECT_EQ(gate.GetFault(), GateReason::Active) << "the first reason stays";
@@ -372,7 +372,7 @@ TEST(ForceGate, OfAnUnstableLoopFadesAndThenIsAFault)
     EXPECT_TRUE(gate.IsOpen());
   }
   ForceGate disarmed;
-  disarmed.NoteUnstable();
+  disarmed.ReportUnstable();
   EXPECT_EQ(disarmed.GetFault(), GateReason::None);
 }
 
@@ -420,26 +420,26 @@ TEST(ForceGate, SharesRampAndOpening)
   for (int i = 0; i < 10; ++i)
   {
     EXPECT_DOUBLE_EQ(gate.Pass(0.1), 0.1 * i);
-    gate.NoteCommand(true);
+    gate.ReportCommand(true);
   }
   EXPECT_EQ(gate.GetState(), GateState::Ramping) << "a tenth ten times is a little less than 1";
   gate.Pass(0.1);
-  gate.NoteCommand(true);
+  gate.ReportCommand(true);
   EXPECT_EQ(gate.GetState(), GateState::Armed);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
   // The data go, and come back to two thirds.
-  gate.NoteData(0.0, 0.25 * ForceGate::FadeTime);
+  gate.ReportData(0.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 0.75);
   EXPECT_EQ(gate.GetReason(), GateReason::NoData);
-  gate.NoteData(2.0 / 3.0, 0.25 * ForceGate::FadeTime);
+  gate.ReportData(2.0 / 3.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 2.0 / 3.0);
-  gate.NoteData(1.0, 0.25 * ForceGate::FadeTime);
+  gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.GetReason(), GateReason::Rising);
   // Twice as fast would be a jump.
-  gate.NoteData(1.0, 0.25 * ForceGate::FadeTime);
+  gate.ReportData(1.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
   EXPECT_EQ(gate.GetReason(), GateReason::None);
-  gate.NoteFault(GateReason::NotFinite);
+  gate.ReportFault(GateReason::NotFinite);
   gate.Cut();
   EXPECT_EQ(gate.GetShare(), 0.0);
   EXPECT_EQ(gate.GetOpening(), 1.0);

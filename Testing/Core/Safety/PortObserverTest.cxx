@@ -42,7 +42,7 @@ Finding Follow(double stiffness, double duration, const Path& path)
   {
     const double x = path(i * Period);
     finding.IsFound = observer.Observe({ -x, 0.0, 0.0 }, Period);
-    observer.NoteSent({ stiffness * std::max(0.0, x), 0.0, 0.0 });
+    observer.RecordSent({ stiffness * std::max(0.0, x), 0.0, 0.0 });
     finding.Work = 0.5 * stiffness * x * x;
     finding.Way = x;
   }
@@ -99,7 +99,7 @@ TEST(PortObserver, BeginsAnewAfterALeapAndAGap)
   const auto press = [&](double x, double time)
   {
     const bool isFound = observer.Observe({ -x, 0.0, 0.0 }, time);
-    observer.NoteSent({ 4.0, 0.0, 0.0 });
+    observer.RecordSent({ 4.0, 0.0, 0.0 });
     return isFound;
   };
   for (int i = 0; i < 100; ++i)

@@ -220,7 +220,7 @@ TEST_F(Safety, ARetreatPushesNoHandThatIsKnownToBeElsewhere)
   this->Input.Fresh = false;
   this->Repeat(force, 31);
   this->Input.Fresh = true;
-  this->Stage.Gate.NoteData(0.25, ForceGate::FadeTime);
+  this->Stage.Gate.ReportData(0.25, ForceGate::FadeTime);
   EXPECT_NEAR(this->Apply(force).X, 0.75, 1e-12);
 }
 

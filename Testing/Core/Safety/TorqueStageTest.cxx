@@ -82,7 +82,7 @@ TEST_F(Torques, FlowOnlyWhileForceMayFlow)
   // The gate fades by the data's opening, which the servo tells it each tick.
   for (int i = 0; i < 60; ++i)
   {
-    this->Gated.Gate.NoteData(1.0, 1e-3);
+    this->Gated.Gate.ReportData(1.0, 1e-3);
     this->Apply(torque);
   }
   EXPECT_TRUE(this->IsNone());

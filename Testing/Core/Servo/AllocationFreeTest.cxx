@@ -153,8 +153,9 @@ TEST_P(AllocationFreeLabels, NoTickAllocates)
   {
     Tick(model, state, wanderer.Next(), record);
     held += record.NormalForce > 0.0 ? 1 : 0;
-    near +=
-      isForbidden && model.Baked->GetZone()->Find(model.DeviceToLabel(record.Proxy)).IsNear ? 1 : 0;
+    near += isForbidden && model.Baked->GetZone()->Compute(model.DeviceToLabel(record.Proxy)).IsNear
+      ? 1
+      : 0;
   }
   EXPECT_EQ(CountAllocations().Calls, before);
   EXPECT_GT(held, 0) << "no surface was met";
@@ -252,7 +253,7 @@ TEST(AllocationFreeModes, NoTickAllocates)
     for (int i = 0; i < 6000; ++i)
     {
       Tick(model, state, wanderer.Next(), record);
-      const ModeForces forces = FindModeForces(model, state);
+      const ModeForces forces = ComputeModeForces(model, state);
       for (std::size_t at = 0; at < work.size(); ++at)
       {
         work[at] += Norm(forces[at]);

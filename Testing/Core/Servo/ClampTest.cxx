@@ -119,11 +119,11 @@ TEST(Clamp, OfTheModelLeavesItsPartOfADrag)
     ServoState state;
     TickRecord record;
     Tick(model, state, { 0.012, 0.012, 0.012 }, record);
-    EXPECT_EQ(Norm(FindDrag(model, state, record)), 0.0);
+    EXPECT_EQ(Norm(ComputeDrag(model, state, record)), 0.0);
     const ServoState before = state;
     Tick(model, state, { 0.0121, 0.012, 0.012 }, record);
     const Vector3 expected = most > 0.0 ? 0.5 * drag : drag;
-    EXPECT_LT(Norm(FindDrag(model, before, record) - expected), 1e-6);
+    EXPECT_LT(Norm(ComputeDrag(model, before, record) - expected), 1e-6);
     EXPECT_NEAR(record.Force.X, expected.X, 1e-6);
   }
 }

@@ -5,7 +5,8 @@
  * The servo's clock of a volume that moves, tick by tick: against folds of a time by repeated
  * reflection and subtraction, and against the closed form of a wall that moves as a whole.
  *
- * The wall is V = 100 (z - h(t)): blended linearly, it is at h(t), with h linear between frames.
+ * The wall is V = 100 (z - h(t)): blended linearly, it is at h(t), with h linear between time
+ * steps.
  */
 
 #include "Core/Servo/DataClock.h"
@@ -30,7 +31,7 @@ namespace
 constexpr double ClockPeriod = 1e-3; // s
 constexpr double ClockStiffness = 500.0;
 
-/// Frames at uneven times, and how high (mm) the wall is in each.
+/// Time steps at uneven times, and how high (mm) the wall is in each.
 struct HighWall
 {
   HighWall(std::vector<double> times, const std::vector<double>& heights)
@@ -40,29 +41,29 @@ struct HighWall
     for (std::size_t i = 0; i < this->Times.size(); ++i)
     {
       const double height = heights[i];
-      TestVolume& frame =
+      TestVolume& timeStep =
         this->Volumes.emplace_back(ScalarType::Float64, std::array<std::int64_t, 3>{ 9, 9, 24 });
-      frame.Fill<double>([height](std::int64_t, std::int64_t, std::int64_t z)
+      timeStep.Fill<double>([height](std::int64_t, std::int64_t, std::int64_t z)
         { return 100.0 * (double(z) - height); });
-      this->Frames.push_back({ this->Times[i], frame.View, nullptr });
+      this->TimeSteps.push_back({ this->Times[i], timeStep.View, nullptr });
     }
   }
 
-  /// `count` frames from frame `first` on; after the last one comes the first one.
-  std::vector<VolumeFrame> Pick(std::size_t first, std::size_t count) const
+  /// `count` time steps from time step `first` on; after the last one comes the first one.
+  std::vector<VolumeTimeStep> Pick(std::size_t first, std::size_t count) const
   {
-    std::vector<VolumeFrame> frames;
+    std::vector<VolumeTimeStep> timeSteps;
     for (std::size_t i = first; i < first + count; ++i)
     {
-      frames.push_back(this->Frames[i % this->Frames.size()]);
+      timeSteps.push_back(this->TimeSteps[i % this->TimeSteps.size()]);
     }
-    return frames;
+    return timeSteps;
   }
 
   HapticModelDescription Describe() const
   {
     HapticModelDescription d = coretest::Describe(this->Volumes.front());
-    d.Frames = this->Pick(0, this->Frames.size() + 1);
+    d.TimeSteps = this->Pick(0, this->TimeSteps.size() + 1);
     d.Material.Stiffness = ConstantPolyline(ClockStiffness);
     d.Material.SurfaceStrength = ConstantPolyline(4.0);
     return d;
@@ -93,7 +94,7 @@ struct HighWall
   const std::vector<double> Times;
   const std::vector<double> Heights;
   std::list<TestVolume> Volumes;
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
 };
 
 HighWall MakeUneven()
@@ -114,10 +115,10 @@ public:
   {
   }
 
-  void Publish(std::vector<VolumeFrame> frames)
+  void Publish(std::vector<VolumeTimeStep> timeSteps)
   {
     const BakedVolume& last = *this->Model->Baked;
-    const auto baked = std::make_shared<const BakedVolume>(last, frames, last.Series);
+    const auto baked = std::make_shared<const BakedVolume>(last, timeSteps, last.Series);
     const auto next =
       std::make_shared<const HapticModel>(baked, this->Model->DeviceToWorld, ForceCaps{});
     CarryState(*this->Model, *next, this->State);
@@ -127,7 +128,7 @@ public:
   DataClock::Leap Step(const Vector3& tip)
   {
     const DataClock::Leap leap =
-      this->Clock.Follow(*this->Model->Baked, this->Orders, ClockPeriod, this->State);
+      this->Clock.Update(*this->Model->Baked, this->Orders, ClockPeriod, this->State);
     this->State.Enabled = this->State.Enabled && leap != DataClock::Leap::Away;
     VolumeHaptics::Tick(*this->Model, this->State, tip, this->Record);
     return leap;
@@ -196,7 +197,7 @@ TEST(DataClock, FoldsTimeAtTheEndsOfTheSeries)
   }
 }
 
-TEST(DataClock, BeginsHeldAtTheFirstFrame)
+TEST(DataClock, BeginsHeldAtTheFirstTimeStep)
 {
   const HighWall wall = MakeUneven();
   ClockedHand hand(wall.Describe());
@@ -209,7 +210,7 @@ TEST(DataClock, BeginsHeldAtTheFirstFrame)
   EXPECT_FALSE(hand.GetReport().IsWaiting);
 }
 
-TEST(DataClock, AWindowIsTheWholeToTheBit)
+TEST(DataClock, ATimeSpanIsTheWholeToTheBit)
 {
   const HighWall wall = MakeUneven();
   const HapticModel whole(wall.Describe());
@@ -219,25 +220,25 @@ TEST(DataClock, AWindowIsTheWholeToTheBit)
     const double time = wall.Times[first];
     for (const double other : { time - 0.1, time + 0.1 })
     {
-      EXPECT_FALSE(instant.GetWindow().Has(other));
+      EXPECT_FALSE(instant.GetTimeSpan().Has(other));
     }
-    EXPECT_TRUE(instant.GetWindow().Has(time));
-    EXPECT_EQ(instant.GetWindow().GetAhead(time) + instant.GetWindow().GetBehind(time), 0.0);
-    EXPECT_EQ(instant.FindNearestFrame(time), 0U);
+    EXPECT_TRUE(instant.GetTimeSpan().Has(time));
+    EXPECT_EQ(instant.GetTimeSpan().GetAhead(time) + instant.GetTimeSpan().GetBehind(time), 0.0);
+    EXPECT_EQ(instant.FindNearestTimeStep(time), 0U);
     const Vector3 place{ 3.3, 4.4, 5.5 };
     EXPECT_EQ(instant.At(time).Value(place), whole.Baked->At(time).Value(place));
     for (const std::size_t count : { 2, 3 })
     {
-      const BakedVolume window(*whole.Baked, wall.Pick(first, count), whole.Baked->Series);
-      const FrameWindow times = window.GetWindow();
+      const BakedVolume span(*whole.Baked, wall.Pick(first, count), whole.Baked->Series);
+      const TimeSpan times = span.GetTimeSpan();
       int inside = 0;
       for (double t = 2.0; t < 7.0; t += 0.013)
       {
         if (times.Has(t))
         {
           const Vector3 at{ 3.3, 4.4, 5.5 };
-          ASSERT_EQ(window.At(t).Value(at), whole.Baked->At(t).Value(at)) << t;
-          ASSERT_NEAR(window.At(t).Value(at), 100.0 * (5.5 - wall.At(t)), 1e-9) << t;
+          ASSERT_EQ(span.At(t).Value(at), whole.Baked->At(t).Value(at)) << t;
+          ASSERT_NEAR(span.At(t).Value(at), 100.0 * (5.5 - wall.At(t)), 1e-9) << t;
           ++inside;
         }
       }
@@ -246,8 +247,8 @@ TEST(DataClock, AWindowIsTheWholeToTheBit)
   }
 }
 
-/// Windows of two or three frames, whose next one comes late or in time.
-TEST(DataClock, HoldsWhileFramesAreLateAndNeverJumps)
+/// Time spans of two or three time steps, whose next one comes late or in time.
+TEST(DataClock, HoldsWhileTimeStepsAreLateAndNeverJumps)
 {
   const HighWall wall = MakeUneven();
   for (const double rate : { 3.0, -3.0 })
@@ -330,7 +331,7 @@ TEST(DataClock, OrdersStepNeitherTimeNorForce)
   EXPECT_GT(turns, 300);
 }
 
-TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsFramesCome)
+TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsTimeStepsCome)
 {
   const HighWall wall = MakeUneven();
   ClockedHand hand(wall.Describe());
@@ -363,8 +364,9 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsFramesCome)
   EXPECT_EQ(hand.GetTime(), 6.0);
 }
 
-/// One frame of it may come first. Whatever the mode, time holds there, and is carried by nothing.
-TEST(DataClock, GoesToAPlaceByWayOfOneFrame)
+/// One time step of it may come first. Whatever the mode, time holds there, and is carried by
+/// nothing.
+TEST(DataClock, GoesToAPlaceByWayOfOneTimeStep)
 {
   const HighWall wall = MakeUneven();
   for (const Playback mode : { Playback::Once, Playback::Loop, Playback::PingPong })

@@ -47,7 +47,7 @@ protected:
       ASSERT_NO_FATAL_FAILURE(this->Take(loop));
     }
   }
-  void TakeAll(RunningLoop& loop)
+  void DrainAll(RunningLoop& loop)
   {
     while (loop->Drain(this->Last))
     {
@@ -56,7 +56,7 @@ protected:
   /// Nothing leaves, released or not.
   void ExpectNone(RunningLoop& loop)
   {
-    this->TakeAll(loop);
+    this->DrainAll(loop);
     for (int i = 0; i < 200; ++i)
     {
       ServoSnapshot s;

@@ -91,13 +91,13 @@ private:
       this->Measured = sample.Time = now;
       this->Place = sample.Tip.X = this->X;
     }
-    this->Timing.NoteSample(sample, now);
+    this->Timing.RecordSample(sample, now);
     this->Forces.push_back({ -k * this->Place, this->Measured });
     const auto [force, of] = this->Forces.front();
     this->Forces.pop_front();
     if (of != 0)
     {
-      this->Timing.NoteTaken({ of, now });
+      this->Timing.RecordTaken({ of, now });
     }
     constexpr double h = servotest::Period;
     const double e = std::exp(-Damping * h / Mass);
@@ -140,7 +140,7 @@ public:
     this->Input.Elapsed = this->Input.Period;
     this->Input.Fresh = sample.Fresh;
     this->Input.Alive = sample.Alive;
-    this->Input.MotionTime = this->Timing.NoteSample(sample, this->Now);
+    this->Input.MotionTime = this->Timing.RecordSample(sample, this->Now);
     this->Stage.Apply(this->Input, this->Limits);
   }
   GateReason GetFault() const { return this->Stage.Gate.GetFault(); }
@@ -158,10 +158,10 @@ TEST(LoopTiming, KnowsNothingAtFirst)
   LoopTiming timing(0.0);
   EXPECT_EQ(timing.GetReportPeriod(), 0.0);
   EXPECT_EQ(timing.GetRoundTrip(), 0.0);
-  EXPECT_EQ(timing.NoteSample(MakeSample(Begin), Begin), 0.0);
-  EXPECT_EQ(timing.NoteSample(MakeSample(Begin + Millisecond), Begin), 1e-3);
-  EXPECT_EQ(timing.NoteSample({}, Begin), 0.0);
-  timing.NoteTaken({ -1, 0 });
+  EXPECT_EQ(timing.RecordSample(MakeSample(Begin), Begin), 0.0);
+  EXPECT_EQ(timing.RecordSample(MakeSample(Begin + Millisecond), Begin), 1e-3);
+  EXPECT_EQ(timing.RecordSample({}, Begin), 0.0);
+  timing.RecordTaken({ -1, 0 });
   EXPECT_EQ(timing.GetRoundTrip(), 0.0);
 }
 
@@ -187,7 +187,7 @@ TEST(LoopTiming, WhatItCapsIsWhatTheTheoryOfSampledDataAllows)
     LateDevice device(1, delay);
     device.Swing(1.0);
     const double cap = 2.0 * Damping / device.GetRoundTrip();
-    const double limit = servotest::FindLimit(delay);
+    const double limit = servotest::ComputeLimit(delay);
     EXPECT_LE(cap, limit) << "delay " << delay;
     EXPECT_GE(cap, 0.9 * limit) << "delay " << delay;
   }
@@ -231,9 +231,9 @@ TEST(LoopTiming, TheVirtualDeviceHasTheTimesThatItSimulates)
     {
       DeviceSample sample;
       device.Read(1e-3, sample);
-      timing.NoteSample(sample, sample.Time);
+      timing.RecordSample(sample, sample.Time);
       device.Write({});
-      timing.NoteTaken(sample.Taken);
+      timing.RecordTaken(sample.Taken);
     }
     EXPECT_NEAR(timing.GetReportPeriod(), 1e-3, 1e-12);
     EXPECT_NEAR(timing.GetRoundTrip(), 1e-3 * (1 + 2 * delay), 1e-12);
@@ -257,15 +257,15 @@ TEST(LoopTiming, RestsOfASilentStickTellNoPeriodAndDoNotAge)
         tip += 4e-3;
         sample = MakeSample(now, { tip, 0.0, 0.0 });
       }
-      const double way = timing.NoteSample(sample, now);
+      const double way = timing.RecordSample(sample, now);
       // After a rest it may have left its place up to a period before the last sign of life.
       EXPECT_TRUE(way == 0.0 || (way > 7.999e-3 && way < 18.001e-3)) << way;
       EXPECT_TRUE(way == 0.0 || ms == 0 || way < 8.001e-3) << way;
-      timing.NoteTaken({ now - ms % 8 * Millisecond, now });
+      timing.RecordTaken({ now - ms % 8 * Millisecond, now });
     }
     for (int ms = 0; ms < 500; ++ms, now += Millisecond)
     {
-      timing.NoteSample(ms % 10 == 0 ? MakeSign() : DeviceSample{}, now);
+      timing.RecordSample(ms % 10 == 0 ? MakeSign() : DeviceSample{}, now);
     }
   }
   EXPECT_NEAR(timing.GetReportPeriod(), 8e-3, 1e-12);
@@ -281,7 +281,7 @@ TEST(LoopTiming, StepsOfAStickThatCreepsTellNoPeriod)
   for (int i = 0; i < 200; ++i, now += 20 * Millisecond)
   {
     tip += least;
-    timing.NoteSample(MakeSample(now, { tip, 0.0, 0.0 }), now);
+    timing.RecordSample(MakeSample(now, { tip, 0.0, 0.0 }), now);
   }
   EXPECT_EQ(timing.GetReportPeriod(), 0.0);
 }

@@ -135,7 +135,7 @@ void CompareStroke(
   const auto result = LocalSurfaceResult::Simulated();
   for (const Vector3& tip : tips)
   {
-    const double residency = FindResidency(region, regionState, tip);
+    const double residency = ComputeResidency(region, regionState, tip);
     if (residency == 0.0)
     {
       return;
@@ -281,10 +281,10 @@ TEST(RegionReach, NothingIsFeltWhereAWalkWouldLeaveTheRegion)
         continue;
       }
       HapticModelDescription cropped = Crop(d, box.First, box.Last, WideBall());
-      ASSERT_EQ(FindResidency(HapticModel(cropped), state, tips.back()), 0.0);
+      ASSERT_EQ(ComputeResidency(HapticModel(cropped), state, tips.back()), 0.0);
       ++leaving;
       cropped.Settings.Placement = MaterialPlacement::Kernel;
-      byWalkAlone += FindResidency(HapticModel(cropped), state, tips.back()) > 0.0 ? 1 : 0;
+      byWalkAlone += ComputeResidency(HapticModel(cropped), state, tips.back()) > 0.0 ? 1 : 0;
     }
   }
   EXPECT_GT(leaving, 300);
@@ -318,7 +318,7 @@ TEST(RegionReach, FallsOverFourVoxelsThatEndThreeBeforeTheFarthestSample)
       at[axis] = dice.Draw(15.0, 42.0);
       const Vector3 tip = region.WorldToDevice(region.Baked->IndexToWorld({ at[0], at[1], at[2] }));
       const double expected = Smooth((40.0 - at[axis] - reach) / 4.0);
-      ASSERT_NEAR(FindResidency(region, ServoState{}, tip), expected, 1e-9) << i;
+      ASSERT_NEAR(ComputeResidency(region, ServoState{}, tip), expected, 1e-9) << i;
       between += expected > 0.0 && expected < 1.0 ? 1 : 0;
     }
   }

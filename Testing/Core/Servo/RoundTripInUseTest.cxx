@@ -20,8 +20,8 @@ TEST(RoundTripInUse, IsNotKnownAtFirst)
 {
   RoundTripInUse trip;
   EXPECT_EQ(trip.Get(), 0.0);
-  EXPECT_FALSE(trip.Follow(0.0, Second, false));
-  EXPECT_TRUE(trip.Follow(1e-3, Second, true));
+  EXPECT_FALSE(trip.Update(0.0, Second, false));
+  EXPECT_TRUE(trip.Update(1e-3, Second, true));
   EXPECT_EQ(trip.Get(), 1e-3);
   trip.Reset();
   EXPECT_EQ(trip.Get(), 0.0);
@@ -30,28 +30,28 @@ TEST(RoundTripInUse, IsNotKnownAtFirst)
 TEST(RoundTripInUse, GrowsAtOnceByMoreThanAFifth)
 {
   RoundTripInUse trip;
-  trip.Follow(1e-3, Second, true);
-  EXPECT_FALSE(trip.Follow(1.19e-3, Second, true));
-  EXPECT_TRUE(trip.Follow(1.21e-3, Second, true));
-  EXPECT_TRUE(trip.Follow(8e-3, Second, true));
+  trip.Update(1e-3, Second, true);
+  EXPECT_FALSE(trip.Update(1.19e-3, Second, true));
+  EXPECT_TRUE(trip.Update(1.21e-3, Second, true));
+  EXPECT_TRUE(trip.Update(8e-3, Second, true));
   EXPECT_EQ(trip.Get(), 8e-3);
 }
 
 TEST(RoundTripInUse, ShrinksAfterTwoSecondsWhileNothingIsFelt)
 {
   RoundTripInUse trip;
-  trip.Follow(8e-3, Second, true);
+  trip.Update(8e-3, Second, true);
   for (int i = 0; i < 100; ++i)
   {
-    EXPECT_FALSE(trip.Follow(1e-3, (1 + i) * Second, true)) << "in contact";
+    EXPECT_FALSE(trip.Update(1e-3, (1 + i) * Second, true)) << "in contact";
   }
-  EXPECT_TRUE(trip.Follow(1e-3, 101 * Second, false));
+  EXPECT_TRUE(trip.Update(1e-3, 101 * Second, false));
   EXPECT_EQ(trip.Get(), 1e-3);
-  trip.Follow(8e-3, 102 * Second, false);
-  EXPECT_FALSE(trip.Follow(1e-3, 103 * Second, false));
-  EXPECT_FALSE(trip.Follow(1e-3, 104 * Second, false));
-  EXPECT_FALSE(trip.Follow(7.9e-3, 104 * Second, false)) << "it was long again meanwhile";
-  EXPECT_FALSE(trip.Follow(1e-3, 105 * Second, false));
-  EXPECT_FALSE(trip.Follow(1e-3, 106 * Second, false));
-  EXPECT_TRUE(trip.Follow(1e-3, 107 * Second, false));
+  trip.Update(8e-3, 102 * Second, false);
+  EXPECT_FALSE(trip.Update(1e-3, 103 * Second, false));
+  EXPECT_FALSE(trip.Update(1e-3, 104 * Second, false));
+  EXPECT_FALSE(trip.Update(7.9e-3, 104 * Second, false)) << "it was long again meanwhile";
+  EXPECT_FALSE(trip.Update(1e-3, 105 * Second, false));
+  EXPECT_FALSE(trip.Update(1e-3, 106 * Second, false));
+  EXPECT_TRUE(trip.Update(1e-3, 107 * Second, false));
 }

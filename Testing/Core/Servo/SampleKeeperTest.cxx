@@ -189,7 +189,7 @@ TEST(SamplePages, AreThoseOfAllSamplesOfTheBox)
     }
     std::vector<SamplePages> pages;
     const std::size_t all = expected.size() * page;
-    ASSERT_TRUE(FindSamplePages(view, box, page, all, pages));
+    ASSERT_TRUE(CollectSamplePages(view, box, page, all, pages));
     std::set<std::uintptr_t> found;
     std::uintptr_t last = 0;
     for (const SamplePages& range : pages)
@@ -202,7 +202,7 @@ TEST(SamplePages, AreThoseOfAllSamplesOfTheBox)
       }
     }
     ASSERT_EQ(found, expected) << round;
-    EXPECT_FALSE(FindSamplePages(view, box, page, all - 1, pages));
+    EXPECT_FALSE(CollectSamplePages(view, box, page, all - 1, pages));
     std::size_t less = 0;
     for (const SamplePages& range : pages)
     {

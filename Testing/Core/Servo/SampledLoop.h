@@ -93,7 +93,7 @@ inline Square MakeLoop(double k, int delay)
   return loop;
 }
 
-inline double FindLimit(int delay)
+inline double ComputeLimit(int delay)
 {
   double low = 1.0;
   double high = 5000.0;

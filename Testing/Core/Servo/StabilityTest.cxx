@@ -52,15 +52,15 @@ double Simulate(double k, int delay)
 
 TEST(Stability, TheLimitsAreThoseOfT16)
 {
-  EXPECT_NEAR(FindLimit(0), 1000.0, 20.0);
-  EXPECT_NEAR(FindLimit(1), 340.0, 10.0);
+  EXPECT_NEAR(ComputeLimit(0), 1000.0, 20.0);
+  EXPECT_NEAR(ComputeLimit(1), 340.0, 10.0);
 }
 
 TEST(Stability, TheSimulatedLoopHasTheseLimits)
 {
   for (const int delay : { 0, 1, 2 })
   {
-    const double limit = FindLimit(delay);
+    const double limit = ComputeLimit(delay);
     EXPECT_LT(Simulate(0.97 * limit, delay), 0.8) << "below " << limit << " N/m, delay " << delay;
     EXPECT_GT(Simulate(1.03 * limit, delay), 1.25) << "above " << limit << " N/m, delay " << delay;
   }

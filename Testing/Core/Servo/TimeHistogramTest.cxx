@@ -72,7 +72,7 @@ TEST(TimeHistogram, FindsThePercentilesOfASample)
   }
 }
 
-TEST(TimeHistogram, TakesSharesBeyondTheEndsForTheEnds)
+TEST(TimeHistogram, TakesFractionsBeyondTheEndsForTheEnds)
 {
   TimeHistogram histogram;
   histogram.Add(10);

@@ -161,7 +161,7 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
     EXPECT_EQ(loop->GetLostRecords(), 0U);
     const ShellContacts& kept = *FindKeptContacts(loop->GetTool().get());
     contacts.assign(kept.List.begin(), kept.List.begin() + static_cast<std::ptrdiff_t>(kept.Count));
-    share = kept.Share;
+    share = kept.Fraction;
   }
   ASSERT_TRUE(ticks.front().IsKept);
   EXPECT_GT(contacts.size(), 10U);

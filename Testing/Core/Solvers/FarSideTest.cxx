@@ -44,7 +44,7 @@ public:
   FarValues Find(double distance, bool isDescending = false) const
   {
     const Vector3 reach = { 0.0, 0.0, isDescending ? -Radius : Radius };
-    return FindFarSide(
+    return MeasureFarSide(
       FieldAtTime(this->Field), { 3.2, 3.7, Middle + distance }, reach, Radius, 0.0, isDescending);
   }
 
@@ -154,7 +154,7 @@ TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
     const bool isBall = i % 4 < 2;
     const Vector3 reach = (isBall ? -Radius : Radius) * outward;
     const FarValues far =
-      FindFarSide(FieldAtTime(field), at, reach, Radius, slope * Radius, isBall);
+      MeasureFarSide(FieldAtTime(field), at, reach, Radius, slope * Radius, isBall);
     ASSERT_GT(far.Evenness, 0.7) << distance << " voxels from the point, noise " << noise;
   }
 }
@@ -195,7 +195,7 @@ TEST(FarSide, IsFiniteWhateverTheSamplesAre)
     const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
     const Vector3 index = { 9.0 * uniform() - 1.0, 9.0 * uniform() - 1.0, 66.0 * uniform() - 1.0 };
     const Vector3 reach = { uniform() - 0.5, uniform() - 0.5, uniform() - 0.5 };
-    const FarValues far = FindFarSide(FieldAtTime(field), index, reach, Radius, 0.0, i % 2 == 0);
+    const FarValues far = MeasureFarSide(FieldAtTime(field), index, reach, Radius, 0.0, i % 2 == 0);
     ASSERT_TRUE(std::isfinite(far.Ahead) && std::isfinite(far.Behind));
     ASSERT_GE(far.Evenness, 0.0);
     ASSERT_LE(far.Evenness, 1.0 + 1e-12);

@@ -52,7 +52,7 @@ TestVolume MakeBumps()
 void ExpectNoJump(const HapticModelDescription& description, unsigned seed)
 {
   const double period = description.Settings.TickPeriod;
-  const double share = period / std::max(period, description.Settings.RecoveryTime);
+  const double fraction = period / std::max(period, description.Settings.RecoveryTime);
   std::mt19937 random(seed);
   std::normal_distribution<double> any(0.0, 1.0);
   Hand hand(description, { 20.0, 20.0, 35.0 });
@@ -69,7 +69,7 @@ void ExpectNoJump(const HapticModelDescription& description, unsigned seed)
     const double change = Norm(hand.Tick().Force - before) / Spring;
     longest = std::max(longest * 0.98, std::max(Norm(hand.Record.Force), Norm(before)) / Spring);
     longest = std::max(longest, Norm(hand.State.Local.Fading));
-    ASSERT_LE(change, 4.0 * Norm(velocity) + 2.5 * share * longest + 1e-9) << tick;
+    ASSERT_LE(change, 4.0 * Norm(velocity) + 2.5 * fraction * longest + 1e-9) << tick;
     ASSERT_GE(hand.Record.NormalForce, 0.0);
     touched += Norm(hand.Record.Force) > 0.1 ? 1.0 : 0.0;
   }

@@ -184,7 +184,7 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
   // P9: from a1 at the bottom to a2 at the top, linearly in z; eigenvalues 1, 0.2, and 0.1 along z.
   struct Case
   {
-    double From, To, Share, Angle, Kept;
+    double From, To, Fraction, Angle, Kept;
   };
   for (const Case& of :
     { Case{ 30.0, 0.0, 0.5, 15.0, 0.866025 }, { 60.0, 20.0, 0.25, 51.380, 0.831 },
@@ -195,11 +195,11 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
       ModeGrid grid(8, 8, 9, 1.0, components,
         [&](const Vector3& x, double* t)
         {
-          const double share = (x.Z + 4.0) / 8.0;
+          const double fraction = (x.Z + 4.0) / 8.0;
           double c = 0.0;
           double s = 0.0;
           for (const auto& [degrees, weight] :
-            { std::pair{ of.From, 1.0 - share }, std::pair{ of.To, share } })
+            { std::pair{ of.From, 1.0 - fraction }, std::pair{ of.To, fraction } })
           {
             c += weight * std::cos(2.0 * degrees * HalfTurn / 180.0);
             s += weight * std::sin(2.0 * degrees * HalfTurn / 180.0);
@@ -213,13 +213,13 @@ TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
         });
       grid.Bake(
         ModeKind::TensorFollow, { { 0.0, 0.0 }, { 1.0, 1.0 } }, { { 0.0, 0.0 }, { 1.0, 1.0 } });
-      const PrimitiveSet set = grid.At({ 0.2, -0.3, 8.0 * of.Share - 4.0 });
+      const PrimitiveSet set = grid.At({ 0.2, -0.3, 8.0 * of.Fraction - 4.0 });
       ASSERT_EQ(set.GetSize(), 3);
       const Vector3& fibre = set[0].Direction;
       double angle = std::atan2(fibre.Y, fibre.X) * 180.0 / HalfTurn;
       angle = angle < 0.0 ? angle + 180.0 : angle;
       EXPECT_NEAR(angle, of.Angle, 1e-3);
-      // Kept share of the anisotropy: l1, l2 = 0.6 +- 0.4 kept, but 0.1 lies below.
+      // Kept fraction of the anisotropy: l1, l2 = 0.6 +- 0.4 kept, but 0.1 lies below.
       const double l1 = 0.6 + 0.4 * of.Kept;
       EXPECT_NEAR(set[0].Strength, 0.8 * of.Kept / l1, 1e-3);
       EXPECT_NEAR(set[1].Strength, (0.5 - 0.4 * of.Kept) / l1, 1e-3);

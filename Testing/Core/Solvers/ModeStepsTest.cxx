@@ -141,7 +141,7 @@ private:
       return;
     }
     ++this->Met.Steeper;
-    const double q = this->FindTurning(from.Proxy, to.Proxy, forces);
+    const double q = this->ComputeTurning(from.Proxy, to.Proxy, forces);
     if (q < 1.0)
     {
       EXPECT_LE(ratio, (1.0 + ofEnds) / (1.0 - q)) << "tick " << tick << ", q " << q;
@@ -152,7 +152,7 @@ private:
   }
 
   /// q = L/k, of the forces before the motion and after it, on parts of the way.
-  double FindTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
+  double ComputeTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
   {
     constexpr int parts = 16;
     const std::array<const PrimitiveForces*, 2> both = { &forces, &this->Grid.Memory.Forces };

@@ -6,7 +6,8 @@
  * goes through voxels.
  *
  * An edge is where V is the mean of V a kernel radius R before it and behind. With the Gaussian
- * estimator, V is interpolated between samples h apart, which reads it at a share f of a voxel as
+ * estimator, V is interpolated between samples h apart, which reads it at a fraction f of a voxel
+ * as
  *
  *   V + f(1 - f)/2 h^2 V'' + f(1 - f)(1 - 2f)/6 h^3 V''' + ...
  *
@@ -50,7 +51,7 @@ struct SampledEdge
 };
 
 /// e, mm.
-double FindRipple(const SampledEdge& edge)
+double ComputeRipple(const SampledEdge& edge)
 {
   const double h = edge.Voxel;
   const double cosine = std::cosh(edge.Radius * h / edge.Width);
@@ -88,7 +89,7 @@ double SearchRipple(const SampledEdge& edge)
 }
 
 /// The variance of the Gaussian's window that has its own derivative (GradientKernel.h), mm^2.
-double FindBlur(const SampledEdge& edge)
+double ComputeBlur(const SampledEdge& edge)
 {
   const double scale = 0.56 * edge.Radius; // voxels
   const double cut = edge.Radius + 1.0;
@@ -161,10 +162,10 @@ TEST(MovingEdges, AnInterpolatedEdgeWandersByAFormula)
          SampledEdge{ 1.5, 0.5, 2 }, SampledEdge{ 2.0, 1.0, 2 }, SampledEdge{ 2.5, 1.0, 3 } })
   {
     // The next term of the series is that of h^5.
-    EXPECT_NEAR(SearchRipple(edge) / FindRipple(edge), 1.0, 0.06)
+    EXPECT_NEAR(SearchRipple(edge) / ComputeRipple(edge), 1.0, 0.06)
       << edge.Width << " " << edge.Voxel << " " << edge.Radius;
   }
-  EXPECT_NEAR(FindRipple({ 1.5, 1.0, 2 }), 0.0247, 1e-4);
+  EXPECT_NEAR(ComputeRipple({ 1.5, 1.0, 2 }), 0.0247, 1e-4);
 }
 
 /// So V3 is within 1 %, 15 mN, where e is less than 0.03 mm.
@@ -203,7 +204,7 @@ TEST(MovingEdges, ABallHoldsBehindItsMiddleByThatAndByHowItsBlurGrows)
     {
       errors.Add(hand.Go(t).Force.X - ForceOf(std::max(0.0, BallRadius(t) - 19.0)));
     }
-    EXPECT_NEAR(errors.Least, -ForceOf(SearchRipple(edge) + FindBlur(edge) * grown), SearchError)
+    EXPECT_NEAR(errors.Least, -ForceOf(SearchRipple(edge) + ComputeBlur(edge) * grown), SearchError)
       << strength;
     // The first level may be before the middle by what a place in a voxel does.
     EXPECT_LE(errors.Most, ForceOf(SearchRipple(edge)) + SearchError) << strength;

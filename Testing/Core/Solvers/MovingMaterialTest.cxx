@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Volumes whose frames tell where their material goes. Expectations are closed forms, and the same
- * hand in the coordinates of the material: a volume that moves as a whole under a hand is a hand
- * that moves the other way over a volume that rests.
+ * Volumes whose time steps tell where their material goes. Expectations are closed forms, and the
+ * same hand in the coordinates of the material: a volume that moves as a whole under a hand is a
+ * hand that moves the other way over a volume that rests.
  */
 
 #include "Core/Model/HapticModel.h"
@@ -25,30 +25,30 @@ namespace
 constexpr double MaterialK = 500.0; // N/m
 constexpr double MaterialDt = 1e-3; // s, of a tick
 
-/// Frames, a unit of time apart, with displacements; 28 x 26 x 24 voxels.
+/// Time steps, a unit of time apart, with displacements; 28 x 26 x 24 voxels.
 class MaterialMovie
 {
 public:
-  using Value = std::function<double(const Vector3& index, int frame)>;
-  using Motion = std::function<Vector3(const Vector3& index, int frame)>;
+  using Value = std::function<double(const Vector3& index, int timeStep)>;
+  using Motion = std::function<Vector3(const Vector3& index, int timeStep)>;
   static constexpr std::int64_t N[3] = { 28, 26, 24 };
 
   /// The motion is in world units, at an index.
-  MaterialMovie(int frames, const Value& value, const Motion& motion, bool isSingle = false)
+  MaterialMovie(int timeSteps, const Value& value, const Motion& motion, bool isSingle = false)
   {
-    for (int frame = 0; frame < frames; ++frame)
+    for (int timeStep = 0; timeStep < timeSteps; ++timeStep)
     {
       TestVolume& volume = this->Volumes.emplace_back(
         ScalarType::Float64, std::array<std::int64_t, 3>{ N[0], N[1], N[2] });
-      volume.Fill<double>(
-        [&](std::int64_t i, std::int64_t j, std::int64_t k) { return value(At(i, j, k), frame); });
-      this->Frames.push_back({ static_cast<double>(frame), volume.View, nullptr });
-      if (motion && frame + 1 < frames)
+      volume.Fill<double>([&](std::int64_t i, std::int64_t j, std::int64_t k)
+        { return value(At(i, j, k), timeStep); });
+      this->TimeSteps.push_back({ static_cast<double>(timeStep), volume.View, nullptr });
+      if (motion && timeStep + 1 < timeSteps)
       {
-        this->Frames.back().Displacements = isSingle
-          ? DisplacementView{ this->Fill(this->Singles.emplace_back(), motion, frame),
+        this->TimeSteps.back().Displacements = isSingle
+          ? DisplacementView{ this->Fill(this->Singles.emplace_back(), motion, timeStep),
               ScalarType::Float32 }
-          : DisplacementView{ this->Fill(this->Doubles.emplace_back(), motion, frame),
+          : DisplacementView{ this->Fill(this->Doubles.emplace_back(), motion, timeStep),
               ScalarType::Float64 };
       }
     }
@@ -57,14 +57,14 @@ public:
   HapticModelDescription Describe() const
   {
     HapticModelDescription description = coretest::Describe(this->Volumes.front());
-    description.Frames = this->Frames;
+    description.TimeSteps = this->TimeSteps;
     description.Material.Stiffness = ConstantPolyline(MaterialK);
     description.Settings.Placement = MaterialPlacement::Kernel;
     description.Settings.Alignment = ContactAlignment::Edge;
     return description;
   }
 
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
 
 private:
   static Vector3 At(std::int64_t i, std::int64_t j, std::int64_t k)
@@ -73,11 +73,11 @@ private:
   }
 
   template <typename T>
-  static const void* Fill(std::vector<T>& numbers, const Motion& motion, int frame)
+  static const void* Fill(std::vector<T>& numbers, const Motion& motion, int timeStep)
   {
     for (std::int64_t at = 0; at < N[0] * N[1] * N[2]; ++at)
     {
-      const Vector3 u = motion(At(at % N[0], at / N[0] % N[1], at / (N[0] * N[1])), frame);
+      const Vector3 u = motion(At(at % N[0], at / N[0] % N[1], at / (N[0] * N[1])), timeStep);
       for (const double number : { u.X, u.Y, u.Z })
       {
         numbers.push_back(static_cast<T>(number));
@@ -125,7 +125,7 @@ Affine3 ObliqueGrid()
 }
 } // namespace
 
-/// V6 of the derivations. Frames are whole voxels apart, so that sampling adds nothing.
+/// V6 of the derivations. Time steps are whole voxels apart, so that sampling adds nothing.
 TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
 {
   struct Choice
@@ -151,14 +151,14 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
       0.3 },
   };
   const Affine3 grid = ObliqueGrid();
-  const Vector3 step{ 2.0, 1.0, -1.0 }; // voxels from frame to frame
+  const Vector3 step{ 2.0, 1.0, -1.0 }; // voxels from time step to time step
   const Vector3 velocity = grid.Linear * step;
   for (const Choice& choice : choices)
   {
     const MaterialMovie movie(
       4,
-      [&](const Vector3& index, int frame)
-      { return BumpyWall(index - static_cast<double>(frame) * step, 8.0); },
+      [&](const Vector3& index, int timeStep)
+      { return BumpyWall(index - static_cast<double>(timeStep) * step, 8.0); },
       [&](const Vector3&, int) { return velocity; }, choice.IsSingle);
     HapticModelDescription description = movie.Describe();
     description.IndexToWorld = grid;
@@ -169,7 +169,7 @@ TEST(MovingMaterial, AVolumeThatMovesIsAHandThatGoes)
     description.Material.Friction = ConstantPolyline(choice.Friction);
     description.Material.Viscosity = ConstantPolyline(choice.Drag);
     MaterialHand moving(description);
-    description.Frames.clear();
+    description.TimeSteps.clear();
     MaterialHand still(description);
     double most = 0.0;
     double mostDrag = 0.0;
@@ -235,24 +235,25 @@ TEST(MovingMaterial, ABreathTakesAStickingHandAlong)
   }
 }
 
-/// A wall that moves by 3.5 of its widths from frame to frame and back: a blend is a cross-fade.
+/// A wall that moves by 3.5 of its widths from time step to time step and back: a blend is a
+/// cross-fade.
 TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
 {
   const auto place = [](double t) { return 10.0 + 5.3 * (t < 1.0 ? t : 2.0 - t); };
   const MaterialMovie movie(
-    3, [&](const Vector3& index, int frame) { return BumpyWall(index, place(frame)); },
-    [&](const Vector3&, int frame) {
-      return Vector3{ frame == 0 ? 5.3 : -5.3, 0.0, 0.0 };
+    3, [&](const Vector3& index, int timeStep) { return BumpyWall(index, place(timeStep)); },
+    [&](const Vector3&, int timeStep) {
+      return Vector3{ timeStep == 0 ? 5.3 : -5.3, 0.0, 0.0 };
     });
   HapticModelDescription description = movie.Describe();
   description.Material.SurfaceStrength = ConstantPolyline(5.0);
-  // Its surface, found on the first frame with no motion in it.
+  // Its surface, found on the first time step with no motion in it.
   double worst[2] = { 0.0, 0.0 };
   for (const bool isKnown : { false, true })
   {
-    for (VolumeFrame& frame : description.Frames)
+    for (VolumeTimeStep& timeStep : description.TimeSteps)
     {
-      frame.Displacements.Data = isKnown ? frame.Displacements.Data : nullptr;
+      timeStep.Displacements.Data = isKnown ? timeStep.Displacements.Data : nullptr;
     }
     MaterialHand hand(description);
     for (double t = 0.0; t < 2.0; t += MaterialDt)
@@ -264,7 +265,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
       const double off = std::abs(force - 0.001 * MaterialK * depth) / (0.001 * MaterialK);
       worst[isKnown] = std::max(worst[isKnown], off);
     }
-    description.Frames = movie.Frames;
+    description.TimeSteps = movie.TimeSteps;
   }
   EXPECT_LT(worst[1], 0.02);
   EXPECT_GT(worst[0], 0.5);
@@ -274,7 +275,7 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
 TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
 {
   const MaterialMovie movie(
-    3, [](const Vector3& index, int frame) { return BumpyWall(index, 12.0 + 0.3 * frame); },
+    3, [](const Vector3& index, int timeStep) { return BumpyWall(index, 12.0 + 0.3 * timeStep); },
     [](const Vector3&, int) { return Vector3{}; });
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -282,9 +283,9 @@ TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
     description.Settings.Solver = solver;
     description.Material.Friction = ConstantPolyline(0.3);
     MaterialHand known(description);
-    for (VolumeFrame& frame : description.Frames)
+    for (VolumeTimeStep& timeStep : description.TimeSteps)
     {
-      frame.Displacements.Data = nullptr;
+      timeStep.Displacements.Data = nullptr;
     }
     MaterialHand unknown(description);
     Wanderer wanderer(26.0);
@@ -301,21 +302,21 @@ TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
   }
 }
 
-/// Over several frames a tick, to and fro; places are those of the analytic motion.
-TEST(MovingMaterial, MaterialIsFollowedThroughFramesBothWays)
+/// Over several time steps a tick, to and fro; places are those of the analytic motion.
+TEST(MovingMaterial, MaterialIsTrackedThroughTimeStepsBothWays)
 {
   const auto at = [](double y, double t) { return 13.0 + (y - 13.0) * (1.0 + 0.15 * t); };
-  // u at frame f: from y to where its material is at f + 1.
+  // u at time step f: from y to where its material is at f + 1.
   const MaterialMovie movie(
     4, [](const Vector3& index, int) { return index.X; },
-    [&](const Vector3& index, int frame)
+    [&](const Vector3& index, int timeStep)
     {
-      const double material = 13.0 + (index.Y - 13.0) / (1.0 + 0.15 * frame);
-      return Vector3{ 0.0, at(material, frame + 1.0) - index.Y, 0.0 };
+      const double material = 13.0 + (index.Y - 13.0) / (1.0 + 0.15 * timeStep);
+      return Vector3{ 0.0, at(material, timeStep + 1.0) - index.Y, 0.0 };
     });
   const HapticModel model(movie.Describe());
   const auto follow = [&](const Vector3& index, double from, double to)
-  { return model.Baked->FollowMaterial(index, from, to); };
+  { return model.Baked->TrackMaterial(index, from, to); };
   const double times[] = { -1.0, 0.0, 0.3, 1.0, 1.7, 2.0, 2.9, 3.0, 4.0 };
   for (const double from : times)
   {
@@ -342,17 +343,17 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
     2, [](const Vector3& index, int) { return index.X; },
     [&](const Vector3& index, int) { return motion(index); });
   const HapticModel model(movie.Describe());
-  const DisplacementField& field = *model.Baked->Frames.front().Motion;
+  const DisplacementField& field = *model.Baked->TimeSteps.front().Motion;
   Wanderer wanderer(18.0);
   for (int i = 0; i < 200; ++i)
   {
-    const double share = wanderer.Uniform();
+    const double fraction = wanderer.Uniform();
     const Vector3 x{ 8.0 + 10.0 * wanderer.Uniform(), 8.0 + 8.0 * wanderer.Uniform(),
       8.0 + 8.0 * wanderer.Uniform() };
-    const MaterialPlace place = field.Find(x, share);
+    const MaterialPlace place = field.Compute(x, fraction);
     // At share 0, the place is the material's own: what the field itself says.
-    const MaterialPlace own = field.Find(place.First, 0.0);
-    EXPECT_LT(Norm(place.First + share * (own.Second - own.First) - x), 1e-5);
+    const MaterialPlace own = field.Compute(place.First, 0.0);
+    EXPECT_LT(Norm(place.First + fraction * (own.Second - own.First) - x), 1e-5);
     EXPECT_LT(Norm(place.Second - own.Second), 1e-5);
     // The spline rounds off by a sixth of the second derivative, 5 * 0.0628^2 / 6 at most.
     EXPECT_LT(Norm(own.Second - own.First - motion(place.First)), 0.006);
@@ -360,8 +361,8 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
     const Vector3 steps[] = { { h, 0, 0 }, { 0, h, 0 }, { 0, 0, h } };
     for (int axis = 0; axis < 3; ++axis)
     {
-      const MaterialPlace ahead = field.Find(x + steps[axis], share);
-      const MaterialPlace behind = field.Find(x - steps[axis], share);
+      const MaterialPlace ahead = field.Compute(x + steps[axis], fraction);
+      const MaterialPlace behind = field.Compute(x - steps[axis], fraction);
       const Vector3 first = (0.5 / h) * (ahead.First - behind.First);
       const Vector3 second = (0.5 / h) * (ahead.Second - behind.Second);
       EXPECT_LT(Norm(first - Transpose(place.FirstSlope).Row[axis]), 1e-3);
@@ -374,7 +375,7 @@ TEST(MovingMaterial, PlacesInBetweenAreThoseOfTheMaterial)
 TEST(MovingMaterial, TheGradientIsThatOfTheValue)
 {
   const MaterialMovie movie(
-    2, [](const Vector3& index, int frame) { return BumpyWall(index, 10.0 + 2.0 * frame); },
+    2, [](const Vector3& index, int timeStep) { return BumpyWall(index, 10.0 + 2.0 * timeStep); },
     [](const Vector3& index, int) {
       return Vector3{ 2.0 + 0.5 * std::sin(0.2 * index.Y), 0.7 * std::sin(0.15 * index.X), 0.0 };
     });
@@ -403,11 +404,13 @@ TEST(MovingMaterial, TheGradientIsThatOfTheValue)
 TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
 {
   const MaterialMovie movie(
-    3, [](const Vector3& index, int frame) { return BumpyWall(index, frame == 1 ? 14.0 : 11.0); },
-    [](const Vector3& index, int frame)
+    3,
+    [](const Vector3& index, int timeStep)
+    { return BumpyWall(index, timeStep == 1 ? 14.0 : 11.0); },
+    [](const Vector3& index, int timeStep)
     {
       const double side = 0.8 * std::sin(0.3 * index.Z);
-      return frame == 0 ? Vector3{ 3.0, side, 0.0 } : Vector3{ -3.0, -side, 0.0 };
+      return timeStep == 0 ? Vector3{ 3.0, side, 0.0 } : Vector3{ -3.0, -side, 0.0 };
     });
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -442,7 +445,7 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
 TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
 {
   const MaterialMovie movie(
-    3, [](const Vector3& index, int frame) { return BumpyWall(index, 11.0 + frame); },
+    3, [](const Vector3& index, int timeStep) { return BumpyWall(index, 11.0 + timeStep); },
     [](const Vector3&, int) {
       return Vector3{ 1.0, 0.0, 0.0 };
     });
@@ -450,7 +453,7 @@ TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
   description.Settings.Method = HapticMethod::ForceField;
   description.Settings.ForceFieldDamping = 50.0;
   MaterialHand hand(description);
-  description.Frames.clear();
+  description.TimeSteps.clear();
   MaterialHand still(description);
   double farthest = 0.0;
   for (int tick = 0; tick <= 100; ++tick)
@@ -476,9 +479,9 @@ TEST(MovingMaterial, AbsurdDisplacementsMakeNoAbsurdForce)
     std::numeric_limits<double>::quiet_NaN(), 30.0, -8.0, 0.0 };
   const auto any = [&] { return absurd[engine() % 7]; };
   const MaterialMovie movie(
-    3, [](const Vector3& index, int frame) { return BumpyWall(index, 11.0 + frame); },
-    [&](const Vector3&, int frame) {
-      return frame == 0 ? Vector3{ any(), any(), any() } : Vector3{ 0.0, 0.01 * any(), 1e5 };
+    3, [](const Vector3& index, int timeStep) { return BumpyWall(index, 11.0 + timeStep); },
+    [&](const Vector3&, int timeStep) {
+      return timeStep == 0 ? Vector3{ any(), any(), any() } : Vector3{ 0.0, 0.01 * any(), 1e5 };
     });
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {

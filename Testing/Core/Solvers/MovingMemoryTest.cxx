@@ -23,37 +23,37 @@ using namespace coretest;
 
 namespace
 {
-/// Random frames of 16^3 voxels, a unit of time apart; of some, a few samples are not numbers.
+/// Random time steps of 16^3 voxels, a unit of time apart; of some, a few samples are not numbers.
 class RandomMovie
 {
 public:
-  explicit RandomMovie(ScalarType type, int frames, bool hasMotion)
+  explicit RandomMovie(ScalarType type, int timeSteps, bool hasMotion)
   {
-    for (int frame = 0; frame < frames; ++frame)
+    for (int timeStep = 0; timeStep < timeSteps; ++timeStep)
     {
       TestVolume& volume =
         this->Volumes.emplace_back(type, std::array<std::int64_t, 3>{ Size, Size, Size });
-      volume.FillRandom(static_cast<unsigned>(frame + 1));
-      this->Frames.push_back({ static_cast<double>(frame), volume.View, nullptr });
-      if (hasMotion && frame + 1 < frames)
+      volume.FillRandom(static_cast<unsigned>(timeStep + 1));
+      this->TimeSteps.push_back({ static_cast<double>(timeStep), volume.View, nullptr });
+      if (hasMotion && timeStep + 1 < timeSteps)
       {
-        this->Frames.back().Displacements = { this->Displace(frame), ScalarType::Float64 };
+        this->TimeSteps.back().Displacements = { this->Displace(timeStep), ScalarType::Float64 };
       }
     }
   }
 
   static constexpr std::int64_t Size = 16;
-  std::vector<VolumeFrame> Frames;
+  std::vector<VolumeTimeStep> TimeSteps;
   std::list<TestVolume> Volumes;
 
 private:
   /// Up to 0.8 voxels.
-  const void* Displace(int frame)
+  const void* Displace(int timeStep)
   {
     std::vector<double>& motion = this->Motions.emplace_back();
     for (std::int64_t i = 0; i < 3 * Size * Size * Size; ++i)
     {
-      motion.push_back(0.8 * std::sin(0.003 * static_cast<double>(i) + frame));
+      motion.push_back(0.8 * std::sin(0.003 * static_cast<double>(i) + timeStep));
     }
     return motion.data();
   }
@@ -86,7 +86,7 @@ bool IsSameTick(const TickRecord& a, const TickRecord& b)
   return std::memcmp(x.data(), y.data(), sizeof(x)) == 0 && a.Contact == b.Contact;
 }
 
-/// A hand that stays in a voxel for many ticks, while time goes to and fro over the frames.
+/// A hand that stays in a voxel for many ticks, while time goes to and fro over the time steps.
 void ExpectMemoriesChangeNothing(const HapticModelDescription& description, double last)
 {
   const HapticModel model(description);
@@ -100,7 +100,7 @@ void ExpectMemoriesChangeNothing(const HapticModelDescription& description, doub
   {
     const Vector3 tip = wanderer.Next();
     const double way = 0.0037 * i;
-    // Also exactly at frames, and for some ticks without a change of time.
+    // Also exactly at time steps, and for some ticks without a change of time.
     const double time =
       i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
     TickMemory anew;
@@ -128,7 +128,7 @@ TEST(MovingMemory, ChangesNothingOfABlend)
                                         << static_cast<int>(estimator) << " motion " << hasMotion);
         const RandomMovie movie(ScalarType::Int16, 4, hasMotion);
         HapticModelDescription description = Describe(movie.Volumes.front());
-        description.Frames = movie.Frames;
+        description.TimeSteps = movie.TimeSteps;
         description.Estimator = estimator;
         description.Settings.Solver = solver;
         description.Material.Friction = ConstantPolyline(0.3);
@@ -158,7 +158,7 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
       { GradientEstimator::Gaussian, GradientEstimator::CubicBSpline })
     {
       HapticModelDescription description = Describe(movie.Volumes.front());
-      description.Frames = movie.Frames;
+      description.TimeSteps = movie.TimeSteps;
       description.Estimator = estimator;
       description.Settings.Solver = solver;
       ExpectMemoriesChangeNothing(description, 2.0);
@@ -166,8 +166,8 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
   }
 }
 
-/// PAPER reads the value before a motion and after it at once: at instants of one pair of frames,
-/// of two, and at frames themselves.
+/// PAPER reads the value before a motion and after it at once: at instants of one pair of time
+/// steps, of two, and at time steps themselves.
 TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 3, false);
@@ -185,7 +185,7 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
          GradientEstimator::CubicBSpline, GradientEstimator::CentralDifference })
   {
     HapticModelDescription description = Describe(movie.Volumes.front());
-    description.Frames = movie.Frames;
+    description.TimeSteps = movie.TimeSteps;
     description.Estimator = estimator;
     const HapticModel model(description);
     std::uniform_real_distribution<double> place(0.0, RandomMovie::Size - 1.0);
@@ -197,7 +197,7 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
       const double second = i % 2 == 0 ? std::min(2.0, first + 0.01) : instant(engine);
       const FieldAtTime a = model.Baked->At(first);
       const FieldAtTime b = model.Baked->At(second);
-      const SharePair pair = FieldAtTime::Values(a, b, at);
+      const FractionPair pair = FieldAtTime::Values(a, b, at);
       ASSERT_EQ(pair.First, a.Value(at)) << first << " and " << second;
       ASSERT_EQ(pair.Second, b.Value(at)) << first << " and " << second;
       ASSERT_TRUE(std::isfinite(pair.First));
@@ -205,8 +205,8 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
   }
 }
 
-/// PAPER's shorter way reads two instants between the same frames: as each alone.
-TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
+/// PAPER's shorter way reads two instants between the same time steps: as each alone.
+TEST(MovingMemory, AStepBetweenTimeStepsIsReadAsBothInstantsToTheBit)
 {
   RandomMovie movie(ScalarType::Float32, 4, false);
   std::mt19937_64 engine(13);
@@ -226,7 +226,7 @@ TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
       std::pair{ GradientEstimator::CentralDifference, 2 } })
   {
     HapticModelDescription description = Describe(movie.Volumes.front());
-    description.Frames = movie.Frames;
+    description.TimeSteps = movie.TimeSteps;
     description.Estimator = estimator;
     description.KernelRadius = radius;
     const HapticModel model(description);
@@ -240,7 +240,7 @@ TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
       const Vector3 aside{ 0.6 * radius, -0.7 * radius, 0.2 * radius };
       const double first = i % 7 == 0 ? 1.0 : instant(engine);
       const double second = i % 11 == 0 ? 2.0 : instant(engine);
-      std::optional<FieldStep> step = model.Baked->FindStep(first, second, memory);
+      std::optional<FieldStep> step = model.Baked->ComputeStep(first, second, memory);
       const bool isBetween = std::floor(first) == std::floor(second) &&
         first != std::floor(first) && second != std::floor(second);
       ASSERT_EQ(step.has_value(), isBetween) << first << " and " << second;
@@ -254,7 +254,7 @@ TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
       const FieldSample expected = now.Gradient(at);
       ASSERT_TRUE((std::isnan(sample.Value) && std::isnan(expected.Value)) ||
         std::memcmp(&sample, &expected, sizeof(sample)) == 0);
-      const SharePair values = step->Values(at);
+      const FractionPair values = step->Values(at);
       ASSERT_EQ(values.First, model.Baked->At(first).Value(at));
       ASSERT_EQ(values.Second, now.Value(at));
       ASSERT_EQ(step->Value(at + 0.1 * aside), now.Value(at + 0.1 * aside));
@@ -267,8 +267,8 @@ TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
   }
 }
 
-/// Models of the next frames follow, as under a device, with the same memory.
-TEST(MovingMemory, GoesOnWithTheNextFrames)
+/// Models of the next time steps follow, as under a device, with the same memory.
+TEST(MovingMemory, GoesOnWithTheNextTimeSteps)
 {
   RandomMovie movie(ScalarType::Int16, 5, false);
   HapticModelDescription description = Describe(movie.Volumes.front());
@@ -276,19 +276,19 @@ TEST(MovingMemory, GoesOnWithTheNextFrames)
   MemoryHand kept;
   TickMemory memory;
   Wanderer wanderer(RandomMovie::Size);
-  for (std::size_t window = 0; window + 2 < movie.Frames.size(); ++window)
+  for (std::size_t span = 0; span + 2 < movie.TimeSteps.size(); ++span)
   {
-    const auto from = movie.Frames.begin() + static_cast<std::ptrdiff_t>(window);
-    description.Frames.assign(from, from + 3);
-    description.View = description.Frames.front().View;
+    const auto from = movie.TimeSteps.begin() + static_cast<std::ptrdiff_t>(span);
+    description.TimeSteps.assign(from, from + 3);
+    description.View = description.TimeSteps.front().View;
     const HapticModel model(description);
     for (int i = 0; i < 1000; ++i)
     {
       const Vector3 tip = wanderer.Next();
-      const double time = static_cast<double>(window) + 0.001 * i;
+      const double time = static_cast<double>(span) + 0.001 * i;
       plain.Touch(model, tip, time, nullptr);
       kept.Touch(model, tip, time, &memory);
-      ASSERT_TRUE(IsSameTick(plain.Record, kept.Record)) << window << ", " << i;
+      ASSERT_TRUE(IsSameTick(plain.Record, kept.Record)) << span << ", " << i;
     }
   }
 }

@@ -14,34 +14,34 @@ using namespace coretest;
 
 namespace
 {
-/// Points by frame, 1 apart in time; the mesh of each goes to the next one.
+/// Points by time step, 1 apart in time; the mesh of each goes to the next one.
 class MovingMesh : public testing::Test
 {
 protected:
-  using Place = std::function<Vector3(const Vector3& point, int frame)>;
+  using Place = std::function<Vector3(const Vector3& point, int timeStep)>;
 
   HapticModelDescription Describe(
-    const Corners& points, const Faces& faces, int frames, const Place& place)
+    const Corners& points, const Faces& faces, int timeSteps, const Place& place)
   {
     HapticModelDescription description = DescribeMesh(this->Volume, nullptr);
-    for (int frame = 0; frame < frames; ++frame)
+    for (int timeStep = 0; timeStep < timeSteps; ++timeStep)
     {
       Corners here;
       Corners motions;
       for (const Vector3& point : points)
       {
-        here.push_back(place(point, frame));
-        motions.push_back(place(point, frame + 1) - here.back());
+        here.push_back(place(point, timeStep));
+        motions.push_back(place(point, timeStep + 1) - here.back());
       }
-      VolumeFrame made{ static_cast<double>(frame), this->Volume.View, nullptr };
+      VolumeTimeStep made{ static_cast<double>(timeStep), this->Volume.View, nullptr };
       made.Mesh = std::make_shared<SurfaceMesh>(here, faces, Corners{}, motions);
-      description.Frames.push_back(made);
+      description.TimeSteps.push_back(made);
     }
-    description.Mesh = description.Frames.front().Mesh;
+    description.Mesh = description.TimeSteps.front().Mesh;
     return description;
   }
   /// A floor of 2 n^2 triangles from -50 to 50 mm.
-  HapticModelDescription DescribeFloor(int frames, const Place& place)
+  HapticModelDescription DescribeFloor(int timeSteps, const Place& place)
   {
     Corners points;
     Faces faces;
@@ -55,20 +55,20 @@ protected:
         faces.push_back({ p, p + n + 2, p + n + 1 });
       }
     }
-    return this->Describe(points, faces, frames, place);
+    return this->Describe(points, faces, timeSteps, place);
   }
 
   const TestVolume Volume = MakeRamp();
 };
 } // namespace
 
-/// V3: 5 mm a frame against a tip that rests at 4 mm, and back again.
+/// V3: 5 mm a time step against a tip that rests at 4 mm, and back again.
 TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
 {
   const auto height = [](double time) { return time < 2.0 ? 5.0 * time : 20.0 - 5.0 * time; };
   Hand hand(this->DescribeFloor(5,
-              [&](const Vector3& point, int frame) {
-                return point + Vector3{ 0.0, 0.0, height(frame) };
+              [&](const Vector3& point, int timeStep) {
+                return point + Vector3{ 0.0, 0.0, height(timeStep) };
               }),
     { 0.3, 0.2, 4.0 });
   double work = 0.0;
@@ -97,8 +97,8 @@ TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
 TEST_F(MovingMesh, AFastFloorDoesNotPass)
 {
   Hand hand(this->DescribeFloor(3,
-              [](const Vector3& point, int frame) {
-                return point + Vector3{ 0.0, 0.0, 4.0 * frame };
+              [](const Vector3& point, int timeStep) {
+                return point + Vector3{ 0.0, 0.0, 4.0 * timeStep };
               }),
     { 1.3, 2.2, 3.0 });
   for (const double time : { 0.0, 0.9, 1.9, 0.8, 2.0 })
@@ -115,8 +115,8 @@ TEST_F(MovingMesh, AFastFloorDoesNotPass)
 TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
 {
   constexpr double slope = 0.2;
-  const auto at = [](const Vector3& point, int frame) {
-    return Vector3{ point.X - 5.0 * frame, point.Y, slope * point.X };
+  const auto at = [](const Vector3& point, int timeStep) {
+    return Vector3{ point.X - 5.0 * timeStep, point.Y, slope * point.X };
   };
   Hand hand(this->DescribeFloor(4, at), { 0.0, 0.2, 5.0 });
   hand.Lead({ 0.0, 0.2, -1.0 });
@@ -138,8 +138,8 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
 /// friction of 0.4 times 1 N lets it slip. Levels alone don't tell.
 TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
 {
-  const auto at = [](const Vector3& point, int frame) {
-    return point + Vector3{ 5.0 * frame, 0.0, 0.0 };
+  const auto at = [](const Vector3& point, int timeStep) {
+    return point + Vector3{ 5.0 * timeStep, 0.0, 0.0 };
   };
   HapticModelDescription description = this->DescribeFloor(3, at);
   description.Material.Friction = ConstantPolyline(0.4);
@@ -151,9 +151,9 @@ TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
   }
   for (const bool isKnown : { true, false })
   {
-    for (VolumeFrame& frame : description.Frames)
+    for (VolumeTimeStep& timeStep : description.TimeSteps)
     {
-      frame.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
+      timeStep.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
     }
     // Within a triangle: where two meet, both hold.
     Hand hand(description, { 8.0, 2.0, 4.0 });

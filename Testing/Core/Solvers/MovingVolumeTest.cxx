@@ -48,15 +48,15 @@ double ForceOfSlipping(double t)
   return t < 0.25 ? std::min(1.0, 0.5 + sine) : std::max(0.0, sine);
 }
 
-/// V5: frames that are all the same volume, 10 ms apart, are felt as one that stands still.
+/// V5: time steps that are all the same volume, 10 ms apart, are felt as one that stands still.
 template <typename TipAt>
-void ExpectFramesAlike(HapticModelDescription description, int frames, int ticks, TipAt tipAt)
+void ExpectTimeStepsAlike(HapticModelDescription description, int timeSteps, int ticks, TipAt tipAt)
 {
-  description.Frames.clear();
+  description.TimeSteps.clear();
   const HapticModel still(description);
-  for (int i = 0; i < frames; ++i)
+  for (int i = 0; i < timeSteps; ++i)
   {
-    description.Frames.push_back({ 0.01 * i, description.View, nullptr });
+    description.TimeSteps.push_back({ 0.01 * i, description.View, nullptr });
   }
   const HapticModel moving(description);
   ServoState state;
@@ -156,10 +156,10 @@ TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
   }
 }
 
-/// V4 with frames 50 ms apart: as V1, within 0.02 k times the width of the edge, which are 15 mN.
-/// Between frames the blend goes along the chord of the surface's way (see below), up to 0.025 mm
-/// or 12 mN beside it; what is left is the field's. Voxels are of half a millimetre.
-TEST(MovingVolume, FramesFiftyMillisecondsApartAreAsGoodAsTheMotion)
+/// V4 with time steps 50 ms apart: as V1, within 0.02 k times the width of the edge, which are 15
+/// mN. Between time steps the blend goes along the chord of the surface's way (see below), up to
+/// 0.025 mm or 12 mN beside it; what is left is the field's. Voxels are of half a millimetre.
+TEST(MovingVolume, TimeStepsFiftyMillisecondsApartAreAsGoodAsTheMotion)
 {
   for (const GradientEstimator estimator :
     { GradientEstimator::Gaussian, GradientEstimator::CubicBSpline })
@@ -181,14 +181,14 @@ TEST(MovingVolume, FramesFiftyMillisecondsApartAreAsGoodAsTheMotion)
   }
 }
 
-/// V4 with frames 100 ms apart: all that they tell is where the blend of two edges is half-way, an
-/// edge up to a motion of its width. A surface at r(t) = r0 + a sin(w t) is then, between frames T
-/// apart, on the chord from r(t) to r(t + T), which is off r by r'' T^2/8 at most:
+/// V4 with time steps 100 ms apart: all that they tell is where the blend of two edges is half-way,
+/// an edge up to a motion of its width. A surface at r(t) = r0 + a sin(w t) is then, between time
+/// steps T apart, on the chord from r(t) to r(t + T), which is off r by r'' T^2/8 at most:
 ///
 ///   a w^2 T^2/8 = 0.099 mm for a = 2 mm, w = 2 pi/s, T = 0.1 s, and a quarter of it at 50 ms.
 ///
 /// So it is the blend with which the force is compared here, and the blend with V1.
-TEST(MovingVolume, FramesFarApartAreBlendedToAMotion)
+TEST(MovingVolume, TimeStepsFarApartAreBlendedToAMotion)
 {
   for (const double step : { 0.05, 0.1 })
   {
@@ -197,15 +197,15 @@ TEST(MovingVolume, FramesFarApartAreBlendedToAMotion)
     double before = hand.Record.Force.X;
     for (double t = Dt; t < 1.0; t += Dt)
     {
-      // All that the frames tell: where the blend of two edges is half-way.
-      const double frame = step * std::floor(t / step);
-      const double share = (t - frame) / step;
+      // All that the time steps tell: where the blend of two edges is half-way.
+      const double timeStep = step * std::floor(t / step);
+      const double fraction = (t - timeStep) / step;
       double low = 17.5;
       double radius = 22.5;
       for (double high = radius; high - low > 1e-6; radius = 0.5 * (low + high))
       {
-        const double blend = (share - 1.0) * std::tanh((radius - BallRadius(frame)) / Width) -
-          share * std::tanh((radius - BallRadius(frame + step)) / Width);
+        const double blend = (fraction - 1.0) * std::tanh((radius - BallRadius(timeStep)) / Width) -
+          fraction * std::tanh((radius - BallRadius(timeStep + step)) / Width);
         (blend > 0.0 ? low : high) = radius;
       }
       const double force = hand.Go(t).Force.X;
@@ -222,7 +222,7 @@ TEST(MovingVolume, FramesFarApartAreBlendedToAMotion)
 }
 
 /// V5, for both solvers, on a path that also leaves the volume.
-TEST(MovingVolume, FramesThatAreAlikeAreAVolumeThatStandsStill)
+TEST(MovingVolume, TimeStepsThatAreAlikeAreAVolumeThatStandsStill)
 {
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -237,7 +237,7 @@ TEST(MovingVolume, FramesThatAreAlikeAreAVolumeThatStandsStill)
       description.Material.Friction = ConstantPolyline(0.3);
       description.Material.Viscosity = ConstantPolyline(0.1);
       Wanderer wanderer(24.0);
-      ExpectFramesAlike(description, 1000, 12000, [&](int) { return wanderer.Next(); });
+      ExpectTimeStepsAlike(description, 1000, 12000, [&](int) { return wanderer.Next(); });
     }
   }
 }
@@ -268,7 +268,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
   EXPECT_NEAR(most, 2.0e-3, 0.06e-3); // k x^2 / 2 at 3 mm, less that at 1 mm
   EXPECT_NEAR(work, 0.0, 0.06e-3);
 
-  ExpectFramesAlike(description, 100, 1000,
+  ExpectTimeStepsAlike(description, 100, 1000,
     [](int tick)
     {
       const double angle = 0.01 * tick;
@@ -283,16 +283,16 @@ TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
   HapticModelDescription description = wall.Describe();
   description.Settings.Method = HapticMethod::ForceField;
   description.Settings.ForceFieldGain = 0.01;
-  const std::vector<VolumeFrame> frames = description.Frames;
+  const std::vector<VolumeTimeStep> timeSteps = description.TimeSteps;
   RestingHand hand(description, 16.0, 16.0);
-  description.Frames.clear();
+  description.TimeSteps.clear();
   double strongest = 0.0;
-  for (std::size_t i = 1; i < frames.size(); ++i)
+  for (std::size_t i = 1; i < timeSteps.size(); ++i)
   {
-    description.View = frames[i].View;
+    description.View = timeSteps[i].View;
     RestingHand still(description, 16.0, 16.0);
     const double expected = still.Go(0.0).Force.X;
-    EXPECT_NEAR(hand.Go(frames[i].Time).Force.X, expected, 1e-12) << "at " << frames[i].Time;
+    EXPECT_NEAR(hand.Go(timeSteps[i].Time).Force.X, expected, 1e-12) << "at " << timeSteps[i].Time;
     strongest = std::max(strongest, expected);
   }
   EXPECT_GT(strongest, 0.5);
@@ -407,7 +407,7 @@ TEST(MovingVolume, GivesNoMoreThanTheWallsWork)
   }
 }
 
-TEST(MovingVolume, HoldsItsEndsBeyondTheFrames)
+TEST(MovingVolume, HoldsItsEndsBeyondTheTimeSteps)
 {
   const Movie wall = MakeWall([](double t) { return 14.0 + 2.0 * t; }, 0.5);
   const HapticModel model(wall.Describe());
@@ -418,19 +418,19 @@ TEST(MovingVolume, HoldsItsEndsBeyondTheFrames)
   EXPECT_DOUBLE_EQ(between, 0.5 * (model.ValueAtDevice(at, 0.5) + model.ValueAtDevice(at, 1.0)));
 }
 
-/// A series may be published in parts: the next part begins with a frame that the last one has.
+/// A series may be published in parts: the next part begins with a time step that the last one has.
 TEST(MovingVolume, GoesOnFromOnePartOfASeriesToTheNext)
 {
   const Movie ball = MakeBall(0.1);
   HapticModelDescription description = WithStrength(ball.Describe(), 2.0);
   description.Number = 77;
   RestingHand whole(description, 24.0, 19.0);
-  const std::vector<VolumeFrame> frames = description.Frames;
+  const std::vector<VolumeTimeStep> timeSteps = description.TimeSteps;
   const auto part = [&](std::size_t first)
   {
-    description.Frames = { frames.begin() + static_cast<std::ptrdiff_t>(first),
-      frames.begin() + static_cast<std::ptrdiff_t>(first) + 3 };
-    description.View = description.Frames.front().View;
+    description.TimeSteps = { timeSteps.begin() + static_cast<std::ptrdiff_t>(first),
+      timeSteps.begin() + static_cast<std::ptrdiff_t>(first) + 3 };
+    description.View = description.TimeSteps.front().View;
     return std::make_unique<HapticModel>(description);
   };
   RestingHand parted(description, 24.0, 19.0);

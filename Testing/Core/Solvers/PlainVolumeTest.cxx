@@ -185,8 +185,8 @@ TEST_P(PlainVolumeOfPaper, ThatMovesIsFeltSo)
     description.KernelRadius = radius;
     for (const TestVolume& volume : volumes)
     {
-      description.Frames.push_back(
-        { static_cast<double>(description.Frames.size()), volume.View, nullptr });
+      description.TimeSteps.push_back(
+        { static_cast<double>(description.TimeSteps.size()), volume.View, nullptr });
     }
     ExpectSameAsWithACutBeyond(description,
       [](int tick)

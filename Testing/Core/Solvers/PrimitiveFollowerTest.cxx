@@ -54,7 +54,7 @@ public:
   /// One tick, which is finished.
   void Move(const Vector3& tip)
   {
-    this->Motion = FollowPrimitives(
+    this->Motion = SolvePrimitives(
       this->Flow.Field(), SpringOf, QuarterVoxel, this->Motion.Proxy, tip, this->Memory);
     ASSERT_FALSE(this->Motion.IsUnfinished);
     // Up to the last part of a step, which the place is ahead of the force.
@@ -236,7 +236,7 @@ TEST(PrimitiveFollower, ATipThatTheLinesTurnAroundEndsInATick)
   for (int tick = 0; tick < 200; ++tick)
   {
     before = motion.Proxy;
-    motion = FollowPrimitives(
+    motion = SolvePrimitives(
       flow.Field(), SpringOf, QuarterVoxel, motion.Proxy, { -0.01, 0.0003, 0.0 }, memory);
     ASSERT_LE(motion.Steps, PrimitiveFollower::MostSteps);
     ASSERT_LE(Norm(motion.Force), 100.0);
@@ -253,7 +253,7 @@ TEST(PrimitiveFollower, BadNumbersLetItGo)
   const Vector3 tip{ 0.01, 0.01, 0.0 };
   PrimitiveMemory memory;
   const auto follow = [&](double k, double step, const Vector3& from, const Vector3& to)
-  { return FollowPrimitives(flow.Field(), k, step, from, to, memory); };
+  { return SolvePrimitives(flow.Field(), k, step, from, to, memory); };
   EXPECT_EQ(Norm(follow(SpringOf, nan, {}, tip).Proxy - tip), 0.0);
   EXPECT_EQ(Norm(follow(SpringOf, 0.0, {}, tip).Proxy - tip), 0.0);
   EXPECT_EQ(Norm(follow(SpringOf, QuarterVoxel, { nan, 0.0, 0.0 }, tip).Proxy - tip), 0.0);
@@ -265,7 +265,7 @@ TEST(PrimitiveFollower, BadNumbersLetItGo)
   // A flow that is nowhere leaves the hand alone.
   const AnalyticFlow none{ [](const Vector3&) { return Vector3{}; } };
   const PrimitiveMotion motion =
-    FollowPrimitives(none.Field(), SpringOf, QuarterVoxel, {}, { 0.0, 0.0, 0.003 }, memory);
+    SolvePrimitives(none.Field(), SpringOf, QuarterVoxel, {}, { 0.0, 0.0, 0.003 }, memory);
   EXPECT_NEAR(motion.Proxy.Z, 0.003, 1e-15);
   EXPECT_EQ(Norm(motion.Force), 0.0);
 }

@@ -132,10 +132,10 @@ bool SolveSmall(Long (&a)[3][4], int size)
     std::swap(a[i], a[pivot]);
     for (int r = 0; r < size; ++r)
     {
-      const Long share = r == i ? 0 : a[r][i] / a[i][i];
+      const Long fraction = r == i ? 0 : a[r][i] / a[i][i];
       for (int k = i; k <= size; ++k)
       {
-        a[r][k] -= r == i ? 0 : share * a[i][k];
+        a[r][k] -= r == i ? 0 : fraction * a[i][k];
       }
     }
   }

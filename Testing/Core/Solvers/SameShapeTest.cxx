@@ -34,8 +34,8 @@ TestVolume MakeSlab(bool beginsStiff)
   volume.Fill<double>(
     [=](std::int64_t i, std::int64_t, std::int64_t k)
     {
-      const double share = std::clamp((double(i) - Border) / 8.0 + 0.5, 0.0, 1.0);
-      const double stiff = beginsStiff ? 1.0 - share : share;
+      const double fraction = std::clamp((double(i) - Border) / 8.0 + 0.5, 0.0, 1.0);
+      const double stiff = beginsStiff ? 1.0 - fraction : fraction;
       const double z = double(k);
       const double deep = std::max(0.0, z - 11.0);
       return 100.0 * z + stiff * deep * (StiffValue - SoftValue) / 3.0;
@@ -57,7 +57,7 @@ HapticModelDescription DescribeSlab(const TestVolume& volume, HapticSolver solve
 
 /// How much deeper (mm) the tip of a hand that presses with 1 N is at the end of a stroke than at
 /// its beginning. The hand has no mass: it gives way until the force is the one that it wants.
-double FindStep(const HapticModel& model)
+double ComputeStep(const HapticModel& model)
 {
   ServoState state;
   TickRecord record;
@@ -95,9 +95,11 @@ TEST(SameShape, AChangeOfStiffnessIsFeltAsRelief)
   EXPECT_NEAR(relief, 3.81, 0.01);
   const TestVolume softens = MakeSlab(true);
   const TestVolume stiffens = MakeSlab(false);
-  EXPECT_NEAR(FindStep(HapticModel(DescribeSlab(softens, HapticSolver::Paper))), relief, 0.001);
-  EXPECT_NEAR(FindStep(HapticModel(DescribeSlab(softens, HapticSolver::Precise))), relief, 0.001);
-  EXPECT_NEAR(FindStep(HapticModel(DescribeSlab(stiffens, HapticSolver::Paper))), -relief, 0.001);
+  EXPECT_NEAR(ComputeStep(HapticModel(DescribeSlab(softens, HapticSolver::Paper))), relief, 0.001);
+  EXPECT_NEAR(
+    ComputeStep(HapticModel(DescribeSlab(softens, HapticSolver::Precise))), relief, 0.001);
+  EXPECT_NEAR(
+    ComputeStep(HapticModel(DescribeSlab(stiffens, HapticSolver::Paper))), -relief, 0.001);
 }
 
 TEST(SameShape, OneStiffnessIsFlat)
@@ -110,7 +112,7 @@ TEST(SameShape, OneStiffnessIsFlat)
       HapticModelDescription d = DescribeSlab(volume, solver);
       d.Settings.SameShape = true;
       d.Settings.CouplingStiffness = 300.0;
-      EXPECT_LT(std::abs(FindStep(HapticModel(d))), 0.01);
+      EXPECT_LT(std::abs(ComputeStep(HapticModel(d))), 0.01);
     }
   }
 }

@@ -119,8 +119,8 @@ double FarthestMiddle(double shift)
   return farthest;
 }
 
-/// The linear interpolation of the samples around a position, as a share of the wall's height.
-double InterpolatedShare(const Wall& wall, const Vector3& world)
+/// The linear interpolation of the samples around a position, as a fraction of the wall's height.
+double InterpolatedFraction(const Wall& wall, const Vector3& world)
 {
   const Vector3 index = Inverse(wall.IndexToWorld)(world);
   const double at[3] = { index.X, index.Y, index.Z };
@@ -355,7 +355,7 @@ TEST(ThickSlices, AcrossThemAWallIsInTheMiddleOfItsSamples)
         {
           const double depth = middle + Depth;
           const Press felt = PressInto(wall, wall.Describe(estimator, radius), depth);
-          EXPECT_NEAR(InterpolatedShare(wall, felt.Proxy), 0.5, 0.06);
+          EXPECT_NEAR(InterpolatedFraction(wall, felt.Proxy), 0.5, 0.06);
           const Press expected = PressInto(cubes, cubes.Describe(estimator, radius), depth);
           EXPECT_NEAR(felt.Contact, expected.Contact, 0.05) << "a tick of the press";
           EXPECT_NEAR(felt.Force, expected.Force, 1e-4 * expected.Force);
@@ -386,9 +386,9 @@ TEST(ThickSlices, AWallThatLeansBetweenThemIsFelt)
               << radius);
             const Press felt =
               PressInto(wall, wall.Describe(estimator, radius), Depth + 0.5 * ratio * Fine);
-            const double share = InterpolatedShare(wall, felt.Proxy);
-            EXPECT_GE(share, 0.05) << "no more is known of where it is";
-            EXPECT_LE(share, 0.95);
+            const double fraction = InterpolatedFraction(wall, felt.Proxy);
+            EXPECT_GE(fraction, 0.05) << "no more is known of where it is";
+            EXPECT_LE(fraction, 0.95);
             EXPECT_GE(felt.Force, 0.3);
           }
         }
@@ -427,6 +427,6 @@ TEST(ThickSlices, CubesHaveOneLength)
     const HapticModel model(description);
     const Vector3 direction{ 0.36, 0.48, 0.8 };
     EXPECT_EQ(model.KernelLengthAlong(direction), model.KernelLength);
-    EXPECT_TRUE(IsIdentical(model.FindReach(direction), direction));
+    EXPECT_TRUE(IsIdentical(model.ComputeReach(direction), direction));
   }
 }

@@ -49,9 +49,9 @@ public:
     this->Memory = std::move(memory);
     this->Model = std::move(model);
   }
-  std::vector<std::uint8_t> GetShares() const
+  std::vector<std::uint8_t> GetFractions() const
   {
-    return CopyShares(
+    return CopyTissue(
       this->Model->Baked->Removal->Bricks, this->Model->Baked->Field.GetView().Dimensions);
   }
 
@@ -98,7 +98,8 @@ TEST_F(BurrOfModel, TicksInTheServo)
     ASSERT_EQ(hand.Record.RemovedVolume, alone.Record.RemovedVolume);
   }
   EXPECT_GT(hand.Removed, 0.5);
-  EXPECT_EQ(hand.GetShares(), CopyShares(other.Removal->Bricks, this->Half.Volume.View.Dimensions));
+  EXPECT_EQ(
+    hand.GetFractions(), CopyTissue(other.Removal->Bricks, this->Half.Volume.View.Dimensions));
   EXPECT_EQ(this->Half.Removal->Journal.GetUndoable(), 4u) << "a stroke for each time it spun";
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_EQ(1000.0 * hand.Record.Proxy.X, 1000.0 * alone.Record.Shell.Tool.Position.X);
@@ -169,8 +170,8 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   EXPECT_EQ(Norm(hand.Tick(world).Force), 0.0);
 }
 
-/// B4: from the numbers of a state, the contacts that were kept, and the shares, it goes on to the
-/// bit.
+/// B4: from the numbers of a state, the contacts that were kept, and the fractions, it goes on to
+/// the bit.
 TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
 {
   HapticModelDescription copied = this->Half.Scene;
@@ -195,7 +196,7 @@ TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
   hand.Memory->Keep();
   const ShellContacts& kept = *FindKeptContacts(hand.Memory.get());
   const std::vector<ShellContact> contacts(kept.List.begin(), kept.List.begin() + kept.Count);
-  ASSERT_TRUE(RestoreContacts(*again.Memory, *again.Model->Baked, contacts, kept.Share));
+  ASSERT_TRUE(RestoreContacts(*again.Memory, *again.Model->Baked, contacts, kept.Fraction));
   const auto numbers = ToNumbers(hand.State);
   EXPECT_TRUE(AreOfAState(numbers));
   again.State = FromNumbers(numbers);
@@ -206,7 +207,7 @@ TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
     const Vector3 expected = again.Press(2.0).Force;
     ASSERT_EQ(std::memcmp(&force, &expected, sizeof(force)), 0) << "tick " << i;
   }
-  EXPECT_EQ(again.GetShares(), hand.GetShares());
+  EXPECT_EQ(again.GetFractions(), hand.GetFractions());
 }
 
 TEST_F(BurrOfModel, AStateThatNoTickProducesIsTold)
@@ -272,7 +273,7 @@ TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
     const Vector3 tip{ 0.001 * this->Above.X, 0.001 * this->Above.Y, z };
     alarms += observer.Observe(tip, 1e-3) ? 1 : 0;
     const double force = hand.Tick(1000.0 * tip).Force.Z;
-    observer.NoteSent(hand.Record.Force);
+    observer.RecordSent(hand.Record.Force);
     for (int part = 0; part < 10; ++part)
     {
       speed += 1e-4 * (push + force - damping * speed) / mass;
@@ -296,12 +297,12 @@ TEST_F(BurrOfModel, OnlyItsOwnerServesRequests)
   }
   TissueRemoval& removal = *this->Half.Removal;
   ASSERT_EQ(removal.Journal.GetUndoable(), 1u);
-  const auto shares = hand.GetShares();
+  const auto fractions = hand.GetFractions();
   hand.State.IsSpinning = false;
   ASSERT_TRUE(removal.Request(RemovalRequest::Undo));
   hand.Press(2.0);
   EXPECT_EQ(removal.GetPending(), 1u);
-  EXPECT_EQ(hand.GetShares(), shares);
+  EXPECT_EQ(hand.GetFractions(), fractions);
   EXPECT_FALSE(hand.Record.IsServed);
   int served = 0;
   while (removal.GetPending() > 0)

@@ -84,7 +84,7 @@ public:
   double GetStored() const
   {
     const ShellSettings& touch = ShapedTool::Find(*this->Model->Baked)->Description.Touch;
-    return FindCouplingEnergy(
+    return ComputeCouplingEnergy(
       touch, this->Model->Caps, this->State.Shell.Tool, this->State.Shell.Hand);
   }
 
@@ -339,7 +339,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
     const ShellPose last = hand.State.Shell.Hand;
     const ShellPose next{ hand.Model->WorldToDevice(at), TurnAbout({ 1.0, 0.3, 0.2 }, 1e-4 * i) };
     const auto energyOf = [&](const ShellPose& at)
-    { return FindCouplingEnergy(this->Tool.Touch, hand.Model->Caps, tool, at); };
+    { return ComputeCouplingEnergy(this->Tool.Touch, hand.Model->Caps, tool, at); };
     // While the tool rests.
     paid += hand.State.Shell.Enabled ? energyOf(next) - energyOf(last) : 0.0;
     hand.TickAt(next.Position, next.Orientation);
@@ -390,7 +390,7 @@ TEST_F(ShellTool, GoesOnFromWhatWasKept)
         EXPECT_EQ(kept.Count > 0, begin >= 100);
         ASSERT_TRUE(RestoreContacts(*replay->Memory, *replay->Model->Baked,
           { kept.List.begin(), kept.List.begin() + static_cast<std::ptrdiff_t>(kept.Count) },
-          kept.Share));
+          kept.Fraction));
       }
       live.Tick(at, turn);
       if (replay)

@@ -58,7 +58,7 @@ Observed Hold(
     result.Alarms += observer.Observe(tip, 1e-3) ? 1 : 0;
     Tick(model, state, tip, record, LocalSurfaceResult::Simulated(), nullptr, memory.get());
     forces.push_back(record.Force.Z);
-    observer.NoteSent({ 0.0, 0.0, forces.front() });
+    observer.RecordSent({ 0.0, 0.0, forces.front() });
     const double before = z;
     for (int part = 0; part < 10; ++part)
     {

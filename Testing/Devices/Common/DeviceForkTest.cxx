@@ -36,7 +36,7 @@ public:
   {
     while (!exchange.MustStop())
     {
-      exchange.Tell({});
+      exchange.Report({});
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }

@@ -49,7 +49,7 @@ private:
 TEST(DevicePriority, IsThatOfRealtimeKitWithoutPrivileges)
 {
   PlayedBus bus;
-  if (const char* const missing = bus.FindMissing())
+  if (const char* const missing = bus.DetectMissing())
   {
     GTEST_SKIP() << missing;
   }
@@ -76,7 +76,7 @@ TEST(DevicePriority, IsThatOfRealtimeKitWithoutPrivileges)
 TEST(DevicePriority, IsNotWaitedForByClose)
 {
   PlayedBus bus;
-  if (const char* const missing = bus.FindMissing())
+  if (const char* const missing = bus.DetectMissing())
   {
     GTEST_SKIP() << missing;
   }

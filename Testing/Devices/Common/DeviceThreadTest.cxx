@@ -50,7 +50,7 @@ public:
     exchange.SetCondition(DeviceStage::Ready, "");
     while (!exchange.MustStop())
     {
-      exchange.Tell({});
+      exchange.Report({});
       std::this_thread::yield();
     }
     ++this->Count.Ended;

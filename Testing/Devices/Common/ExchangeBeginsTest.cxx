@@ -18,9 +18,9 @@ bool Begins(HardwareExchange& exchange)
 {
   DeviceSample told;
   told.Tip = { 0.01, 0.0, 0.0 };
-  exchange.Tell(told);
+  exchange.Report(told);
   DeviceSample sample;
-  EXPECT_EQ(exchange.Take(sample), DeviceState::Running);
+  EXPECT_EQ(exchange.Receive(sample), DeviceState::Running);
   EXPECT_TRUE(sample.Fresh);
   EXPECT_EQ(sample.Tip.X, 0.01);
   return sample.Begins;
@@ -38,15 +38,15 @@ TEST(HardwareExchange, TheFirstSampleSinceADeviceBecameReadyBegins)
 
   DeviceSample sample;
   exchange.SetCondition(DeviceStage::Homing, "");
-  EXPECT_EQ(exchange.Take(sample), DeviceState::NotReady);
+  EXPECT_EQ(exchange.Receive(sample), DeviceState::NotReady);
   exchange.SetCondition(DeviceStage::Ready, "");
   EXPECT_TRUE(Begins(exchange)) << "homed";
   EXPECT_FALSE(Begins(exchange));
 
   exchange.SetCondition(DeviceStage::Lost, "");
-  EXPECT_EQ(exchange.Take(sample), DeviceState::Lost);
+  EXPECT_EQ(exchange.Receive(sample), DeviceState::Lost);
   exchange.RequestHome();
-  EXPECT_TRUE(exchange.TakeHomeRequest());
+  EXPECT_TRUE(exchange.DrainHomeRequest());
   exchange.SetCondition(DeviceStage::Ready, "");
   EXPECT_TRUE(Begins(exchange)) << "found again";
 }
@@ -58,10 +58,10 @@ TEST(HardwareExchange, AServoThatSleptThroughHomingHearsOfItAllTheSame)
   exchange.SetCondition(DeviceStage::Ready, "");
   EXPECT_TRUE(Begins(exchange));
   exchange.RequestHome();
-  EXPECT_TRUE(exchange.TakeHomeRequest());
+  EXPECT_TRUE(exchange.DrainHomeRequest());
   exchange.SetCondition(DeviceStage::Ready, "");
   DeviceSample sample;
-  EXPECT_EQ(exchange.Take(sample), DeviceState::NotReady);
+  EXPECT_EQ(exchange.Receive(sample), DeviceState::NotReady);
   EXPECT_TRUE(Begins(exchange));
   exchange.SetCondition(DeviceStage::Ready, "still");
   EXPECT_FALSE(Begins(exchange));
@@ -75,12 +75,12 @@ TEST(HardwareExchange, BetweenSamplesTheLastOneHolds)
   told.Tip = { 0.01, 0.0, 0.0 };
   told.Turn = { 0.0, 1.0, 0.0 };
   told.Buttons = 5;
-  exchange.Tell(told);
+  exchange.Report(told);
   exchange.SetCondition(DeviceStage::Ready, "");
   for (const bool isFresh : { true, false, false })
   {
     DeviceSample sample;
-    EXPECT_EQ(exchange.Take(sample), DeviceState::Running);
+    EXPECT_EQ(exchange.Receive(sample), DeviceState::Running);
     EXPECT_EQ(sample.Fresh, isFresh);
     EXPECT_EQ(sample.Begins, isFresh);
     EXPECT_EQ(sample.Tip.X, 0.01);

@@ -85,7 +85,7 @@ TEST_F(ExchangeForce, TheServoNeitherLocksNorAllocates)
   {
     const auto stage = static_cast<DeviceStage>(tick % 4);
     this->Exchange.SetCondition(stage, "as it is");
-    this->Exchange.Tell(this->Sample);
+    this->Exchange.Report(this->Sample);
     this->Take();
     this->Exchange.Give({ 1.0, 2.0, 3.0 });
     this->Exchange.Quench();

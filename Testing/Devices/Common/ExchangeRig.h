@@ -26,7 +26,7 @@ protected:
   DeviceState Take()
   {
     this->Sample.Fresh = false;
-    return this->Exchange.Take(this->Sample);
+    return this->Exchange.Receive(this->Sample);
   }
 
   static inline std::int64_t Asleep = 0; ///< ns, that the computer has been

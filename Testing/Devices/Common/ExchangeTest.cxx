@@ -17,7 +17,7 @@ TEST_F(DeviceExchange, SamplesPassOnceAndOnlyWhileTheDeviceIsReady)
 {
   DeviceSample told;
   told.Tip = { 1.0, 2.0, 3.0 };
-  this->Exchange.Tell(told);
+  this->Exchange.Report(told);
   EXPECT_EQ(this->Take(), DeviceState::NotReady);
   EXPECT_FALSE(this->Sample.Fresh);
   this->Exchange.SetCondition(DeviceStage::Ready, "");
@@ -37,14 +37,14 @@ TEST_F(DeviceExchange, WhatIsLostStaysSoUntilItIsHomed)
   EXPECT_EQ(this->Exchange.Give({ 1.0, 0.0, 0.0 }), DeviceState::Lost);
   EXPECT_EQ(this->Exchange.GetForce().X, 0.0);
   EXPECT_STREQ(this->Exchange.GetCondition().Text.data(), "it was unplugged.");
-  EXPECT_FALSE(this->Exchange.TakeHomeRequest());
+  EXPECT_FALSE(this->Exchange.DrainHomeRequest());
   this->Exchange.RequestHome();
   EXPECT_EQ(this->Take(), DeviceState::Lost) << "before the device's thread has seen it";
   EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Homing) << "for who asked, at once";
-  EXPECT_TRUE(this->Exchange.TakeHomeRequest());
+  EXPECT_TRUE(this->Exchange.DrainHomeRequest());
   EXPECT_EQ(this->Take(), DeviceState::NotReady);
   EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Homing);
-  EXPECT_FALSE(this->Exchange.TakeHomeRequest());
+  EXPECT_FALSE(this->Exchange.DrainHomeRequest());
 }
 
 TEST_F(DeviceExchange, ATextBeginsWithTheDevicesNameUnlessItIsEmpty)

@@ -68,7 +68,7 @@ TEST_P(DualSenses, ContactIsFeltAndRestIsSilent)
   EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
   this->Model.Move(RightY, 128);
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
-  EXPECT_GT(this->Model.TakeLargest().Right, 70) << "the weak motor";
+  EXPECT_GT(this->Model.DrainLargest().Right, 70) << "the weak motor";
   EXPECT_TRUE(this->Bench.WaitForTicks(200));
   EXPECT_GT(Norm(this->Bench.State().Command), 1.0) << "the force is still there";
   EXPECT_TRUE(this->Model.IsStill());

@@ -43,7 +43,7 @@ TEST_F(FalconBytes, TheFirstWords)
   ASSERT_TRUE(this->Open()) << this->Error;
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
   this->Device->Close();
-  const Lines all = this->Falcon.TakeTranscript();
+  const Lines all = this->Falcon.DrainTranscript();
   // Latency 1 ms, the run mode's rate, purge of both directions, then zero.
   const Lines first = { "c 40 09 0001", "c 40 03 0002", "c 40 00 0001", "c 40 00 0002", Zero,
     Homing, Homing, Homing };
@@ -57,7 +57,7 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   this->Options.FirmwareFile = file.Path.string();
   ASSERT_TRUE(this->Open()) << this->Error;
   ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 2; })) << this->GetText();
-  const Lines all = this->Falcon.TakeTranscript();
+  const Lines all = this->Falcon.DrainTranscript();
   // The device is asked first whether it runs.
   const auto begin = std::find(all.begin(), all.end(), "c 40 09 0010");
   ASSERT_NE(begin, all.end());
@@ -83,12 +83,12 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
 TEST_F(FalconBytes, Commands)
 {
   this->MakeReady();
-  this->Falcon.TakeTranscript();
+  this->Falcon.DrainTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
   // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 +
   // 0x04 + 0x01.
-  const Lines all = this->Falcon.TakeTranscript();
+  const Lines all = this->Falcon.DrainTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {
       return line.size() == 49 && line.substr(10, 6) == " 50 50" && line.substr(40, 3) == " 46";

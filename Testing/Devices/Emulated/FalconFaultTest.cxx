@@ -109,12 +109,12 @@ TEST_F(FalconStuck, ZeroLeavesBeforeAStallIsCleared)
 {
   this->MakeReady();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
-  this->Falcon.TakeTranscript();
+  this->Falcon.DrainTranscript();
   this->Falcon.Break(FalconFault::StallIn, 1);
   this->ExpectLost("stall");
   EXPECT_TRUE(this->StaysAtZero(5)) << "some rounds later";
   std::string last;
-  for (const std::string& line : this->Falcon.TakeTranscript())
+  for (const std::string& line : this->Falcon.DrainTranscript())
   {
     if (line.rfind("c 02 01", 0) == 0)
     {

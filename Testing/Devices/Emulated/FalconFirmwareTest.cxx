@@ -73,10 +73,10 @@ TEST_F(FalconFirmware, IsLoadedByteForByte)
   // It stays in the device.
   this->Device->Close();
   this->Options.FirmwareFile.clear();
-  this->Falcon.TakeTranscript();
+  this->Falcon.DrainTranscript();
   ASSERT_TRUE(this->Open()) << this->Error;
   this->Device->Close();
-  for (const std::string& line : this->Falcon.TakeTranscript())
+  for (const std::string& line : this->Falcon.DrainTranscript())
   {
     EXPECT_NE(line, "o 0a 43 0d") << "it runs, and is not loaded again";
   }

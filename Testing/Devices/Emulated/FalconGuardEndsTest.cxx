@@ -50,14 +50,14 @@ protected:
     EXPECT_TRUE(Has(this->GetText(), "Open()")) << this->GetText();
     EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));
     EXPECT_EQ(FindGuard(), 0);
-    this->Falcon.TakeLargestCommand();
+    this->Falcon.DrainLargestCommand();
     this->Device->Home();
     for (int i = 0; i < 100; ++i)
     {
       EXPECT_EQ(this->Device->Write({ 0.0, 0.0, 1.0 }), DeviceState::Lost);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    EXPECT_EQ(this->Falcon.TakeLargestCommand(), 0.0);
+    EXPECT_EQ(this->Falcon.DrainLargestCommand(), 0.0);
     EXPECT_FALSE(this->Usb.IsClaimed());
     ASSERT_TRUE(this->Device->Open(this->Error)) << this->Error;
     this->Home();

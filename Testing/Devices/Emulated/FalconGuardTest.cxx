@@ -115,9 +115,9 @@ TEST_F(FalconGuard, WatchesAnApplicationThatIsStopped)
     this->MarkEnd();
     EXPECT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > this->End + 2 * MostRounds; }));
     this->ExpectZeroSoon("SIGSTOP");
-    this->Falcon.TakeLargestCommand();
+    this->Falcon.DrainLargestCommand();
     EXPECT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > this->End + 4 * MostRounds; }));
-    EXPECT_EQ(this->Falcon.TakeLargestCommand(), 0.0) << "it stays, and is renewed";
+    EXPECT_EQ(this->Falcon.DrainLargestCommand(), 0.0) << "it stays, and is renewed";
     application.Signal(SIGCONT);
     EXPECT_TRUE(this->Presses()) << "the application goes on, and so does its force";
   }

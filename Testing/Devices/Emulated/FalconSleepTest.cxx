@@ -48,7 +48,7 @@ public:
   void Home() noexcept override { this->Exchange.RequestHome(); }
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
-    return this->Exchange.Take(sample);
+    return this->Exchange.Receive(sample);
   }
   DeviceState Write(const Vector3& force) noexcept override { return this->Exchange.Give(force); }
   void Quench() noexcept override { this->Exchange.Quench(); }

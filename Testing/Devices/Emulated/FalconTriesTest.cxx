@@ -58,7 +58,7 @@ TEST_F(FalconTries, ALateAnswerToTheGreetingIsDropped)
 {
   this->Falcon.Break(FalconFault::LateGreeting, 1);
   this->ExpectLoaded();
-  const std::vector<std::string> lines = this->Falcon.TakeTranscript();
+  const std::vector<std::string> lines = this->Falcon.DrainTranscript();
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "o 0a 43 0d"), 2);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "c 40 03 4138"), 1) << "tries";
 }
@@ -96,7 +96,7 @@ TEST_F(FalconTries, EndAfterTen)
   ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
   EXPECT_TRUE(Has(this->GetText(), "failed 10 times")) << this->GetText();
   int attempts = 0;
-  for (const std::string& line : this->Falcon.TakeTranscript())
+  for (const std::string& line : this->Falcon.DrainTranscript())
   {
     attempts += line == "c 40 03 4138" ? 1 : 0;
   }

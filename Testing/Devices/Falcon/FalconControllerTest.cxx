@@ -25,7 +25,7 @@ protected:
   void Take(const Vector3& place, double elapsed = 0.001, std::uint8_t homed = FalconAllHomed)
   {
     const FalconReport report{ CountsAt(place), 0, homed };
-    this->Controller.Take(report, elapsed);
+    this->Controller.Receive(report, elapsed);
   }
   void BecomeReady()
   {
@@ -33,7 +33,7 @@ protected:
     ASSERT_FALSE(this->Controller.IsLost());
     ASSERT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Ready);
     DeviceSample sample;
-    this->Exchange.Take(sample);
+    this->Exchange.Receive(sample);
     this->Exchange.Give({ 0.0, 0.0, 4.0 });
     ASSERT_LT(this->Controller.GetOrder().Motors[0], -500);
   }
@@ -109,7 +109,7 @@ TEST_F(FalconControllers, TakesNothingBackBeforeARestart)
   EXPECT_EQ(this->Controller.GetOrder().Lights, FalconRed);
   EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Lost);
   this->Exchange.RequestHome();
-  ASSERT_TRUE(this->Exchange.TakeHomeRequest());
+  ASSERT_TRUE(this->Exchange.DrainHomeRequest());
   this->Controller.Restart();
   this->Take(this->Out);
   EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Ready);
@@ -120,7 +120,7 @@ TEST_F(FalconControllers, TellsWhereTheTipIsFromTheMiddle)
 {
   this->Take({ 0.01, -0.02, 0.171 });
   DeviceSample sample;
-  ASSERT_EQ(this->Exchange.Take(sample), DeviceState::Running);
+  ASSERT_EQ(this->Exchange.Receive(sample), DeviceState::Running);
   EXPECT_LT(Norm(sample.Tip - Vector3{ 0.01, -0.02, 0.046 }), 1e-4);
   EXPECT_TRUE(sample.Begins);
 }

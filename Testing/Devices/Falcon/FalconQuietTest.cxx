@@ -33,7 +33,7 @@ TEST(FalconQuiet, NoTickAllocatesOrLocks)
     std::array<std::uint8_t, 18> transfer{ 0x01, 0x60 };
     std::copy(packet.begin(), packet.end(), transfer.begin() + 2);
     transfer[2 + tick % 16] = tick % 7 == 0 ? '<' : transfer[2 + tick % 16];
-    reports += stream.Take(transfer.data(), transfer.size(), report);
+    reports += stream.Receive(transfer.data(), transfer.size(), report);
     homing.Update(0.001, &report);
     const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
     const FalconOrder order{ FalconCommandsOf(pose.Jacobian, { 1.0, 2.0, 3.0 }), FalconGreen };

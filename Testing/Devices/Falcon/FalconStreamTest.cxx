@@ -37,13 +37,13 @@ std::string Wrapped(const std::string& bytes)
 class FalconStreamed : public testing::Test
 {
 protected:
-  int TakeTransfer(const std::string& transfer)
+  int ReceiveTransfer(const std::string& transfer)
   {
     // Its own allocation, so that the address sanitizer sees a byte too far.
     const std::vector<std::uint8_t> exact(transfer.begin(), transfer.end());
-    return this->Stream.Take(exact.data(), exact.size(), this->Report);
+    return this->Stream.Receive(exact.data(), exact.size(), this->Report);
   }
-  int Take(const std::string& bytes) { return this->TakeTransfer(Wrapped(bytes)); }
+  int Take(const std::string& bytes) { return this->ReceiveTransfer(Wrapped(bytes)); }
 
   FalconStream Stream;
   FalconReport Report;
@@ -64,7 +64,7 @@ TEST_F(FalconStreamed, NothingToSay)
   this->Report.Encoders = { 5, 5, 5 };
   for (const char* const transfer : { "", "\x01", "\x01\x60" })
   {
-    EXPECT_EQ(this->TakeTransfer(transfer), 0);
+    EXPECT_EQ(this->ReceiveTransfer(transfer), 0);
   }
   EXPECT_EQ(this->Report.Encoders[0], 5);
   EXPECT_EQ(this->Take(Good), 1);

@@ -40,7 +40,7 @@ public:
     {
       throw std::runtime_error("The played device is out of order.");
     }
-    exchange.Tell({});
+    exchange.Report({});
     exchange.SetCondition(DeviceStage::Ready, "");
     if (this->Way == "held" || this->Way == "crossed")
     {
@@ -50,7 +50,7 @@ public:
     while (!exchange.MustStop())
     {
       exchange.WaitForWake(2);
-      if (exchange.TakeHomeRequest())
+      if (exchange.DrainHomeRequest())
       {
         exchange.SetCondition(DeviceStage::Ready, "homed");
       }
@@ -59,7 +59,7 @@ public:
       sample.Buttons = static_cast<std::uint32_t>(exchange.GetLights());
       sample.HasOrientation = exchange.GetLights() > 0;
       sample.Orientation = { 0.5, 0.5, -0.5, 0.1 * exchange.GetLights() };
-      exchange.Tell(sample);
+      exchange.Report(sample);
     }
   }
   void Disconnect() noexcept override {}
@@ -87,7 +87,7 @@ private:
       }
       DeviceSample sample;
       sample.Tip = { held.GetPlace()[0], held.GetPlace()[1], held.GetPlace()[2] };
-      exchange.Tell(sample);
+      exchange.Report(sample);
     }
   }
 

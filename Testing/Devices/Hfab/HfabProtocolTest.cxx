@@ -22,7 +22,7 @@ std::vector<HfabAnswer> Read(HfabReader& reader, const std::string& text)
   std::vector<HfabAnswer> answers;
   for (const char byte : text)
   {
-    if (reader.Take(byte))
+    if (reader.Receive(byte))
     {
       answers.push_back(reader.Get());
     }

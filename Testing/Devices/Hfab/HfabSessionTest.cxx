@@ -232,7 +232,7 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     const Triple tip = rig.Arm.GetTip();
     // The counts are those of power-up again: so the arm seems to be where it was then.
     const double jump = Size({ tip[0] - atPower[0], tip[1] - atPower[1], tip[2] - atPower[2] });
-    rig.Arm.TakeLongestPause();
+    rig.Arm.DrainLongestPause();
     const int messages = rig.Arm.GetMessages();
     rig.Arm.PressButton();
     EXPECT_TRUE(Eventually(
@@ -246,7 +246,7 @@ TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
     else
     {
       // Only in a pause of a busy machine may a hand have gone as far.
-      EXPECT_GT(rig.Arm.TakeLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
+      EXPECT_GT(rig.Arm.DrainLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
     }
   }
   EXPECT_TRUE(isSeen);
@@ -363,12 +363,12 @@ TEST_F(Hfab, BoardsAreFoundByTheirNames)
   fs::create_symlink(this->Rig.Arm.GetPort(), folder / name);
   fs::create_symlink("/dev/null", folder / "usb-Other_board");
   fs::create_symlink("/dev/no-such-port", folder / "usb-Teensyduino_gone");
-  const auto boards = SerialPort::Find(HfabDriver::Board, folder.string());
+  const auto boards = SerialPort::List(HfabDriver::Board, folder.string());
   ASSERT_EQ(boards.size(), 1U);
   EXPECT_EQ(boards[0].Path, this->Rig.Arm.GetPort());
   EXPECT_EQ(boards[0].Name, name);
   EXPECT_EQ(HfabDriver::MakeIdentity(boards[0]), "hfab:" + name);
   EXPECT_EQ(HfabDriver::MakeIdentity({ "/dev/ttyACM0", "" }), "hfab:port:/dev/ttyACM0");
   EXPECT_EQ(SerialPort::NameOf(this->Rig.Arm.GetPort(), folder.string()), name);
-  EXPECT_TRUE(SerialPort::Find(HfabDriver::Board, (folder / "none").string()).empty());
+  EXPECT_TRUE(SerialPort::List(HfabDriver::Board, (folder / "none").string()).empty());
 }

@@ -31,7 +31,7 @@ EvdevReader::News Take(EvdevReader& reader, unsigned type, unsigned code, int va
   event.type = static_cast<__u16>(type);
   event.code = static_cast<__u16>(code);
   event.value = value;
-  return reader.Take(event);
+  return reader.Receive(event);
 }
 } // namespace
 

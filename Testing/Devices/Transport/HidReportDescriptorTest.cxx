@@ -116,11 +116,11 @@ TEST(HidReportDescriptor, ArraysChooseByTheirPlaceInTheList)
   {
     std::int64_t value = 0;
     EXPECT_TRUE(field.IsArray);
-    EXPECT_TRUE(d.FindChoice(field, 0x000F009A, value));
+    EXPECT_TRUE(d.ReadChoice(field, 0x000F009A, value));
     EXPECT_EQ(value, 4);
-    EXPECT_TRUE(d.FindChoice(field, 0x000F0026, value));
+    EXPECT_TRUE(d.ReadChoice(field, 0x000F0026, value));
     EXPECT_EQ(value, 5);
-    EXPECT_FALSE(d.FindChoice(field, 0x000F009B, value));
+    EXPECT_FALSE(d.ReadChoice(field, 0x000F009B, value));
   }
   EXPECT_EQ(d.GetFields()[1].BitOffset, 8U);
 }

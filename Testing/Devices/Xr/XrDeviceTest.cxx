@@ -35,7 +35,7 @@ double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
     device.Read(TickOfXr, sample);
     device.Write(force);
   }
-  return device.TakeAmplitude();
+  return device.DrainAmplitude();
 }
 
 /** Of a step of 1 N at the time 0 (s), the strong motor's level. */
@@ -58,7 +58,7 @@ TEST(XrDevice, AFrameGetsTheLargestAmplitudeOfItsTicks)
   const Vector3 force{ 0.6, 0.0, -0.8 };
   // 20 ms: the weak motor's level rises to 0.70 within them, and is lower at their end.
   EXPECT_NEAR(AmplitudeAfter(device, 20, force), 0.70, 0.03);
-  EXPECT_EQ(device.TakeAmplitude(), 0.0) << "nothing came since";
+  EXPECT_EQ(device.DrainAmplitude(), 0.0) << "nothing came since";
   // From 40 to 50 ms after the step the strong motor's level is the larger one, about its maximum.
   AmplitudeAfter(device, 20, force);
   EXPECT_NEAR(AmplitudeAfter(device, 10, force), StrongOfStep(0.046), 0.005);
@@ -80,21 +80,21 @@ TEST(XrDevice, AShortTouchBetweenTwoFramesIsNotLost)
     device.Read(TickOfXr, sample);
     device.Write(i < 5 ? Vector3{ 0.0, 2.0, 0.0 } : Vector3{});
   }
-  EXPECT_GT(device.TakeAmplitude(), 0.4);
+  EXPECT_GT(device.DrainAmplitude(), 0.4);
   EXPECT_LT(AmplitudeAfter(device, 11, {}), 0.1) << "it is long over";
 }
 
 TEST(XrDevice, IsSilentWithoutAServo)
 {
   XrDevice device;
-  EXPECT_EQ(device.TakeAmplitude(), 0.0);
+  EXPECT_EQ(device.DrainAmplitude(), 0.0);
   EXPECT_GT(AmplitudeAfter(device, 5, { 1.0, 0.0, 0.0 }), 0.0);
   AmplitudeAfter(device, 5, {});
   DeviceSample sample;
   device.Read(TickOfXr, sample);
   device.Write({ 3.0, 0.0, 0.0 });
   device.Quench();
-  EXPECT_EQ(device.TakeAmplitude(), 0.0);
+  EXPECT_EQ(device.DrainAmplitude(), 0.0);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(AmplitudeAfter(device, 5, { nan, 0.0, 0.0 }), 0.0);
 }

@@ -32,7 +32,7 @@ void ExpectPlanes(CropBase base, const double (&wanted)[6], const char* what)
   const double origin[3] = { -20.0, 5.0, 107.5 };
   const double scale[3] = { 0.5, 0.25, 0.25 };
   double planes[6];
-  FindCropPlanes(base, bounds, extent, origin, scale, planes);
+  ComputeCropPlanes(base, bounds, extent, origin, scale, planes);
   for (int i = 0; i < 6; ++i)
   {
     Expect(planes[i] == wanted[i], what);

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Fo
   return image;
 }
 
-/// The share of an edge that is blurred by a Gaussian, `distance` behind its middle.
+/// The fraction of an edge that is blurred by a Gaussian, `distance` behind its middle.
 double Blurred(double distance, double width)
 {
   return 0.5 * (1.0 + std::erf(distance / (width * std::sqrt(2.0))));

@@ -69,15 +69,15 @@ TEST(BackgroundWork, GivesAResultWhenItIsKnownAndMakesItOnce)
   Gate gate;
   Work work;
   EXPECT_FALSE(work.IsUnderWay());
-  EXPECT_EQ(work.Follow(1, gate.Make("one")), nullptr);
+  EXPECT_EQ(work.Poll(1, gate.Make("one")), nullptr);
   EXPECT_TRUE(work.IsUnderWay());
   ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
-  EXPECT_EQ(work.Follow(1, gate.Make("another")), nullptr);
+  EXPECT_EQ(work.Poll(1, gate.Make("another")), nullptr);
   gate.IsOpen = true;
   ASSERT_TRUE(work.WaitFor(60.0));
   for (int i = 0; i < 3; ++i)
   {
-    const std::string* const result = work.Follow(1, gate.Make("another"));
+    const std::string* const result = work.Poll(1, gate.Make("another"));
     ASSERT_NE(result, nullptr);
     EXPECT_EQ(*result, "one");
   }
@@ -90,25 +90,25 @@ TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
   Gate old;
   Gate gate;
   Work work;
-  work.Follow(1, old.Make("old"));
+  work.Poll(1, old.Make("old"));
   ASSERT_TRUE(Eventually([&] { return old.Entered == 1; }));
   const Work::Maker make = [old, gate](WorkMonitor& monitor)
   {
     EXPECT_EQ(old.Left, 1) << "the old work has ended before the new one begins";
     return gate.Pass(monitor, "new");
   };
-  EXPECT_EQ(work.Follow(2, make), nullptr);
+  EXPECT_EQ(work.Poll(2, make), nullptr);
   gate.IsOpen = true;
   const std::string* result = nullptr;
-  ASSERT_TRUE(Eventually([&] { return (result = work.Follow(2, gate.Make("new"))) != nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return (result = work.Poll(2, gate.Make("new"))) != nullptr; }));
   EXPECT_EQ(*result, "new");
   // A change after the work has returned, before its owner has looked.
   Work other;
-  other.Follow(1, gate.Make("old"));
+  other.Poll(1, gate.Make("old"));
   ASSERT_TRUE(other.WaitFor(60.0));
-  const std::string* const none = other.Follow(2, gate.Make("new"));
+  const std::string* const none = other.Poll(2, gate.Make("new"));
   EXPECT_TRUE(!none || *none == "new");
-  ASSERT_TRUE(Eventually([&] { return (result = other.Follow(2, gate.Make("new"))) != nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return (result = other.Poll(2, gate.Make("new"))) != nullptr; }));
   EXPECT_EQ(*result, "new");
 }
 
@@ -116,20 +116,20 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
 {
   Gate gate;
   Work work;
-  work.Follow(1, gate.Make("one"));
+  work.Poll(1, gate.Make("one"));
   ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
   work.Forget();
   EXPECT_FALSE(work.IsUnderWay());
   EXPECT_TRUE(Eventually([&] { return gate.Left == 1; }));
   {
     Work gone;
-    gone.Follow(1, gate.Make("one"));
+    gone.Poll(1, gate.Make("one"));
     ASSERT_TRUE(Eventually([&] { return gate.Entered == 2; }));
   }
   EXPECT_TRUE(Eventually([&] { return gate.Left == 2; }));
   // It can begin again.
   gate.IsOpen = true;
-  ASSERT_TRUE(Eventually([&] { return work.Follow(1, gate.Make("one")) != nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return work.Poll(1, gate.Make("one")) != nullptr; }));
 }
 
 TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
@@ -146,7 +146,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
     return monitor.IsCancelled() ? std::nullopt : std::optional<std::string>("made");
   };
   Work work;
-  EXPECT_EQ(work.Follow(1, stubborn), nullptr);
+  EXPECT_EQ(work.Poll(1, stubborn), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
   work.Abandon(); // would never return if it waited
   EXPECT_TRUE(work.IsUnderWay());
@@ -155,7 +155,7 @@ TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
   isOpen = true;
   ASSERT_TRUE(Eventually([&] { return !work.IsUnderWay(); }));
   EXPECT_EQ(work.Find(1), nullptr) << "it was cancelled";
-  ASSERT_TRUE(Eventually([&] { return work.Follow(1, stubborn) != nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return work.Poll(1, stubborn) != nullptr; }));
   EXPECT_EQ(*work.Find(1), "made");
   EXPECT_EQ(entered, 2);
   work.Abandon();
@@ -176,12 +176,12 @@ TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
       });
     const auto make = [held, gate](WorkMonitor& monitor)
     { return gate.Pass(monitor, std::to_string(*held)); };
-    work.Follow(1, make);
+    work.Poll(1, make);
   }
   gate.IsOpen = true;
   ASSERT_TRUE(work.WaitFor(60.0));
   EXPECT_EQ(releaser, std::thread::id()) << "not by the worker";
-  const std::string* const result = work.Follow(1, gate.Make("another"));
+  const std::string* const result = work.Poll(1, gate.Make("another"));
   ASSERT_NE(result, nullptr);
   EXPECT_EQ(*result, "5");
   EXPECT_EQ(releaser, std::this_thread::get_id());
@@ -217,14 +217,14 @@ TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
     };
   };
   Work work;
-  EXPECT_EQ(work.Follow(1, makeStubborn()), nullptr);
+  EXPECT_EQ(work.Poll(1, makeStubborn()), nullptr);
   ASSERT_TRUE(Eventually([&] { return entered == 1; }));
   work.Forget(); // would never return if it waited
-  EXPECT_EQ(work.Follow(2, makeStubborn()), nullptr);
-  EXPECT_EQ(work.Follow(3, makeStubborn()), nullptr);
+  EXPECT_EQ(work.Poll(2, makeStubborn()), nullptr);
+  EXPECT_EQ(work.Poll(3, makeStubborn()), nullptr);
   {
     Work gone;
-    gone.Follow(1, [](WorkMonitor&) { return std::optional<std::string>("gone"); });
+    gone.Poll(1, [](WorkMonitor&) { return std::optional<std::string>("gone"); });
   }
   EXPECT_EQ(left, 0);
   EXPECT_EQ(released, 0) << "not while the tasks go on";
@@ -251,7 +251,7 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
     [&gate]
     {
       Work work;
-      work.Follow(1, gate.Make("one"));
+      work.Poll(1, gate.Make("one"));
       EXPECT_TRUE(Eventually([&] { return gate.Entered == 1; }));
     })
     .join();
@@ -289,7 +289,7 @@ TEST(BackgroundWork, EndsWithAnOwnerThatOutlivesItsThread)
       thread_local LateOwner owner; // constructed first, so that it ends last
       owner.Left = &left;
       owner.HeldWork = std::make_unique<Work>();
-      owner.HeldWork->Follow(1,
+      owner.HeldWork->Poll(1,
         [&](WorkMonitor& monitor) -> std::optional<std::string>
         {
           isEntered = true;
@@ -312,7 +312,7 @@ TEST(BackgroundWork, TellsItsProgress)
   Gate gate;
   Work work;
   EXPECT_EQ(work.GetProgress(), 0.0);
-  work.Follow(1,
+  work.Poll(1,
     [gate](WorkMonitor& monitor)
     {
       monitor.SetProgress(0.25);
@@ -328,9 +328,9 @@ TEST(BackgroundWork, WithoutMemoryHasNoResult)
   Work work;
   const Work::Maker make = [](WorkMonitor&) -> std::optional<std::string>
   { throw std::bad_alloc(); };
-  EXPECT_EQ(work.Follow(1, make), nullptr);
+  EXPECT_EQ(work.Poll(1, make), nullptr);
   ASSERT_TRUE(work.WaitFor(60.0));
-  EXPECT_EQ(work.Follow(1, make), nullptr);
+  EXPECT_EQ(work.Poll(1, make), nullptr);
   EXPECT_FALSE(work.IsUnderWay());
 }
 
@@ -340,19 +340,19 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
 {
   Gate gate;
   auto work = std::make_unique<Work>();
-  work->Follow(1, gate.Make("one"));
+  work->Poll(1, gate.Make("one"));
   ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
   const pid_t child = fork();
   if (child == 0)
   {
     alarm(30);
     const bool isQuiet =
-      !work->IsUnderWay() && !work->WaitFor(0.01) && !work->Follow(1, gate.Make("one"));
+      !work->IsUnderWay() && !work->WaitFor(0.01) && !work->Poll(1, gate.Make("one"));
     work.reset();
     Work own;
     gate.IsOpen = true;
-    own.Follow(2, gate.Make("two"));
-    const bool isDone = own.WaitFor(20.0) && own.Follow(2, gate.Make("two"));
+    own.Poll(2, gate.Make("two"));
+    const bool isDone = own.WaitFor(20.0) && own.Poll(2, gate.Make("two"));
     _exit(isQuiet && isDone ? 0 : 1);
   }
   int status = 0;
@@ -368,7 +368,7 @@ TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
   // Shared, as the task outlives this test.
   const auto mayLeave = std::make_shared<std::atomic<bool>>(false);
   const auto isEntered = std::make_shared<std::atomic<bool>>(false);
-  work.Follow(1,
+  work.Poll(1,
     [mayLeave, isEntered](WorkMonitor&) -> std::optional<std::string>
     {
       *isEntered = true;
@@ -385,8 +385,8 @@ TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
   {
     alarm(30);
     gate.IsOpen = true;
-    work.Follow(2, gate.Make("two"));
-    const bool isDone = work.WaitFor(20.0) && work.Follow(2, gate.Make("two"));
+    work.Poll(2, gate.Make("two"));
+    const bool isDone = work.WaitFor(20.0) && work.Poll(2, gate.Make("two"));
     _exit(isDone ? 0 : 1);
   }
   int status = 0;

@@ -35,7 +35,7 @@ protected:
       [&](const Point& x) { return std::round(clean(x[2]) + sigma * normal(random)); });
   }
   /// The ramp's start after a tick in the image.
-  double FindStart(vtkImageData* image)
+  double ComputeStart(vtkImageData* image)
   {
     this->Filter->SetInputData(0, image);
     this->Filter->SetPathData(MakePath({ { 20.0, 20.0, 20.0 }, { 20.0, 20.0, 20.1 } }));
@@ -86,7 +86,7 @@ protected:
     this->Fill(this->Counting, { 20.0, 40.0 }, 5);
     this->Image->SetDimensions(Size, Size, Size);
     this->Image->GetPointData()->SetScalars(this->Counting);
-    EXPECT_GT(this->FindStart(this->Image), 0.0);
+    EXPECT_GT(this->ComputeStart(this->Image), 0.0);
     EXPECT_TRUE(this->Counting->WasRead());
   }
   static void Fill(vtkFloatArray* array, const std::vector<double>& sigmas, unsigned seed)
@@ -104,7 +104,7 @@ protected:
     }
   }
   /// The ramp of a new filter with the same settings.
-  double FindAnew()
+  double ComputeAnew()
   {
     vtkNew<vtkVolumeHapticsFilter> fresh;
     fresh->SetGradientEstimator(this->Filter->GetGradientEstimator());
@@ -128,8 +128,8 @@ TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
   // Documentation/method.md: 0.106 sigma per voxel of the default Gaussian; up to 3.4 times that
   // is noise.
   const double expected = 3.4 * 0.106 * Sigma;
-  EXPECT_NEAR(this->FindStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
-  EXPECT_NEAR(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
+  EXPECT_NEAR(this->ComputeStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
+  EXPECT_NEAR(this->ComputeStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
     expected, 0.1 * expected);
   vtkSmartPointer<vtkImageData> padded = this->MakeNoisy(Edge, Sigma);
   vtkDataArray* const scalars = padded->GetPointData()->GetScalars();
@@ -137,25 +137,26 @@ TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
   {
     scalars->SetTuple1(i, -2000.0);
   }
-  EXPECT_NEAR(this->FindStart(padded), expected, 0.1 * expected);
+  EXPECT_NEAR(this->ComputeStart(padded), expected, 0.1 * expected);
   vtkSmartPointer<vtkImageData> wide = this->MakeNoisy(Edge, Sigma);
   wide->SetSpacing(2.0, 2.0, 4.0);
-  EXPECT_NEAR(this->FindStart(wide), expected / 2.0, 0.1 * expected) << "per world unit";
+  EXPECT_NEAR(this->ComputeStart(wide), expected / 2.0, 0.1 * expected) << "per world unit";
 }
 
 TEST_F(Noise, ThatIsNotThereSetsNothing)
 {
-  EXPECT_EQ(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, 0.0)), 0.0);
+  EXPECT_EQ(this->ComputeStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, 0.0)), 0.0);
   EXPECT_EQ(
-    this->FindStart(this->MakeNoisy([](double z) { return z > 24.0 ? 1000.0 : 0.0; }, 0.0)), 0.0);
+    this->ComputeStart(this->MakeNoisy([](double z) { return z > 24.0 ? 1000.0 : 0.0; }, 0.0)),
+    0.0);
   const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy(Edge, Sigma);
   vtkHapticProperty* const property = this->Filter->GetProperty();
   property->DistinctnessFromNoiseOff();
-  EXPECT_EQ(this->FindStart(noisy), 0.0);
+  EXPECT_EQ(this->ComputeStart(noisy), 0.0);
   property->DistinctnessFromNoiseOn();
-  EXPECT_GT(this->FindStart(noisy), 0.0);
+  EXPECT_GT(this->ComputeStart(noisy), 0.0);
   property->GetDistinctness()->AddPoint(0.0, 1.0);
-  EXPECT_EQ(this->FindStart(noisy), 0.0) << "the user has set one";
+  EXPECT_EQ(this->ComputeStart(noisy), 0.0) << "the user has set one";
 }
 
 TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
@@ -173,7 +174,7 @@ TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
          vtkVolumeHapticsFilter::GAUSSIAN, vtkVolumeHapticsFilter::CUBIC_BSPLINE })
   {
     this->Filter->SetGradientEstimator(estimator);
-    const double start = this->FindStart(noisy);
+    const double start = this->ComputeStart(noisy);
     this->Filter->SetPathData(MakePath(anywhere));
     this->Filter->Update();
     int above = 0;
@@ -283,48 +284,48 @@ TEST_F(Noise, HidesNoWallAcrossSlices)
 
 TEST_F(NoiseOnce, IsNotEstimatedAgainForTheSameImage)
 {
-  const double start = this->FindStart(this->Image);
+  const double start = this->ComputeStart(this->Image);
   EXPECT_FALSE(this->Counting->WasRead()) << "another path";
   this->Filter->GetProperty()->GetStiffness()->AddPoint(0.0, 800.0);
-  EXPECT_EQ(this->FindStart(this->Image), start);
+  EXPECT_EQ(this->ComputeStart(this->Image), start);
   EXPECT_FALSE(this->Counting->WasRead()) << "another material";
   this->Filter->SetKernelRadius(3);
   this->Filter->SetGradientEstimatorToCubicBSpline();
-  const double smoother = this->FindStart(this->Image);
+  const double smoother = this->ComputeStart(this->Image);
   EXPECT_FALSE(this->Counting->WasRead()) << "another kernel makes another ramp of the same noise";
-  EXPECT_EQ(smoother, this->FindAnew());
+  EXPECT_EQ(smoother, this->ComputeAnew());
   EXPECT_NE(smoother, start);
 }
 
 TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
 {
-  const double before = this->FindStart(this->Image);
+  const double before = this->ComputeStart(this->Image);
   this->Fill(this->Counting, { 60.0, 40.0 }, 6);
   this->Counting->Modified();
-  EXPECT_NEAR(this->FindStart(this->Image), 3.0 * before, 0.3 * before);
+  EXPECT_NEAR(this->ComputeStart(this->Image), 3.0 * before, 0.3 * before);
   this->Fill(this->Counting, { 100.0, 40.0 }, 7);
   this->Image->Modified(); // as some programs announce new scalars
-  EXPECT_NEAR(this->FindStart(this->Image), 5.0 * before, 0.5 * before);
+  EXPECT_NEAR(this->ComputeStart(this->Image), 5.0 * before, 0.5 * before);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Image->SetDimensions(Size, Size / 2, 2 * Size);
-  this->FindStart(this->Image);
+  this->ComputeStart(this->Image);
   EXPECT_TRUE(this->Counting->WasRead()) << "other neighbours";
 }
 
 TEST_F(NoiseOnce, IsThatOfTheComponentAndOfTheArray)
 {
-  const double first = this->FindStart(this->Image);
+  const double first = this->ComputeStart(this->Image);
   this->Filter->GetProperty()->SetComponent(1);
-  EXPECT_NEAR(this->FindStart(this->Image), 2.0 * first, 0.2 * first);
+  EXPECT_NEAR(this->ComputeStart(this->Image), 2.0 * first, 0.2 * first);
   EXPECT_TRUE(this->Counting->WasRead());
   this->Filter->GetProperty()->SetComponent(0);
-  EXPECT_EQ(this->FindStart(this->Image), first);
+  EXPECT_EQ(this->ComputeStart(this->Image), first);
 
   vtkNew<vtkFloatArray> other;
   other->SetName("other");
   this->Fill(other, { 80.0 }, 7);
   this->Image->GetPointData()->AddArray(other);
-  this->FindStart(this->Image);
+  this->ComputeStart(this->Image);
   this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "other");
-  EXPECT_NEAR(this->FindStart(this->Image), 4.0 * first, 0.4 * first);
+  EXPECT_NEAR(this->ComputeStart(this->Image), 4.0 * first, 0.4 * first);
 }

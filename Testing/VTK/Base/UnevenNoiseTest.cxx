@@ -68,7 +68,7 @@ std::vector<double> MakeStreaks()
   return noise;
 }
 
-/// In `levels` of grey; a core of another value lies in the middle, and streaks have a share.
+/// In `levels` of grey; a core of another value lies in the middle, and streaks have a fraction.
 vtkSmartPointer<vtkImageData> MakeBall(
   double levels = 256.0, double core = 0.0, double streak = 1.0)
 {
@@ -82,8 +82,9 @@ vtkSmartPointer<vtkImageData> MakeBall(
       const double r = std::hypot(x[0] - Middle, x[1] - Middle, x[2] - Middle);
       const double inside = 0.5 * std::erfc((r - Ball) / (0.8 * std::sqrt(2.0)));
       // Streaks of 1 on one side and 9 on the other.
-      const double share = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
-      const double noise = streak * (1.0 + 8.0 * share) * streaks[number++] + 0.4 * random(engine);
+      const double fraction = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
+      const double noise =
+        streak * (1.0 + 8.0 * fraction) * streaks[number++] + 0.4 * random(engine);
       const double middle = core * 0.5 * std::erfc(r - 0.4 * Ball);
       const double value = 2.0 + Bright * inside + middle + noise;
       const double scale = levels / 256.0;

@@ -151,7 +151,7 @@ TEST_F(DeviceLife, PartsOutliveTheDevice)
   state->GetFollowed(shapes);
   EXPECT_EQ(shapes->GetNumberOfPoints(), 0);
   EXPECT_EQ(playback->GetSpeed(), 1.0);
-  EXPECT_FALSE(playback->HasFrames());
+  EXPECT_FALSE(playback->HasTimeSteps());
   EXPECT_EQ(recorder->GetFileName(), "");
   const MessageLog played(playback);
   playback->Play();

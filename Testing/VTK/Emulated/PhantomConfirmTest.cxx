@@ -37,7 +37,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_NO_FATAL_FAILURE(this->Home());
     ASSERT_TRUE(this->LeadTo(0.0, 0.0, SkinHeight - 0.005)) << "in the skin, which is not felt";
-    this->Falcon.TakeLargestCommand();
+    this->Falcon.DrainLargestCommand();
     this->Device->Arm();
   }
   std::string ReadMemory() const
@@ -121,6 +121,6 @@ TEST_F(PhantomConfirm, MotorsTheOtherWayRoundAreAFaultBeforeAnythingIsFelt)
   EXPECT_TRUE(this->Hand.Says("wrong sign")) << this->Device->GetStatusText();
   EXPECT_FALSE(this->Device->GetSignsConfirmed());
   EXPECT_EQ(this->ReadMemory(), "");
-  EXPECT_LE(this->Falcon.TakeLargestCommand(), 1000.0) << "a tenth of 8 N, no wall";
+  EXPECT_LE(this->Falcon.DrainLargestCommand(), 1000.0) << "a tenth of 8 N, no wall";
   this->ExpectNoForce(50);
 }

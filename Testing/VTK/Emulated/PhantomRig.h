@@ -30,7 +30,7 @@ public:
     this->Image = reader->GetOutput();
     this->Filter->SetInputData(0, this->Image);
     this->Filter->GetProperty()->ApplyPreset("CT contrast");
-    this->Skin = this->FindSkin(0.0, Height);
+    this->Skin = this->ComputeSkin(0.0, Height);
   }
 
   /**
@@ -57,14 +57,17 @@ public:
   /** How far (mm) a point of the world is inside the skin, near the line. */
   double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
   /** How much deeper (mm) the skin is at another place, which is that far (mm) from the line. */
-  double SkinBehind(double x, double z) const { return this->FindSkin(x, Height + z) - this->Skin; }
+  double SkinBehind(double x, double z) const
+  {
+    return this->ComputeSkin(x, Height + z) - this->Skin;
+  }
 
   vtkNew<vtkVolumeHapticsFilter> Filter;
 
 private:
   static constexpr double Height = 60.0; // mm, of the line
 
-  double FindSkin(double x, double z) const
+  double ComputeSkin(double x, double z) const
   {
     double point[3] = { x, -115.0, z };
     while (point[1] < 0.0 && this->ValueAt(point) <= SkinValue)
@@ -83,14 +86,14 @@ private:
     for (int corner = 0; corner < 8; ++corner)
     {
       int at[3];
-      double share = 1.0;
+      double fraction = 1.0;
       for (int axis = 0; axis < 3; ++axis)
       {
         const int step = (corner >> axis) & 1;
         at[axis] = index[axis] + step;
-        share *= step == 1 ? part[axis] : 1.0 - part[axis];
+        fraction *= step == 1 ? part[axis] : 1.0 - part[axis];
       }
-      value += share * this->Image->GetScalarComponentAsDouble(at[0], at[1], at[2], 0);
+      value += fraction * this->Image->GetScalarComponentAsDouble(at[0], at[1], at[2], 0);
     }
     return value;
   }

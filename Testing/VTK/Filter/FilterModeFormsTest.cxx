@@ -138,7 +138,8 @@ protected:
   }
 
   /// If it is a guide, along a line that turns with the volume. At a kink, rounding would decide
-  /// where a way ends, up to FinishedShare of a step (Core/Solvers/Primitives/PrimitiveFollower.h).
+  /// where a way ends, up to FinishedFraction of a step
+  /// (Core/Solvers/Primitives/PrimitiveFollower.h).
   template <typename Turn>
   static void SetGuide(vtkHapticMode* mode, const Turn& turn)
   {

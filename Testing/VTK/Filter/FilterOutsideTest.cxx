@@ -342,7 +342,7 @@ TEST_F(FilterMeasured, VectorsAndLabelsAreReadAsTheyAre)
 }
 
 // Both as time steps and as components; the samples outside keep one value.
-TEST_F(FilterMeasured, FramesAreFilledAlike)
+TEST_F(FilterMeasured, TimeStepsAreFilledAlike)
 {
   const auto wallAt = [](const Point& p, double wall, bool isMasked)
   {

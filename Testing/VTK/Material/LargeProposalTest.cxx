@@ -28,8 +28,8 @@ constexpr double Areas = OuterRadius * OuterRadius / (InnerRadius * InnerRadius)
 class LargeProposal : public Proposal
 {
 protected:
-  /// Three materials, 0, 100 and 250, with noise of 2 %; `bias` is the share of the value that is
-  /// added at the last voxel of the first axis and taken away at the first.
+  /// Three materials, 0, 100 and 250, with noise of 2 %; `bias` is the fraction of the value that
+  /// is added at the last voxel of the first axis and taken away at the first.
   vtkSmartPointer<vtkImageData> MakeBalls(double outer, double inner, double bias)
   {
     // Values against the radius, and noise, from tables: there are many voxels.

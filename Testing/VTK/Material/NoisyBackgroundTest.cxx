@@ -29,12 +29,12 @@ MaterialProposal Propose(double sign, std::optional<double> end)
   outer.High = Grey;
   outer.LeastRise = Grey;
   outer.Width = outer.Voxel = 1.0;
-  outer.Share = outer.Inward = 0.7;
+  outer.Fraction = outer.Inward = 0.7;
   Boundary inner = outer;
   inner.Low = Grey;
   inner.High = 215.0;
   inner.LeastRise = inner.High - inner.Low;
-  inner.Share = 0.3;
+  inner.Fraction = 0.3;
   std::vector<Boundary> boundaries = { outer, inner };
   EdgeLine first;
   first.High = Grey;

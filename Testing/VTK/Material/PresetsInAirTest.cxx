@@ -53,9 +53,9 @@ vtkSmartPointer<vtkImageData> MakeScan(const Scan& scan, double noise, unsigned 
   for (int k = 0; k < depth; ++k)
   {
     // A step between two samples, blurred as by a scanner.
-    const double share = 0.5 * (1.0 + std::erf((k - Air) / (0.8 * std::sqrt(2.0))));
+    const double fraction = 0.5 * (1.0 + std::erf((k - Air) / (0.8 * std::sqrt(2.0))));
     const double value = isLabels ? (k >= Air ? scan.Inside : scan.Outside)
-                                  : scan.Outside + share * (scan.Inside - scan.Outside);
+                                  : scan.Outside + fraction * (scan.Inside - scan.Outside);
     for (int j = 0; j < Side; ++j)
     {
       for (int i = 0; i < Side; ++i)
@@ -139,11 +139,11 @@ TEST_P(PresetsInAir, LeaveNoWallUnfelt)
 {
   const Scan scan = FindScan(this->GetParam());
   int presses = 0;
-  for (const double share : { 0.0, 0.25, 0.5, 0.75, 1.0 })
+  for (const double fraction : { 0.0, 0.25, 0.5, 0.75, 1.0 })
   {
-    const double noise = share * scan.MostNoise;
+    const double noise = fraction * scan.MostNoise;
     const vtkSmartPointer<vtkImageData> image =
-      MakeScan(scan, noise, static_cast<unsigned>(1 + 100.0 * share));
+      MakeScan(scan, noise, static_cast<unsigned>(1 + 100.0 * fraction));
     for (const Method& method : Methods)
     {
       const bool isOfValues = std::string(method.Name).find("_") == std::string::npos;

@@ -30,7 +30,7 @@ double Rounded(const Point& x)
 class ProposalInput : public testing::Test
 {
 protected:
-  /// The materials of the balls, in some unit, with a tolerance in shares of the range.
+  /// The materials of the balls, in some unit, with a tolerance in fractions of the range.
   void ExpectBalls(double unit, double tolerance)
   {
     const std::vector<Found> found = Boundaries(this->Property);

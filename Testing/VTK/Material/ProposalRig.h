@@ -85,7 +85,7 @@ struct Found
   double High;
   double Width;
   double Slope;
-  double Share;
+  double Fraction;
 };
 
 /// The boundaries in ascending order of their lower value.
@@ -126,7 +126,7 @@ protected:
     EXPECT_NEAR(found[1].High, 250.0, 0.02 * Range);
     EXPECT_NEAR(found[0].Width, outer, 0.05 * outer);
     EXPECT_NEAR(found[1].Width, inner, 0.05 * inner);
-    EXPECT_NEAR(found[0].Share / found[1].Share, areas, areasError);
+    EXPECT_NEAR(found[0].Fraction / found[1].Fraction, areas, areasError);
   }
 
   /// The start lies above what noise reaches, the end below every edge.

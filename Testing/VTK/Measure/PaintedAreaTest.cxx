@@ -6,7 +6,7 @@
  * sphere that is the cap within a chord of r), a straight stroke on a plane 2 r L + pi r^2.
  *
  * The border is a polygon with a corner on each edge of the surface's triangles. Edges are up to
- * the diagonal of a voxel h long, so that an area is wrong by a share of (h / r)^2 / 4 at most:
+ * the diagonal of a voxel h long, so that an area is wrong by a fraction of (h / r)^2 / 4 at most:
  * 1.6 % for a radius of four voxels, 0.4 % for one of eight.
  */
 

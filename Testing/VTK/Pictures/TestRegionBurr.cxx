@@ -47,7 +47,7 @@ bool FillBlock(const int extent[6], void* samples, const Hole* hole)
         const bool isTissue = std::min({ i, j, k }) > 11 && std::max({ i, j, k }) < 68;
         const double value = isTissue ? SolidValue : AirOfScene;
         *sample++ = static_cast<float>(
-          hole ? removaltest::LeftOf(value, hole->GetShare(i, j, k), AirOfScene) : value);
+          hole ? removaltest::LeftOf(value, hole->GetFraction(i, j, k), AirOfScene) : value);
       }
     }
   }
@@ -162,7 +162,7 @@ int CheckMapper(
   volume->SetOrigin(scene.Source->GetOrigin());
   const auto compare = [&](const char* what, double most)
   {
-    const double difference = apitest::FindMeanDifference(scene.Draw(), carved.Draw());
+    const double difference = apitest::ComputeMeanDifference(scene.Draw(), carved.Draw());
     std::cout << name << ", " << what << ": difference " << difference << "\n";
     expect(difference <= most, what);
   };
@@ -170,8 +170,8 @@ int CheckMapper(
   expect(removaltest::LoadHole(scene.Touch->GetRemoval(), volume, NearHole, AirOfScene),
     "shares are read");
   std::cout << name << ": the hole makes "
-            << apitest::FindMeanDifference(wholeCoarse, carved.Draw()) << "\n";
-  expect(apitest::FindMeanDifference(wholeCoarse, carved.Draw()) > 2.0, "the hole is seen");
+            << apitest::ComputeMeanDifference(wholeCoarse, carved.Draw()) << "\n";
+  expect(apitest::ComputeMeanDifference(wholeCoarse, carved.Draw()) > 2.0, "the hole is seen");
   compare("before there is a box", 0.0);
   expect(scene.Refine(57.0, 11.0, 52.0) && carved.Refine(57.0, 11.0, 52.0), "the box is shown");
   compare("the box in the hole", 0.0);
@@ -182,11 +182,11 @@ int CheckMapper(
   scene.Touch->GetRemoval()->Reset();
   const std::vector<double> wholeAgain = scene.Draw();
   scene.Picture->SetVolumeHaptics(nullptr);
-  expect(apitest::FindMeanDifference(wholeAgain, scene.Draw()) == 0.0,
+  expect(apitest::ComputeMeanDifference(wholeAgain, scene.Draw()) == 0.0,
     "nothing is left of what is undone");
   expect(scene.Mapper->GetDataObjectInput() == coarse, "the mapper has its own image");
   scene.Picture->SetRenderer(nullptr);
-  expect(apitest::FindMeanDifference(wholeCoarse, scene.Draw()) == 0.0, "as it was");
+  expect(apitest::ComputeMeanDifference(wholeCoarse, scene.Draw()) == 0.0, "as it was");
   carved.Picture->SetRenderer(nullptr);
   return wrong;
 }

@@ -157,8 +157,9 @@ int TestRegionPicture(int, char*[])
     expect(scene.Picture->IsRefined(), "the box is shown");
     const std::vector<double> plain = Render(scene, nullptr);
     expect(!scene.Picture->IsRefined() && scene.Mapper->GetCropping() == 0, "it is taken out");
-    const double difference = apitest::FindMeanDifference(refined, plain);
-    const double light = apitest::FindMeanDifference(plain, std::vector<double>(plain.size(), 0.0));
+    const double difference = apitest::ComputeMeanDifference(refined, plain);
+    const double light =
+      apitest::ComputeMeanDifference(plain, std::vector<double>(plain.size(), 0.0));
     std::cout << "view " << view << ": difference " << difference << " of " << light << "\n";
     expect(difference < 0.4, "it looks like one volume");
     expect(light > 5.0, "something is seen");

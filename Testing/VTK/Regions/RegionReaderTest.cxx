@@ -78,7 +78,7 @@ std::optional<RegionSamples> Await(RegionReader& reader)
   EXPECT_TRUE(Eventually(
     [&]
     {
-      region = reader.Take();
+      region = reader.Drain();
       return region.has_value();
     }));
   return region;
@@ -111,7 +111,7 @@ TEST(RegionReader, GivesTheRegionThatWasOrderedAndThatOnce)
   GatedVolume gate;
   RegionReader reader(gate.Volume, Known);
   EXPECT_EQ(reader.GetFacts()->Noise, 1.5);
-  EXPECT_FALSE(reader.Take());
+  EXPECT_FALSE(reader.Drain());
   reader.Order(Here);
   const std::optional<RegionSamples> region = Await(reader);
   ASSERT_TRUE(region);
@@ -121,7 +121,7 @@ TEST(RegionReader, GivesTheRegionThatWasOrderedAndThatOnce)
   {
     EXPECT_EQ(samples[s], 10 + s % 4);
   }
-  EXPECT_FALSE(reader.Take());
+  EXPECT_FALSE(reader.Drain());
   EXPECT_EQ(gate.Entered, 1) << "nothing was surveyed";
 }
 
@@ -214,7 +214,7 @@ TEST(RegionReader, EndsWhereNoThreadIsLeft)
   reader.Order(Here);
   ASSERT_TRUE(Eventually([&] { return !reader.GetTrouble().empty(); }));
   EXPECT_TRUE(isEntered);
-  EXPECT_FALSE(reader.Take());
+  EXPECT_FALSE(reader.Drain());
 }
 #endif
 

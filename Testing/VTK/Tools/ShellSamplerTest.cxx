@@ -104,7 +104,7 @@ protected:
     {
       const Vector3 at = from + Vector3{ 0.0, 0.0, way * i / steps };
       clearance.Reset();
-      finder.Find(
+      finder.Collect(
         { 0.001 * at, turn }, 0.0, false, contacts[i % 2], contacts[1 - i % 2], clearance, sum);
     }
     return sum;

@@ -40,9 +40,9 @@ std::vector<float> SampleValues(vtkDataArray* scalars)
   return values;
 }
 
-double Percentile(std::vector<float>& values, double share)
+double Percentile(std::vector<float>& values, double fraction)
 {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * (values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -65,9 +65,10 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
         if ((here > threshold) != (there > threshold))
         {
           image->TransformIndexToPhysicalPoint(index, before);
-          const double share = (threshold - here) / (there - here);
-          points->InsertNextPoint(before[0] + share * (after[0] - before[0]),
-            before[1] + share * (after[1] - before[1]), before[2] + share * (after[2] - before[2]));
+          const double fraction = (threshold - here) / (there - here);
+          points->InsertNextPoint(before[0] + fraction * (after[0] - before[0]),
+            before[1] + fraction * (after[1] - before[1]),
+            before[2] + fraction * (after[2] - before[2]));
         }
       }
     }
@@ -157,11 +158,11 @@ namespace Explore
 {
 Exploration ExploreVolume(const Volume& volume, const Settings& settings, const Progress& progress)
 {
-  const auto tell = [&](const char* step, double share)
+  const auto tell = [&](const char* step, double fraction)
   {
     if (progress)
     {
-      progress(step, share);
+      progress(step, fraction);
     }
   };
   Exploration result;
@@ -185,14 +186,14 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
       vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
   }
-  if (!volume.Large && !volume.Frames)
+  if (!volume.Large && !volume.TimeSteps)
   {
-    const double share = MeasureHidden(volume.Image, result.Body, result.Values.OuterThreshold);
-    if (share > 0.01)
+    const double fraction = MeasureHidden(volume.Image, result.Body, result.Values.OuterThreshold);
+    if (fraction > 0.01)
     {
       std::ostringstream text;
       text << "Felt but not shown: parts that are not joined to the body, such as a head rest ("
-           << std::lround(100.0 * share) << " % of its size)";
+           << std::lround(100.0 * fraction) << " % of its size)";
       result.Hidden = text.str();
       result.Input.Notes.push_back(result.Hidden);
     }

@@ -61,7 +61,7 @@ struct Exploration
 
 /// Analyses the values, plans a tip path and feels along it. Throws InputError. Calls `progress`,
 /// if there is one, with each step that begins and the fraction of the work that is done.
-using Progress = std::function<void(const std::string& step, double share)>;
+using Progress = std::function<void(const std::string& step, double fraction)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);
 } // namespace Explore

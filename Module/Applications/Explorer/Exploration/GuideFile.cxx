@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
   const Explore::MessageCapture capture;
   if (!vtksys::SystemTools::FileExists(name, true) || !list->ReadFile(name.c_str()))
   {
-    if (IsOneOf(Explore::FindEnding(name), { ".vtp" }))
+    if (IsOneOf(Explore::GetEnding(name), { ".vtp" }))
     {
       return nullptr;
     }
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
 
 vtkSmartPointer<vtkPolyData> ReadGuide(const std::string& name)
 {
-  if (IsOneOf(Explore::FindEnding(name), { ".csv", ".json", ".vtp" }))
+  if (IsOneOf(Explore::GetEnding(name), { ".csv", ".json", ".vtp" }))
   {
     if (vtkSmartPointer<vtkPolyData> paths = ReadMeasuredPaths(name))
     {
@@ -88,7 +88,7 @@ namespace Explore
 {
 void CheckGuideFile(const std::string& name)
 {
-  if (!IsOneOf(FindEnding(name), { ".vtp", ".vtk", ".stl", ".ply", ".obj", ".csv", ".json" }))
+  if (!IsOneOf(GetEnding(name), { ".vtp", ".vtk", ".stl", ".ply", ".obj", ".csv", ".json" }))
   {
     throw InputError(Option + " '" + name + "'", "has an unknown ending",
       "take lines or a surface that end in .vtp, .vtk, .stl, .ply or .obj, or measurements "

@@ -33,7 +33,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
     reader->SetFileName(name.c_str());
     return reader;
   };
-  const std::string ending = Explore::FindEnding(name);
+  const std::string ending = Explore::GetEnding(name);
   return ending == ".stl" ? make(vtkSmartPointer<vtkSTLReader>::New())
     : ending == ".ply"    ? make(vtkSmartPointer<vtkPLYReader>::New())
     : ending == ".vtk"    ? make(vtkSmartPointer<vtkPolyDataReader>::New())
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
 }
 
 /// The bytes of a number in a .ply; 0 for an unknown type.
-std::size_t FindPlySize(const std::string& type)
+std::size_t GetPlySize(const std::string& type)
 {
   const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
     { "uint8", 1 }, { "short", 2 }, { "int16", 2 }, { "ushort", 2 }, { "uint16", 2 }, { "int", 4 },
@@ -131,7 +131,7 @@ bool HasAllElements(const std::string& name)
     {
       const bool isList = first == "list";
       kinds.back().Properties.push_back(
-        { isList ? FindPlySize(second) : 0, FindPlySize(isList ? third : first) });
+        { isList ? GetPlySize(second) : 0, GetPlySize(isList ? third : first) });
       if (kinds.back().Properties.back().Size == 0)
       {
         return true;
@@ -203,7 +203,7 @@ bool HasAllPoints(vtkPolyData* shape)
 
 namespace Explore
 {
-std::string FindEnding(const std::string& name)
+std::string GetEnding(const std::string& name)
 {
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
 }
@@ -213,11 +213,11 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& 
   const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(name);
   const auto check = [&name]
   {
-    const std::string ending = FindEnding(name);
+    const std::string ending = GetEnding(name);
     const bool isWhole =
       (ending != ".ply" || HasAllElements(name)) && (ending != ".stl" || HasAllTriangles(name));
     return !isWhole      ? "its header promises elements that are not in the file"
-      : ending == ".vtp" ? FindMissingEnd(name)
+      : ending == ".vtp" ? DetectMissingEnd(name)
                          : std::string();
   };
   const bool isRead = ReadChecked(reader, error, check);

@@ -11,7 +11,7 @@
 namespace Explore
 {
 /// The ending of a file's name, in lower case, such as ".stl".
-std::string FindEnding(const std::string& name);
+std::string GetEnding(const std::string& name);
 
 /// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Null, with the
 /// reason, if the file can't be read or is shorter than it promises, or if a cell has a point that

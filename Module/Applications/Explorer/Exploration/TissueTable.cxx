@@ -138,7 +138,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 }
 
 /// The middle of a boundary or, if nothing resists there yet, where the strength begins.
-double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
+double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
   for (int i = 1; i < strength->GetSize(); ++i)
@@ -270,7 +270,7 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
     {
       largest = area->GetComponent(i, 0);
       analysis.OuterThreshold =
-        FindFeltMiddle(property->GetSurfaceStrength(), from, high->GetComponent(i, 0));
+        ComputeFeltMiddle(property->GetSurfaceStrength(), from, high->GetComponent(i, 0));
     }
   }
   if (largest > 0.0)

@@ -26,7 +26,7 @@ constexpr double MOST_ENERGY = 10.0;
 /// Voxels.
 constexpr double BURR_RADIUS = 4.0;
 
-double FindVoxel(vtkImageData* image)
+double ComputeVoxel(vtkImageData* image)
 {
   const double* const spacing = image->GetSpacing();
   return std::cbrt(std::abs(spacing[0] * spacing[1] * spacing[2]));
@@ -61,20 +61,20 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   this->Burr->GetSpecificEnergy()->AddPoint(exploration.Values.Range[1], MOST_ENERGY);
   if (vtkImageData* const image = this->Filter->GetTouchedImage())
   {
-    this->Burr->SetRadius(BURR_RADIUS * FindVoxel(image));
+    this->Burr->SetRadius(BURR_RADIUS * ComputeVoxel(image));
   }
   if (tool == "needle")
   {
-    this->Take(this->Needle);
+    this->Hold(this->Needle);
   }
   else if (tool == "burr")
   {
-    this->Take(this->Burr);
+    this->Hold(this->Burr);
   }
   else if (!tool.empty())
   {
     this->Shape->SetMesh(ReadToolFile(tool));
-    this->Take(this->Shape);
+    this->Hold(this->Shape);
   }
 }
 
@@ -113,19 +113,19 @@ void HandTool::ChangeTool()
   vtkHapticTool* const held = this->Filter->GetTool();
   if (!held)
   {
-    this->Take(this->Needle);
+    this->Hold(this->Needle);
   }
   else if (held == this->Needle.Get())
   {
-    this->Take(this->Burr);
+    this->Hold(this->Burr);
   }
   else
   {
-    this->Take(held == this->Burr.Get() && this->HasShape() ? this->Shape.Get() : nullptr);
+    this->Hold(held == this->Burr.Get() && this->HasShape() ? this->Shape.Get() : nullptr);
   }
 }
 
-void HandTool::Take(vtkHapticTool* tool)
+void HandTool::Hold(vtkHapticTool* tool)
 {
   vtkVolumeHapticsFilter* const filter = this->Filter;
   const std::string name = tool ? tool->GetText() : "point";
@@ -134,7 +134,7 @@ void HandTool::Take(vtkHapticTool* tool)
     std::cout << "A " << name << " needs the method proxy, which key m gets to." << std::endl;
     return;
   }
-  if (tool && this->Device->GetPlayback()->HasFrames())
+  if (tool && this->Device->GetPlayback()->HasTimeSteps())
   {
     std::cout << "A " << name << " is not for a volume that moves." << std::endl;
     return;

@@ -49,7 +49,7 @@ private:
   void PressKey();
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
-  void Take(vtkHapticTool* tool);
+  void Hold(vtkHapticTool* tool);
   void Write();
   void WriteTrack();
   void WriteRemoval();

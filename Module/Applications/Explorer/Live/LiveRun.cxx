@@ -32,7 +32,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
 }
 
 /// The hand: follows the path by the clock, at most at the rate of an application's display.
-void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
+void PlayPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -191,7 +191,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   Demand(device->Start(), "the servo does not start", capture);
   device->Arm();
   Demand(device->GetRecorder()->Start(file.c_str()), "the recording does not start", capture);
-  FollowPath(device, path, exploration.ServoRate);
+  PlayPath(device, path, exploration.ServoRate);
   LiveRun run;
   run.Report = TimeKeeping(device);
   Demand(device->GetRecorder()->Stop(), "the recording can't be written", capture);

@@ -76,7 +76,7 @@ std::string SavedMeasurements::SaveAtEnd()
   }
   if (this->File.empty())
   {
-    this->Tell(std::cout);
+    this->Report(std::cout);
     std::cout << "--measurements FILE saves them the next time." << std::endl;
     return {};
   }
@@ -92,7 +92,7 @@ std::string SavedMeasurements::SaveAtEnd()
   std::string error;
   if (!this->Save(error))
   {
-    this->Tell(std::cerr);
+    this->Report(std::cerr);
   }
   return error;
 }
@@ -104,7 +104,7 @@ bool SavedMeasurements::IsSaved() const
   return !isNew || (list->GetNumberOfMeasurements() == 0 && this->InFile == 0);
 }
 
-void SavedMeasurements::Tell(std::ostream& out) const
+void SavedMeasurements::Report(std::ostream& out) const
 {
   vtkHapticMeasurements* const list = this->Touch.Measurements;
   const vtkIdType count = list->GetNumberOfMeasurements();

@@ -36,7 +36,7 @@ public:
 private:
   /// False, with the reason, if saving fails.
   bool Save(std::string& error);
-  void Tell(std::ostream& out) const;
+  void Report(std::ostream& out) const;
 
   TouchScene& Touch;
   std::string File;

@@ -60,7 +60,7 @@ namespace Explore
 {
 bool IsToolFile(const std::string& name)
 {
-  const std::string ending = FindEnding(name);
+  const std::string ending = GetEnding(name);
   return ending == ".stl" || ending == ".ply" || ending == ".obj" || ending == ".vtp";
 }
 

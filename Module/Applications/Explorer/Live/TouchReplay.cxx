@@ -82,7 +82,7 @@ TouchReplay::TouchReplay(
       }
       else
       {
-        replay->Follow();
+        replay->Update();
       }
     });
   interactor->AddObserver(vtkCommand::KeyPressEvent, this->Observer);
@@ -211,7 +211,7 @@ void TouchReplay::PressKey()
   }
 }
 
-void TouchReplay::Follow()
+void TouchReplay::Update()
 {
   if (!this->IsPlaying)
   {

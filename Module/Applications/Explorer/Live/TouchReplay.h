@@ -42,7 +42,7 @@ private:
   void BuildActors();
   void BuildSlider(const std::string& file);
   void PressKey();
-  void Follow();
+  void Update();
   /// Goes to a time of the recording (s).
   void Show(double time);
 

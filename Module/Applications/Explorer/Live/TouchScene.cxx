@@ -94,7 +94,7 @@ public:
   SoundStream& GetStream() { return this->Stream; }
 
 private:
-  void TakeStates();
+  void DrainStates();
   void PressKey();
 
   vtkSmartPointer<vtkHapticDevice> Device;
@@ -117,7 +117,7 @@ WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interacto
 {
   this->StatesObserver->SetClientData(this);
   this->StatesObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<WindowSound*>(self)->TakeStates(); });
+    { static_cast<WindowSound*>(self)->DrainStates(); });
   this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, this->StatesObserver);
 }
 
@@ -126,14 +126,14 @@ WindowSound::~WindowSound()
   this->Style->RemoveObserver(this->StatesObserver);
 }
 
-void WindowSound::TakeStates()
+void WindowSound::DrainStates()
 {
   for (const SoundTick& tick :
     this->Ticks.Read(this->Style->GetStates(), this->Device->GetState()->GetLabel()))
   {
     this->Stream.Push(tick);
   }
-  const std::string trouble = this->Output ? this->Output->TakeTrouble() : std::string();
+  const std::string trouble = this->Output ? this->Output->DrainTrouble() : std::string();
   if (!trouble.empty())
   {
     this->HasFailed = true;
@@ -297,11 +297,11 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   touch.Style->SetFunctionEditor(touch.Editor);
   touch.Style->SetMeasurements(touch.Measurements);
   touch.Style->SetDefaultRenderer(touch.Scene.Renderer);
-  if (vtkHapticFrameSource* const frames = exploration.Input.Frames)
+  if (vtkHapticTimeStepSource* const timeSteps = exploration.Input.TimeSteps)
   {
-    frames->Update();
+    timeSteps->Update();
     filter->SetDisplacementArrayName(exploration.Input.Displacements.c_str());
-    filter->SetInputConnection(0, frames->GetOutputPort());
+    filter->SetInputConnection(0, timeSteps->GetOutputPort());
     touch.Device->GetPlayback()->SetModeToLoop();
     touch.Device->GetPlayback()->Play();
   }

@@ -82,7 +82,7 @@ WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interacto
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* data)
-    { static_cast<WindowFiles*>(self)->Take(event, data); });
+    { static_cast<WindowFiles*>(self)->Handle(event, data); });
   for (const unsigned long event : FILE_EVENTS)
   {
     interactor->AddObserver(event, this->Observer, FILES_PRIORITY);
@@ -102,7 +102,7 @@ std::string WindowFiles::ListKeys() const
     (this->MayBeLabels ? this->Now.AsLabels ? "F4\tshow as values\n" : "F4\tshow as labels\n" : "");
 }
 
-void WindowFiles::Take(unsigned long event, void* data)
+void WindowFiles::Handle(unsigned long event, void* data)
 {
   const int* const at = this->Interactor->GetEventPosition();
   bool isTaken = this->List.IsShown();

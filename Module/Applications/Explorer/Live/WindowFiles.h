@@ -33,7 +33,7 @@ public:
   std::string ListKeys() const;
 
 private:
-  void Take(unsigned long event, void* data);
+  void Handle(unsigned long event, void* data);
   bool PressKey(const std::string& key);
   /// By value: the arguments may be the members that it sets.
   void ListFolder(std::string folder, std::string marked);

@@ -48,7 +48,7 @@ WindowRecorder::~WindowRecorder()
   {
     this->BeginOrEndTouch();
   }
-  this->TellEnded(true);
+  this->ReportEnded(true);
 }
 
 std::string WindowRecorder::ListKeys()
@@ -104,7 +104,7 @@ bool WindowRecorder::BeginMovie(const std::string& file, std::string& error)
   this->MovieName = file;
   this->Filmed = 0;
   this->Begin = std::chrono::steady_clock::now();
-  this->Tell();
+  this->Report();
   return this->Movie != nullptr;
 }
 
@@ -115,11 +115,11 @@ void WindowRecorder::EndMovie()
     this->Movie->End();
     this->Ended.push_back({ std::move(this->Movie), this->MovieName });
     this->Touch.Display->SetNotice(("Writing the end of " + this->MovieName).c_str());
-    this->Tell();
+    this->Report();
   }
 }
 
-void WindowRecorder::TellEnded(bool waits)
+void WindowRecorder::ReportEnded(bool waits)
 {
   for (auto ended = this->Ended.begin(); ended != this->Ended.end();)
   {
@@ -146,7 +146,7 @@ void WindowRecorder::TellEnded(bool waits)
 
 void WindowRecorder::Film()
 {
-  this->TellEnded(false);
+  this->ReportEnded(false);
   vtkRenderWindow* const window = this->Touch.Scene.Window;
   if (!this->Movie || window->GetNeverRendered())
   {
@@ -179,7 +179,7 @@ void WindowRecorder::Film()
   {
     this->Filmed += due;
   }
-  this->Tell();
+  this->Report();
 }
 
 void WindowRecorder::BeginOrEndTouch()
@@ -202,10 +202,10 @@ void WindowRecorder::BeginOrEndTouch()
       told.empty() ? "Touch saved to " + file + "; --device replay:" + file + " plays it" : told;
   }
   this->Touch.Display->SetNotice(told.c_str());
-  this->Tell();
+  this->Report();
 }
 
-void WindowRecorder::Tell()
+void WindowRecorder::Report()
 {
   std::string text;
   if (this->Movie)

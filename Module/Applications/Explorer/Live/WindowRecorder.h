@@ -45,12 +45,12 @@ private:
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
   /// Reports movies whose threads have ended, or waits for all.
-  void TellEnded(bool waits);
+  void ReportEnded(bool waits);
   /// Adds a picture of the window to the movie, if it is due.
   void Film();
   void BeginOrEndTouch();
   /// Shows in the display what is being recorded.
-  void Tell();
+  void Report();
 
   TouchScene& Touch;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;

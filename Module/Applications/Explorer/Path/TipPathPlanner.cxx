@@ -104,9 +104,9 @@ public:
   double Length() const { return this->Lengths.back(); }
 
   /// The position at a fraction (0 to 1) of the length.
-  vtkVector3d Place(double share) const
+  vtkVector3d Place(double fraction) const
   {
-    const double length = share * this->Length();
+    const double length = fraction * this->Length();
     const auto end = std::lower_bound(this->Lengths.begin() + 1, this->Lengths.end() - 1, length);
     const double before = *(end - 1), piece = *end - before;
     const double index = static_cast<double>(end - 1 - this->Lengths.begin());

@@ -70,7 +70,7 @@ bool HasSurfaces(const Exploration& e)
 }
 
 /// The tissues that the values of surfaces can distinguish.
-std::vector<Explore::Tissue> FindTissues(const Exploration& e)
+std::vector<Explore::Tissue> CollectTissues(const Exploration& e)
 {
   return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();
 }
@@ -162,7 +162,7 @@ void WritePhases(std::ostream& out, const Exploration& e, const Columns& columns
 
 void WriteContacts(std::ostream& out, const Exploration& e, const Columns& columns)
 {
-  const std::vector<Explore::Tissue> tissues = FindTissues(e);
+  const std::vector<Explore::Tissue> tissues = CollectTissues(e);
   std::vector<Share> states(4), touched(tissues.size());
   vtkIdType contact = 0;
   for (vtkIdType i = 0; i < columns.Count; ++i)
@@ -207,7 +207,7 @@ void WriteLargest(std::ostream& out, const Exploration& e, const Columns& column
   {
     doing = where >= phase.First && where < phase.Last ? phase.Name : doing;
   }
-  const std::vector<Explore::Tissue> tissues = FindTissues(e);
+  const std::vector<Explore::Tissue> tissues = CollectTissues(e);
   const double value = columns.SurfaceValue->GetComponent(where, 0);
   double proxy[3];
   e.Trace->GetPoint(where, proxy);

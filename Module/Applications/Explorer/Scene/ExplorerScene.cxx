@@ -369,7 +369,7 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
 
   AddLights(scene.Renderer); // before the first rendering, or VTK adds its own
   // A moving volume is shown as it is felt.
-  const bool isMoving = exploration.Input.Frames != nullptr;
+  const bool isMoving = exploration.Input.TimeSteps != nullptr;
   AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
   vtkPolyData* const outline = exploration.Input.Outline;
   if (outline)

@@ -93,7 +93,7 @@ constexpr int KEPT_INSIDE = VTK_CROP_SUBVOLUME;
 constexpr int KEPT_OUTSIDE = 0x7ffffff & ~VTK_CROP_SUBVOLUME;
 
 /// Uses only the left button on a handle: the other buttons are the scene's.
-void TakeLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
+void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
 {
   vtkWidgetEventTranslator* const events = widget->GetEventTranslator();
   events->ClearEvents();
@@ -179,8 +179,8 @@ void VolumeCut::SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkR
   this->Renderer = handles;
   this->HasBox = hasRegions;
   std::copy(body, body + 6, this->Body);
-  TakeLeftButton(this->PlaneWidget, handles);
-  TakeLeftButton(this->BoxWidget, handles);
+  UseLeftButton(this->PlaneWidget, handles);
+  UseLeftButton(this->BoxWidget, handles);
 }
 
 void VolumeCut::SetInteractor(vtkRenderWindowInteractor* interactor)

@@ -52,7 +52,7 @@ ContactSound::ContactSound(double samplesPerSecond)
   this->SetPitch(PITCH);
 }
 
-double ContactSound::FindPitch(double stiffness, double strength) noexcept
+double ContactSound::ComputePitch(double stiffness, double strength) noexcept
 {
   const double k = std::max(stiffness, 0.0) / PITCH_STIFFNESS;
   const double t = std::clamp(strength, 0.0, MOST_STRENGTH) / PITCH_STRENGTH;
@@ -74,23 +74,23 @@ void ContactSound::Feed(const SoundTick& raw) noexcept
   this->HasTime = true;
   if (tick.Contact != SurfaceContact::Free)
   {
-    const double pitch = FindPitch(tick.Stiffness, tick.Strength);
+    const double pitch = ComputePitch(tick.Stiffness, tick.Strength);
     const double share =
       this->Contact == SurfaceContact::Free ? 1.0 : -std::expm1(-seconds / GLIDE_TIME);
     this->SetPitch(this->Pitch * std::pow(pitch / this->Pitch, share));
   }
-  this->FollowTouch(tick, seconds);
-  this->FollowPuncture(tick, seconds);
+  this->UpdateTouch(tick, seconds);
+  this->UpdatePuncture(tick, seconds);
   this->Contact = tick.Contact;
-  this->FollowPower(tick.FrictionForce * tick.Speed, seconds);
+  this->UpdatePower(tick.FrictionForce * tick.Speed, seconds);
 }
 
 void ContactSound::Rest(double seconds) noexcept
 {
-  this->FollowPower(0.0, seconds);
+  this->UpdatePower(0.0, seconds);
 }
 
-void ContactSound::FollowPower(double watts, double seconds) noexcept
+void ContactSound::UpdatePower(double watts, double seconds) noexcept
 {
   const double share = -std::expm1(-seconds / POWER_TIME);
   this->Power[0] += share * (watts - this->Power[0]);
@@ -101,7 +101,7 @@ void ContactSound::FollowPower(double watts, double seconds) noexcept
   this->Wanted = LOUDEST_NOISE * std::sqrt(Saturate(power, MIDDLE_POWER)) + this->Burst;
 }
 
-void ContactSound::FollowTouch(const SoundTick& tick, double seconds) noexcept
+void ContactSound::UpdateTouch(const SoundTick& tick, double seconds) noexcept
 {
   const bool isHeld = tick.Contact != SurfaceContact::Free;
   if (isHeld && this->FreeTime >= AIR_TIME)
@@ -125,7 +125,7 @@ void ContactSound::FollowTouch(const SoundTick& tick, double seconds) noexcept
   }
 }
 
-void ContactSound::FollowPuncture(const SoundTick& tick, double seconds) noexcept
+void ContactSound::UpdatePuncture(const SoundTick& tick, double seconds) noexcept
 {
   const bool penetrates = tick.Contact == SurfaceContact::Penetrating ||
     (tick.Contact == SurfaceContact::Free && this->Contact == SurfaceContact::Penetrating);

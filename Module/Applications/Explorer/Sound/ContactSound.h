@@ -56,7 +56,7 @@ public:
   explicit ContactSound(double samplesPerSecond);
 
   /// The pitch f of a material (Hz), from its stiffness (N/m) and strength (N).
-  static double FindPitch(double stiffness, double strength) noexcept;
+  static double ComputePitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
   /// Call this instead of Feed while no ticks come, with the time since the last call (s).
@@ -64,9 +64,9 @@ public:
   void Render(float* samples, std::size_t count) noexcept;
 
 private:
-  void FollowPower(double watts, double seconds) noexcept;
-  void FollowTouch(const SoundTick& tick, double seconds) noexcept;
-  void FollowPuncture(const SoundTick& tick, double seconds) noexcept;
+  void UpdatePower(double watts, double seconds) noexcept;
+  void UpdateTouch(const SoundTick& tick, double seconds) noexcept;
+  void UpdatePuncture(const SoundTick& tick, double seconds) noexcept;
   /// Strikes the resonance; returns J / (J + 0.1 N).
   double Strike(double impact) noexcept;
   void SetPitch(double pitch) noexcept;

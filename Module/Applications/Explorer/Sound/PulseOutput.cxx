@@ -25,15 +25,15 @@ class PulseOutput : public Explore::SoundOutput
 public:
   explicit PulseOutput(SoundStream& stream);
   ~PulseOutput() override;
-  std::string TakeTrouble() override;
+  std::string DrainTrouble() override;
 
 private:
   // Called on the thread of the main loop.
-  static void FollowContext(pa_context* context, void* self);
-  static void FollowStream(pa_stream* stream, void* self);
+  static void HandleContext(pa_context* context, void* self);
+  static void HandleStream(pa_stream* stream, void* self);
   static void Write(pa_stream* stream, std::size_t bytes, void* self);
   void Connect();
-  void Tell(const std::string& what);
+  void Report(const std::string& what);
 
   SoundStream& Source;
   pa_threaded_mainloop* Loop;
@@ -54,17 +54,17 @@ PulseOutput::PulseOutput(SoundStream& stream)
   }
   if (!this->Context)
   {
-    this->Tell("the library finds no memory");
+    this->Report("the library finds no memory");
     return;
   }
-  pa_context_set_state_callback(this->Context, &PulseOutput::FollowContext, this);
+  pa_context_set_state_callback(this->Context, &PulseOutput::HandleContext, this);
   if (pa_context_connect(this->Context, nullptr, PA_CONTEXT_NOFLAGS, nullptr) < 0)
   {
-    this->Tell(pa_strerror(pa_context_errno(this->Context)));
+    this->Report(pa_strerror(pa_context_errno(this->Context)));
   }
   else if (pa_threaded_mainloop_start(this->Loop) < 0)
   {
-    this->Tell("the system gives no thread");
+    this->Report("the system gives no thread");
   }
 }
 
@@ -99,13 +99,13 @@ PulseOutput::~PulseOutput()
   }
 }
 
-std::string PulseOutput::TakeTrouble()
+std::string PulseOutput::DrainTrouble()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return std::exchange(this->Trouble, {});
 }
 
-void PulseOutput::Tell(const std::string& what)
+void PulseOutput::Report(const std::string& what)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->Trouble.empty())
@@ -114,7 +114,7 @@ void PulseOutput::Tell(const std::string& what)
   }
 }
 
-void PulseOutput::FollowContext(pa_context* context, void* self)
+void PulseOutput::HandleContext(pa_context* context, void* self)
 {
   auto* const output = static_cast<PulseOutput*>(self);
   const pa_context_state_t state = pa_context_get_state(context);
@@ -124,7 +124,7 @@ void PulseOutput::FollowContext(pa_context* context, void* self)
   }
   else if (state == PA_CONTEXT_FAILED)
   {
-    output->Tell(pa_strerror(pa_context_errno(context)));
+    output->Report(pa_strerror(pa_context_errno(context)));
     output->Plays = false;
   }
 }
@@ -138,10 +138,10 @@ void PulseOutput::Connect()
   this->Stream = pa_stream_new(this->Context, "Touch", &format, nullptr);
   if (!this->Stream)
   {
-    this->Tell(pa_strerror(pa_context_errno(this->Context)));
+    this->Report(pa_strerror(pa_context_errno(this->Context)));
     return;
   }
-  pa_stream_set_state_callback(this->Stream, &PulseOutput::FollowStream, this);
+  pa_stream_set_state_callback(this->Stream, &PulseOutput::HandleStream, this);
   pa_stream_set_write_callback(this->Stream, &PulseOutput::Write, this);
   constexpr auto automatic = static_cast<std::uint32_t>(-1);
   pa_buffer_attr buffer{ automatic, automatic, automatic, automatic, automatic };
@@ -150,11 +150,11 @@ void PulseOutput::Connect()
   if (pa_stream_connect_playback(
         this->Stream, nullptr, &buffer, PA_STREAM_ADJUST_LATENCY, nullptr, nullptr) < 0)
   {
-    this->Tell(pa_strerror(pa_context_errno(this->Context)));
+    this->Report(pa_strerror(pa_context_errno(this->Context)));
   }
 }
 
-void PulseOutput::FollowStream(pa_stream* stream, void* self)
+void PulseOutput::HandleStream(pa_stream* stream, void* self)
 {
   auto* const output = static_cast<PulseOutput*>(self);
   const pa_stream_state_t state = pa_stream_get_state(stream);
@@ -162,7 +162,7 @@ void PulseOutput::FollowStream(pa_stream* stream, void* self)
   // A stream that fails with its context reports nothing new.
   if (state == PA_STREAM_FAILED && pa_context_get_state(output->Context) == PA_CONTEXT_READY)
   {
-    output->Tell(pa_strerror(pa_context_errno(output->Context)));
+    output->Report(pa_strerror(pa_context_errno(output->Context)));
   }
 }
 

@@ -31,7 +31,7 @@ public:
   static std::unique_ptr<SoundOutput> Open(SoundStream& stream);
 
   /// Why nothing is played, in one line, once for each fault; empty if there is none.
-  virtual std::string TakeTrouble() = 0;
+  virtual std::string DrainTrouble() = 0;
 
 protected:
   SoundOutput() = default;

@@ -75,7 +75,7 @@ void SoundStream::Advance(double seconds) noexcept
   }
   // The times of a restarted servo begin anew, too.
   this->Position = std::min(this->Position + this->Pace * seconds, newest);
-  this->FollowBacklog(newest - this->Position, seconds);
+  this->UpdateBacklog(newest - this->Position, seconds);
   this->Starved += seconds;
   while (this->HasNext || this->Ticks.Pop(this->Next))
   {
@@ -93,7 +93,7 @@ void SoundStream::Advance(double seconds) noexcept
   }
 }
 
-void SoundStream::FollowBacklog(double backlog, double seconds) noexcept
+void SoundStream::UpdateBacklog(double backlog, double seconds) noexcept
 {
   this->LeastBacklog = this->WindowTime == 0.0 ? backlog : std::min(this->LeastBacklog, backlog);
   this->WindowTime += seconds;

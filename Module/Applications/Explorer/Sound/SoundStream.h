@@ -40,7 +40,7 @@ public:
 private:
   void Advance(double seconds) noexcept;
   /// Plays a little faster as long as more ticks wait than bursts need.
-  void FollowBacklog(double backlog, double seconds) noexcept;
+  void UpdateBacklog(double backlog, double seconds) noexcept;
 
   const double SampleRate;
   std::atomic<bool> Muted{ false };

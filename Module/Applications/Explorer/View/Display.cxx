@@ -21,7 +21,7 @@
 namespace
 {
 /// Dots per inch of an X11 screen; 0 if it does not report them. VTK 9.1 asks other systems only.
-double FindDots([[maybe_unused]] vtkRenderWindow* window)
+double ReadDots([[maybe_unused]] vtkRenderWindow* window)
 {
   double dots = 0.0;
 #if defined(__linux__)
@@ -64,13 +64,13 @@ bool HasDisplay()
   return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
 }
 
-void FollowScreen(vtkRenderWindow* window)
+void ApplyScreen(vtkRenderWindow* window)
 {
   using VolumeHaptics::OwnDotsPerInch;
   constexpr double usual = 96.0;
   constexpr double least = 105.0;
   constexpr double most = 300.0;
-  const double dots = window->DetectDPI() ? window->GetDPI() : FindDots(window);
+  const double dots = window->DetectDPI() ? window->GetDPI() : ReadDots(window);
   window->SetDPI(dots > least
       ? static_cast<int>(std::lround(OwnDotsPerInch * std::min(dots, most) / usual))
       : OwnDotsPerInch);

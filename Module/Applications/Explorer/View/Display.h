@@ -15,7 +15,7 @@ bool HasDisplay();
 /// 72 in VTK is 96 on a screen. A screen that reports up to 105, as most do regardless of their
 /// size, leaves the window as it is; more than 300 counts as 300. The desktop's own scale (the X
 /// resource Xft.dpi) has priority over the screen's report.
-void FollowScreen(vtkRenderWindow* window);
+void ApplyScreen(vtkRenderWindow* window);
 } // namespace Explore
 
 #endif

@@ -61,7 +61,7 @@ void LoadingScreen::AddBar(vtkPlaneSource* bar, double red, double green, double
   this->Renderer->AddViewProp(actor);
 }
 
-void LoadingScreen::Tell(const std::string& step, double share)
+void LoadingScreen::Report(const std::string& step, double fraction)
 {
   this->Text->SetInput(step.c_str());
   const auto place = [](vtkPlaneSource* bar, double width)
@@ -71,7 +71,7 @@ void LoadingScreen::Tell(const std::string& step, double share)
     bar->SetPoint2(LEFT, BOTTOM + HEIGHT, 0.0);
   };
   place(this->Whole, WIDTH);
-  place(this->Done, WIDTH * std::clamp(share, 0.001, 1.0));
+  place(this->Done, WIDTH * std::clamp(fraction, 0.001, 1.0));
   this->Window->Render();
 }
 } // namespace Explore

@@ -26,7 +26,7 @@ public:
   LoadingScreen& operator=(const LoadingScreen&) = delete;
 
   /// Shows a step that begins, and the fraction of the work that is done (0 to 1).
-  void Tell(const std::string& step, double share);
+  void Report(const std::string& step, double fraction);
 
 private:
   void AddBar(vtkPlaneSource* bar, double red, double green, double blue);

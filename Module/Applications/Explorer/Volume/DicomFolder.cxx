@@ -81,7 +81,7 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
 }
 
 /// The median distance (mm) between slices.
-double FindStep(const std::vector<DicomHeader>& slices)
+double ComputeStep(const std::vector<DicomHeader>& slices)
 {
   std::vector<double> steps;
   for (std::size_t i = 1; i < slices.size(); ++i)
@@ -102,8 +102,8 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     return slices;
   }
   constexpr double farSteps = 8.0;
-  constexpr std::size_t fewest = 5;                               // slices of a volume
-  const double far = std::max(farSteps * FindStep(slices), 10.0); // mm
+  constexpr std::size_t fewest = 5;                                  // slices of a volume
+  const double far = std::max(farSteps * ComputeStep(slices), 10.0); // mm
   std::size_t first = 0, best = 0, size = 0;
   for (std::size_t i = 1; i <= slices.size(); ++i)
   {
@@ -175,7 +175,7 @@ std::vector<double> FindPlaces(
     }
     return along;
   }
-  const double step = FindStep(slices);
+  const double step = ComputeStep(slices);
   constexpr double closest = 0.2; // of a step
   constexpr double mostGap = 20.0;
   if (smallest < closest * step || largest > mostGap * step)
@@ -250,7 +250,7 @@ struct ValueRange
 };
 
 /// The possible values of the samples of all slices.
-ValueRange FindValues(const std::vector<DicomHeader>& slices)
+ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
 {
   ValueRange range;
   for (const DicomHeader& slice : slices)
@@ -313,7 +313,7 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
 
 /// The value of pixels that were not measured, if the file gives it. Its two bytes may or may not
 /// have a sign, independent of the pixels'.
-std::optional<double> FindPadding(const DicomHeader& slice)
+std::optional<double> ReadPadding(const DicomHeader& slice)
 {
   if (!slice.Padding)
   {
@@ -333,7 +333,7 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
   {
     for (std::size_t k = 0; k < slices.size(); ++k)
     {
-      const std::optional<double> padding = FindPadding(slices[k]);
+      const std::optional<double> padding = ReadPadding(slices[k]);
       Value* const first = values + static_cast<vtkIdType>(k) * count;
       for (vtkIdType i = 0; i < count; ++i)
       {
@@ -389,7 +389,7 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   const DicomHeader& first = slices.front();
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));
-  VolumeHaptics::AllocateScalars(image, ChooseType(FindValues(slices)), first.Samples);
+  VolumeHaptics::AllocateScalars(image, ChooseType(ComputeValues(slices)), first.Samples);
   image->GetPointData()->GetScalars()->SetName("DICOM");
   Explore::DicomPixels pixels;
   for (std::size_t k = 0; k < slices.size(); ++k)

@@ -78,7 +78,7 @@ int ReadWhole(const std::string& text, int unknown)
                                                                   : unknown;
 }
 
-void TakeValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
+void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
   DicomHeader& header, double orientation[6])
 {
   const auto number = [&] { return static_cast<int>(stream.Number(value, 0, 2)); };
@@ -166,7 +166,7 @@ std::vector<double> ReadAllDecimals(const std::string& text)
     : std::vector<double>();
 }
 
-void TakePlaces(std::uint32_t tag, const std::string& value, FramePlaces& places)
+void ReadPlaces(std::uint32_t tag, const std::string& value, FramePlaces& places)
 {
   double step;
   if (tag == 0x3004000c)
@@ -189,7 +189,7 @@ bool IsGroup(std::uint32_t tag)
 /// Calls `take` with the value of an element, unless it is longer, and continues after it. False if
 /// the file ends too early.
 template <typename Take>
-bool TakeAndSkip(
+bool ReadAndSkip(
   DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
 {
   const std::uint64_t begin = stream.Place();
@@ -234,7 +234,7 @@ bool WalkItems(
       continue;
     }
     const auto takeOfItem = [&](const std::string& value) { take(number, element.Tag, value); };
-    if (!TakeAndSkip(stream, element, LONGEST_VALUE, takeOfItem))
+    if (!ReadAndSkip(stream, element, LONGEST_VALUE, takeOfItem))
     {
       return false;
     }
@@ -317,7 +317,7 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
       places.Groups.back().HasPlaces = false;
     }
     places.Groups[index].HasPlaces = places.Groups[index].HasPlaces || tag == 0x00200032;
-    TakeValue(stream, tag, value, places.Groups[index], orientations[index].data());
+    ReadValue(stream, tag, value, places.Groups[index], orientations[index].data());
   };
   constexpr std::uint32_t longestOffsets = 65536;
   DicomStream::Element element;
@@ -327,7 +327,7 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
     {
       const bool isShared = element.Tag == SHARED_GROUPS;
       const auto takeOfAll = [&](int, std::uint32_t tag, const std::string& value)
-      { TakeValue(stream, tag, value, header, orientation); };
+      { ReadValue(stream, tag, value, header, orientation); };
       if (!(isShared ? WalkItems(stream, element, takeOfAll, -1, 0)
                      : WalkItems(stream, element, takeOfFrame, -1, 0)))
       {
@@ -337,11 +337,11 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
     }
     const auto takeOfFile = [&](const std::string& value)
     {
-      TakeValue(stream, element.Tag, value, header, orientation);
-      TakePlaces(element.Tag, value, places);
+      ReadValue(stream, element.Tag, value, header, orientation);
+      ReadPlaces(element.Tag, value, places);
     };
     const bool areOffsets = element.Tag == 0x3004000c;
-    if (!TakeAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
+    if (!ReadAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
     {
       return false;
     }

@@ -37,7 +37,7 @@
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> FindEdges(vtkDataSet* part)
+vtkSmartPointer<vtkPolyData> DetectEdges(vtkDataSet* part)
 {
   constexpr double sharp = 30.0; // degrees
   vtkNew<vtkDataSetSurfaceFilter> surface;
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& par
   vtkIdType lines = 0;
   for (vtkDataSet* const part : parts)
   {
-    const vtkSmartPointer<vtkPolyData> edges = FindEdges(part);
+    const vtkSmartPointer<vtkPolyData> edges = DetectEdges(part);
     lines += edges->GetNumberOfLines();
     all->AddInputData(edges);
     box.AddBounds(part->GetBounds());
@@ -147,7 +147,7 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   const auto chooseTime = [&]
   {
     const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
-    const std::string missing = isXml ? Explore::FindMissingEnd(path) : std::string();
+    const std::string missing = isXml ? Explore::DetectMissingEnd(path) : std::string();
     if (!missing.empty())
     {
       return missing;
@@ -177,7 +177,7 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   return reader->GetOutputDataObject(0);
 }
 
-double FindFinestSpacing(const vtkBoundingBox& box)
+double ComputeFinestSpacing(const vtkBoundingBox& box)
 {
   double edges[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
@@ -191,10 +191,10 @@ double FindFinestSpacing(const vtkBoundingBox& box)
 vtkSmartPointer<vtkImageData> MakeFrame(
   const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
 {
-  const vtkBoundingBox box = VolumeHaptics::FindBox(parts);
+  const vtkBoundingBox box = VolumeHaptics::ComputeBox(parts);
   const double cells = VolumeHaptics::CountCells(parts);
-  const double average = VolumeHaptics::FindSampleSpacing(box, cells);
-  const double finest = FindFinestSpacing(box);
+  const double average = VolumeHaptics::ComputeSampleSpacing(box, cells);
+  const double finest = ComputeFinestSpacing(box);
   VolumeHaptics::SamplingGrid grid;
   if (!VolumeHaptics::PlaceGrid(box, std::max(average, finest), grid))
   {
@@ -302,7 +302,7 @@ Volume ReadGrid(const std::string& path)
     volume.Image = image;
     return volume;
   }
-  const std::vector<vtkDataSet*> parts = VolumeHaptics::FindParts(data);
+  const std::vector<vtkDataSet*> parts = VolumeHaptics::CollectParts(data);
   volume.Image = Resample(data, MakeFrame(path, parts, volume));
   FillOutside(volume.Image);
   volume.Outline = MakeGridOutline(parts);

@@ -54,7 +54,7 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
 }
 
 /// The numbers of labels, without 0. Throws InputError for other values, or too many.
-std::set<int> FindLabels(const std::string& path, vtkImageData* image)
+std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
 {
   constexpr std::size_t most = 4096;
   constexpr double highest = 1e6;
@@ -92,9 +92,9 @@ void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 
 namespace Explore
 {
-void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
+void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
 {
-  const std::set<int> labels = FindLabels(path, volume.Image);
+  const std::set<int> labels = CollectLabels(path, volume.Image);
   vtkNew<vtkHapticLabelTable> table;
   volume.LabelTable = table;
   if (!vtksys::SystemTools::FileIsDirectory(path))

@@ -19,7 +19,7 @@ void LoadLabels(
 /// Uses the volume itself as a label image: its values are numbers of labels, with the names and
 /// colours from the file at `path`, and others for the rest. Throws InputError if the values can't
 /// be labels.
-void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
+void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 
 #endif

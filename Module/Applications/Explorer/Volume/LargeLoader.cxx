@@ -63,7 +63,7 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
 }
 
 /// The size (bytes) of the samples of a file; 0 if it can't be read region by region.
-double FindSize(const std::string& path)
+double ComputeSize(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
   std::string error; // the reader of the whole file reports it
@@ -113,7 +113,7 @@ bool IsLargeVolume(const std::string& path, bool isWanted)
   vtksys::SystemInformation system;
   system.RunMemoryCheck();
   const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
-  return free > 0.0 && FindSize(path) > 0.5 * free;
+  return free > 0.0 && ComputeSize(path) > 0.5 * free;
 }
 
 Volume LoadLargeVolume(const std::string& path)
@@ -135,7 +135,7 @@ Volume LoadLargeVolume(const std::string& path)
   {
     const std::string ending = EndingOf(path);
     volume.Axes =
-      ending == ".mhd" || ending == ".mha" ? FindMetaImageAxes(path) : FindNrrdAxes(path);
+      ending == ".mhd" || ending == ".mha" ? ReadMetaImageAxes(path) : ReadNrrdAxes(path);
   }
   const std::string turn = HasRawHeader(path) ? DescribeNrrdTurn(path) : std::string();
   volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);

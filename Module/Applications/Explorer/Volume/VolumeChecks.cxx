@@ -72,7 +72,7 @@ void CheckGeometry(const std::string& path, vtkImageData* image)
 }
 
 /// Makes point scalars from the arrays that exist.
-void FindScalars(const std::string& path, Volume& volume)
+void ChooseScalars(const std::string& path, Volume& volume)
 {
   vtkImageData* image = volume.Image;
   vtkPointData* points = image->GetPointData();
@@ -168,7 +168,7 @@ void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
   const VolumeHaptics::OutsideSamples outside =
-    VolumeHaptics::FindOutside(volume.Image, scalars, 0);
+    VolumeHaptics::DetectOutside(volume.Image, scalars, 0);
   const std::string notice = VolumeHaptics::DescribeOutside(outside, scalars);
   if (!notice.empty())
   {
@@ -195,7 +195,8 @@ void UseHounsfieldUnits(Volume& volume)
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
   const int* const size = volume.Image->GetDimensions();
   const std::int64_t dimensions[3] = { size[0], size[1], size[2] };
-  const VolumeHaptics::StoredShift found = VolumeHaptics::FindStoredShift(scalars, dimensions, 0);
+  const VolumeHaptics::StoredShift found =
+    VolumeHaptics::EstimateStoredShift(scalars, dimensions, 0);
   if (found.Shift == 0.0)
   {
     return;
@@ -223,7 +224,7 @@ namespace Explore
 void CheckVolume(const std::string& path, Volume& volume)
 {
   CheckGeometry(path, volume.Image);
-  FindScalars(path, volume);
+  ChooseScalars(path, volume);
   UseFirstComponent(volume);
   UseOutside(volume);
   UseHounsfieldUnits(volume);

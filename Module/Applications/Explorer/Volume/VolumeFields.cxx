@@ -55,7 +55,7 @@ void VolumeFields::Collect(vtkImageData* image)
   }
 }
 
-bool VolumeFields::Take(vtkImageData* image)
+bool VolumeFields::Use(vtkImageData* image)
 {
   this->Collect(image);
   vtkPointData* const points = image->GetPointData();
@@ -68,7 +68,7 @@ bool VolumeFields::Take(vtkImageData* image)
   return !isScalar;
 }
 
-bool VolumeFields::TakeWith(const std::string& name, const std::string& path, vtkImageData* image)
+bool VolumeFields::UseWith(const std::string& name, const std::string& path, vtkImageData* image)
 {
   this->Collect(image);
   vtkPointData* const points = image->GetPointData();

@@ -19,10 +19,10 @@ class VolumeFields
 public:
   /// If an image has no active scalars, but a field, sets the scalars to the magnitude of its first
   /// field, so that something is visible. Returns whether it did.
-  bool Take(vtkImageData* image);
+  bool Use(vtkImageData* image);
   /// As Take, with the values of a point array, or the magnitude of a field, as scalars. Returns
   /// whether it is a field. Throws InputError, with the existing arrays, if it does not exist.
-  bool TakeWith(const std::string& name, const std::string& path, vtkImageData* image);
+  bool UseWith(const std::string& name, const std::string& path, vtkImageData* image);
   /// The first vectors, or those with this name if it is given; empty if there are none.
   static std::string FindFlow(vtkImageData* image, const std::string& name);
   /// Copies the fields to the image that was made from the other one, along the axes of the world.

@@ -185,7 +185,7 @@ double CountHeld(const std::string& path, const std::string& samples)
 
 /// Why a reader's information can't be true for its file; empty if it can. Readers allocate memory
 /// for all that a header promises before they read the samples.
-std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
+std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
 {
   vtkInformation* const information = reader->GetOutputInformation(0);
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -217,7 +217,7 @@ std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
   return held < 0.0 ? "its compressed samples are damaged, or cut off"
     : bytes > held
     ? "its header promises voxels that are not in the file, which ends before the last voxel"
-    : IsXml(path) ? Explore::FindMissingEnd(path)
+    : IsXml(path) ? Explore::DetectMissingEnd(path)
                   : std::string();
 }
 
@@ -235,7 +235,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
       "check what the file really is; " + cure);
   }
   std::string detail;
-  if (!Explore::ReadChecked(reader, detail, [&] { return FindFalsePromise(reader, path); }))
+  if (!Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))
   {
     throw InputError(path,
       std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),
@@ -319,7 +319,7 @@ Volume ReadMetaImage(const std::string& path)
         path, "MetaImage", "do what stands there, or write it with samples of 8, 16 or 32 bits")
     : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
-  volume.Axes = Explore::FindMetaImageAxes(path);
+  volume.Axes = Explore::ReadMetaImageAxes(path);
   return volume;
 }
 
@@ -327,7 +327,7 @@ Volume ReadNrrd(const std::string& path)
 {
   vtkNew<vtkNrrdReader> reader;
   Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {}, {}, {} };
-  volume.Axes = Explore::FindNrrdAxes(path);
+  volume.Axes = Explore::ReadNrrdAxes(path);
   const std::string note = Explore::ApplyNrrdOrientation(path, volume.Image);
   if (!note.empty())
   {
@@ -589,9 +589,9 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   {
     // Show what is felt.
     const std::string& shown = array.empty() ? volume.Flow : array;
-    volume.IsField = fields.TakeWith(shown, path, volume.Image) || volume.IsField;
+    volume.IsField = fields.UseWith(shown, path, volume.Image) || volume.IsField;
   }
-  else if (fields.Take(volume.Image))
+  else if (fields.Use(volume.Image))
   {
     volume.IsField = true;
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
@@ -611,7 +611,7 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
     { volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image); });
 }
 
-vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array)
+vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array)
 {
   return LoadAligned(path, 0, array, [](Volume&) {}).Image;
 }

@@ -5,9 +5,9 @@
 
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
-#include "vtkHapticFrameSource.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticTimeStepSource.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -31,9 +31,9 @@ struct Volume
   // A segmentation, if there is one, with the geometry of its own file.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
-  // If the volume moves: all frames, at times in seconds; the first one is the image.
-  vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
-  std::string Displacements = {}; // array with the frames' material motion; empty if none
+  // If the volume moves: all time steps, at times in seconds; the first one is the image.
+  vtkSmartPointer<vtkHapticTimeStepSource> TimeSteps = nullptr;
+  std::string Displacements = {}; // array with the time steps' material motion; empty if none
   // If the volume is read around the hand only: its source. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
@@ -83,8 +83,8 @@ vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::stri
 /// Adds what the source assumed when it opened its file.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
-/// Only the image, of a further frame of a moving volume.
-vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array);
+/// Only the image, of a further time step of a moving volume.
+vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array);
 } // namespace Explore
 
 #endif

@@ -57,7 +57,7 @@ std::array<int, 3> BestPermutation(const double axes[9])
 
 namespace Explore
 {
-WorldAxes FindNrrdAxes(const std::string& path)
+WorldAxes ReadNrrdAxes(const std::string& path)
 {
   const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
   return VolumeHaptics::FindNrrdSpace(header).IsPatient ? WorldAxes::Patient
@@ -65,7 +65,7 @@ WorldAxes FindNrrdAxes(const std::string& path)
                                                         : WorldAxes::Other;
 }
 
-WorldAxes FindMetaImageAxes(const std::string& path)
+WorldAxes ReadMetaImageAxes(const std::string& path)
 {
   const std::string letters = VolumeHaptics::HeaderText(path).Value({ "AnatomicalOrientation" });
   // Three letters, one from each of these pairs; MetaIO writes ??? for unknown axes.

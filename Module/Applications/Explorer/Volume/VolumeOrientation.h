@@ -20,8 +20,8 @@ enum class WorldAxes
 };
 
 /// From the `space` of a NRRD file; from the `AnatomicalOrientation` of a MetaImage.
-WorldAxes FindNrrdAxes(const std::string& path);
-WorldAxes FindMetaImageAxes(const std::string& path);
+WorldAxes ReadNrrdAxes(const std::string& path);
+WorldAxes ReadMetaImageAxes(const std::string& path);
 
 /// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is
 /// the direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.

@@ -36,7 +36,7 @@ using Files = vtksys::SystemTools;
 /// For files without times: this many make a second.
 constexpr double FRAMES_PER_SECOND = 10.0;
 
-struct FramePath
+struct TimeStepPath
 {
   std::string Path;
   double Time;
@@ -55,19 +55,19 @@ bool IsVolumeFile(const std::string& path)
   return false;
 }
 
-std::vector<FramePath> MakeFrames(const std::vector<std::string>& paths)
+std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
 {
-  std::vector<FramePath> frames;
+  std::vector<TimeStepPath> timeSteps;
   for (const std::string& path : paths)
   {
-    frames.push_back({ path, static_cast<double>(frames.size()) / FRAMES_PER_SECOND });
+    timeSteps.push_back({ path, static_cast<double>(timeSteps.size()) / FRAMES_PER_SECOND });
   }
-  return frames;
+  return timeSteps;
 }
 
 /// The volumes in a folder, or the folders in it if it has no files and they hold the slices of
 /// phases; none if there are fewer than two.
-std::vector<FramePath> ListFolder(const std::string& folder)
+std::vector<TimeStepPath> ListFolder(const std::string& folder)
 {
   vtksys::Directory directory;
   directory.Load(folder);
@@ -95,18 +95,18 @@ std::vector<FramePath> ListFolder(const std::string& folder)
   }
   std::vector<std::string>& found = hasFiles ? volumes : folders;
   std::sort(found.begin(), found.end(), VolumeHaptics::IsNamedBefore);
-  const bool areFrames = found.size() > 1 && (hasFiles || Explore::ArePhases(found));
-  return areFrames ? MakeFrames(found) : std::vector<FramePath>();
+  const bool areTimeSteps = found.size() > 1 && (hasFiles || Explore::ArePhases(found));
+  return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
 }
 
 /// The files and times of ParaView's collections.
-std::vector<FramePath> ReadCollection(const std::string& path)
+std::vector<TimeStepPath> ReadCollection(const std::string& path)
 {
   const auto root =
     vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
   vtkXMLDataElement* const collection =
     root ? root->FindNestedElementWithName("Collection") : nullptr;
-  std::vector<FramePath> frames;
+  std::vector<TimeStepPath> timeSteps;
   for (int i = 0; collection && i < collection->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* const entry = collection->GetNestedElement(i);
@@ -118,22 +118,22 @@ std::vector<FramePath> ReadCollection(const std::string& path)
         "write it again, with <DataSet timestep=\"...\" file=\"...\"/> for each time");
     }
     const std::string whole = Files::CollapseFullPath(file, Files::GetFilenamePath(path));
-    frames.push_back({ whole, time });
+    timeSteps.push_back({ whole, time });
   }
-  if (frames.empty())
+  if (timeSteps.empty())
   {
     throw InputError(path, "is not a ParaView collection (.pvd) of files",
       "name the files themselves, or their folder");
   }
-  std::stable_sort(frames.begin(), frames.end(),
-    [](const FramePath& a, const FramePath& b) { return a.Time < b.Time; });
-  const auto same = std::adjacent_find(frames.begin(), frames.end(),
-    [](const FramePath& a, const FramePath& b) { return a.Time == b.Time; });
-  if (same != frames.end())
+  std::stable_sort(timeSteps.begin(), timeSteps.end(),
+    [](const TimeStepPath& a, const TimeStepPath& b) { return a.Time < b.Time; });
+  const auto same = std::adjacent_find(timeSteps.begin(), timeSteps.end(),
+    [](const TimeStepPath& a, const TimeStepPath& b) { return a.Time == b.Time; });
+  if (same != timeSteps.end())
   {
     throw InputError(path, "has several files for one time", "give it one image (.vti) for each");
   }
-  return frames;
+  return timeSteps;
 }
 
 bool HasGeometryOf(vtkImageData* image, vtkImageData* other)
@@ -147,17 +147,17 @@ bool HasGeometryOf(vtkImageData* image, vtkImageData* other)
 }
 
 /// Checks before the rest is read.
-void CheckMemory(const std::string& path, vtkImageData* first, std::size_t frames)
+void CheckMemory(const std::string& path, vtkImageData* first, std::size_t timeSteps)
 {
   constexpr double mebibyte = 1024.0;
-  const double needed = static_cast<double>(first->GetActualMemorySize()) * frames / mebibyte;
+  const double needed = static_cast<double>(first->GetActualMemorySize()) * timeSteps / mebibyte;
   vtksys::SystemInformation system;
   system.RunMemoryCheck();
   const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
   if (free > 0.0 && needed > free)
   {
     std::ostringstream fault;
-    fault << "has " << frames << " frames, which need " << std::lround(needed)
+    fault << "has " << timeSteps << " frames, which need " << std::lround(needed)
           << " MiB of memory, and " << std::lround(free) << " MiB are free";
     throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
   }
@@ -172,7 +172,7 @@ bool HasSamplesOf(vtkImageData* image, vtkImageData* other)
       static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
 }
 
-void AddFrame(Volume& volume, const std::string& path, vtkImageData* image, double time)
+void AddTimeStep(Volume& volume, const std::string& path, vtkImageData* image, double time)
 {
   if (!HasGeometryOf(image, volume.Image))
   {
@@ -183,60 +183,62 @@ void AddFrame(Volume& volume, const std::string& path, vtkImageData* image, doub
     throw InputError(path, fault.str(),
       "resample all frames to one extent, spacing and origin, or name one volume");
   }
-  volume.Frames->AddFrame(image, time);
+  volume.TimeSteps->AddTimeStep(image, time);
 }
 
-/// Drops a last frame that repeats the first one, and adds notes for the user.
+/// Drops a last time step that repeats the first one, and adds notes for the user.
 void Finish(Volume& volume)
 {
-  vtkHapticFrameSource* const frames = volume.Frames;
-  const int last = frames->GetNumberOfFrames() - 1;
+  vtkHapticTimeStepSource* const timeSteps = volume.TimeSteps;
+  const int last = timeSteps->GetNumberOfTimeSteps() - 1;
   std::ostringstream note;
-  if (last > 1 && HasSamplesOf(frames->GetFrame(last), frames->GetFrame(0)))
+  if (last > 1 && HasSamplesOf(timeSteps->GetTimeStepImage(last), timeSteps->GetTimeStepImage(0)))
   {
-    vtkNew<vtkHapticFrameSource> loop;
+    vtkNew<vtkHapticTimeStepSource> loop;
     for (int i = 0; i < last; ++i)
     {
-      loop->AddFrame(frames->GetFrame(i), frames->GetFrameTime(i));
+      loop->AddTimeStep(timeSteps->GetTimeStepImage(i), timeSteps->GetTimeStepValue(i));
     }
-    volume.Frames = loop;
+    volume.TimeSteps = loop;
     volume.Notes.emplace_back("the last frame is the first one again: left out");
   }
-  note << volume.Frames->GetNumberOfFrames() << " frames, times " << volume.Frames->GetFrameTime(0)
-       << " to " << volume.Frames->GetFrameTime(volume.Frames->GetNumberOfFrames() - 1)
+  note << volume.TimeSteps->GetNumberOfTimeSteps() << " frames, times "
+       << volume.TimeSteps->GetTimeStepValue(0) << " to "
+       << volume.TimeSteps->GetTimeStepValue(volume.TimeSteps->GetNumberOfTimeSteps() - 1)
        << " s: the window plays them, the path feels the first one";
   volume.Notes.push_back(note.str());
 }
 
-Volume LoadFrames(
-  const std::string& path, const std::vector<FramePath>& frames, const std::string& array)
+Volume LoadTimeSteps(
+  const std::string& path, const std::vector<TimeStepPath>& timeSteps, const std::string& array)
 {
-  Volume volume = Explore::LoadVolume(frames.front().Path, 0, array);
-  CheckMemory(path, volume.Image, frames.size());
-  volume.Frames = vtkSmartPointer<vtkHapticFrameSource>::New();
-  AddFrame(volume, frames.front().Path, volume.Image, frames.front().Time);
-  for (std::size_t i = 1; i < frames.size(); ++i)
+  Volume volume = Explore::LoadVolume(timeSteps.front().Path, 0, array);
+  CheckMemory(path, volume.Image, timeSteps.size());
+  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
+  AddTimeStep(volume, timeSteps.front().Path, volume.Image, timeSteps.front().Time);
+  for (std::size_t i = 1; i < timeSteps.size(); ++i)
   {
-    AddFrame(volume, frames[i].Path, Explore::LoadFrame(frames[i].Path, array), frames[i].Time);
+    AddTimeStep(volume, timeSteps[i].Path, Explore::LoadTimeStep(timeSteps[i].Path, array),
+      timeSteps[i].Time);
   }
   Finish(volume);
   return volume;
 }
 
-vtkSmartPointer<vtkImageData> ExtractFrame(vtkImageData* image, int component)
+vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component)
 {
   vtkNew<vtkImageExtractComponents> extract;
   extract->SetInputData(image);
   extract->SetComponents(component);
   extract->Update();
-  auto frame = vtkSmartPointer<vtkImageData>::New();
-  frame->ShallowCopy(extract->GetOutput());
-  frame->SetDirectionMatrix(image->GetDirectionMatrix());
-  return frame;
+  auto timeStep = vtkSmartPointer<vtkImageData>::New();
+  timeStep->ShallowCopy(extract->GetOutput());
+  timeStep->SetDirectionMatrix(image->GetDirectionMatrix());
+  return timeStep;
 }
 
-/// One of the volumes along the fourth axis of a NIfTI file, or all of them as frames. `chosen` is
-/// the number of the one, from 1 on; 0 for all.
+/// One of the volumes along the fourth axis of a NIfTI file, or all of them as time steps. `chosen`
+/// is the number of the one, from 1 on; 0 for all.
 Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
@@ -252,7 +254,7 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
       "take --series 1 to " + std::to_string(count));
   }
   CheckMemory(path, all, 1);
-  volume.Image = ExtractFrame(all, std::max(0, chosen - 1) * step);
+  volume.Image = ExtractTimeStep(all, std::max(0, chosen - 1) * step);
   Explore::CheckVolume(path, volume);
   Explore::AlignVolume(volume);
   if (chosen > 0)
@@ -261,13 +263,13 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
       " along the fourth axis");
     return volume;
   }
-  volume.Frames = vtkSmartPointer<vtkHapticFrameSource>::New();
-  AddFrame(volume, path, volume.Image, 0.0);
+  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
+  AddTimeStep(volume, path, volume.Image, 0.0);
   for (int i = 1; i < count; ++i)
   {
-    vtkSmartPointer<vtkImageData> frame = ExtractFrame(all, i * step);
-    Explore::StraightenIfSheared(frame, false);
-    AddFrame(volume, path, Explore::AlignToAxes(frame), i * times.Spacing);
+    vtkSmartPointer<vtkImageData> timeStep = ExtractTimeStep(all, i * step);
+    Explore::StraightenIfSheared(timeStep, false);
+    AddTimeStep(volume, path, Explore::AlignToAxes(timeStep), i * times.Spacing);
   }
   Finish(volume);
   volume.Notes.emplace_back(
@@ -285,7 +287,7 @@ Volume LoadVolumes(
   const std::string& path = paths.front();
   if (paths.size() > 1)
   {
-    return LoadFrames(path, MakeFrames(paths), array);
+    return LoadTimeSteps(path, MakeTimeSteps(paths), array);
   }
   if (IsLargeVolume(path, isLarge))
   {
@@ -297,15 +299,16 @@ Volume LoadVolumes(
   }
   if (Files::FileIsDirectory(path))
   {
-    const auto frames = dicomSeries > 0 ? std::vector<FramePath>() : ListFolder(path);
-    return frames.empty() ? LoadVolume(path, dicomSeries, array) : LoadFrames(path, frames, array);
+    const auto timeSteps = dicomSeries > 0 ? std::vector<TimeStepPath>() : ListFolder(path);
+    return timeSteps.empty() ? LoadVolume(path, dicomSeries, array)
+                             : LoadTimeSteps(path, timeSteps, array);
   }
   const bool isThere = Files::FileExists(path, true);
   if (isThere && Files::StringEndsWith(Files::LowerCase(path), ".pvd"))
   {
-    const std::vector<FramePath> frames = ReadCollection(path);
-    return frames.size() > 1 ? LoadFrames(path, frames, array)
-                             : LoadVolume(frames.front().Path, 0, array);
+    const std::vector<TimeStepPath> timeSteps = ReadCollection(path);
+    return timeSteps.size() > 1 ? LoadTimeSteps(path, timeSteps, array)
+                                : LoadVolume(timeSteps.front().Path, 0, array);
   }
   const NiftiTimes times = isThere ? ReadNiftiTimes(path, 1.0 / FRAMES_PER_SECOND) : NiftiTimes();
   return times.Count > 1 ? LoadNiftiSeries(path, times, dicomSeries)
@@ -315,19 +318,20 @@ Volume LoadVolumes(
 void UseDisplacements(Volume& volume, const std::string& array)
 {
   const std::string option = "--displacements " + array;
-  if (!volume.Frames)
+  if (!volume.TimeSteps)
   {
     throw InputError(
       option, "is for a volume that moves, and this one does not", "name all of its frames");
   }
-  for (int i = 0; i < volume.Frames->GetNumberOfFrames(); ++i)
+  for (int i = 0; i < volume.TimeSteps->GetNumberOfTimeSteps(); ++i)
   {
-    vtkDataArray* const found = volume.Frames->GetFrame(i)->GetPointData()->GetArray(array.c_str());
+    vtkDataArray* const found =
+      volume.TimeSteps->GetTimeStepImage(i)->GetPointData()->GetArray(array.c_str());
     if (!found || found->GetNumberOfComponents() != 3)
     {
       std::ostringstream fault;
-      fault << "is no point array of vectors in the frame at " << volume.Frames->GetFrameTime(i)
-            << " s";
+      fault << "is no point array of vectors in the frame at "
+            << volume.TimeSteps->GetTimeStepValue(i) << " s";
       throw InputError(option, fault.str(),
         "name the array with the displacements to the next frame, which all frames have; the last "
         "one has those to the first");

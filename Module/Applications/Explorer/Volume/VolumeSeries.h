@@ -12,14 +12,14 @@ namespace Explore
 {
 /// Reads a volume as LoadVolume does, or one that moves: several files, a folder of volumes or of
 /// folders of DICOM slices, in the order of their names and the numbers in them; a .pvd file; or a
-/// NIfTI file with several times. All frames are in memory. Its image is the first frame. A volume
-/// that is large, or requested as large, is read as by LoadLargeVolume. With a number of a DICOM
-/// series, a folder holds no frames. The array is as in LoadVolume. Throws InputError.
+/// NIfTI file with several times. All time steps are in memory. Its image is the first time step. A
+/// volume that is large, or requested as large, is read as by LoadLargeVolume. With a number of a
+/// DICOM series, a folder holds no time steps. The array is as in LoadVolume. Throws InputError.
 Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
   const std::string& array = "");
 
-/// Sets the array of vectors that gives the motion of each frame's material to the next frame.
-/// Throws InputError if a frame lacks it.
+/// Sets the array of vectors that gives the motion of each time step's material to the next time
+/// step. Throws InputError if a time step lacks it.
 void UseDisplacements(Volume& volume, const std::string& array);
 } // namespace Explore
 

@@ -74,7 +74,7 @@ double CountUnpacked(const std::string& file, std::size_t offset)
   return hasAny && state == Z_STREAM_END ? count : -1.0;
 }
 
-std::string FindMissingEnd(const std::string& file)
+std::string DetectMissingEnd(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
   const std::size_t size = vtksys::SystemTools::FileLength(file);
@@ -97,7 +97,7 @@ std::string FindMissingEnd(const std::string& file)
     text.erase(0, piece.end());
     // The reader reports a missing piece.
     const std::string missing =
-      vtksys::SystemTools::FileExists(name, true) ? FindMissingEnd(name) : std::string();
+      vtksys::SystemTools::FileExists(name, true) ? DetectMissingEnd(name) : std::string();
     if (!missing.empty())
     {
       return vtksys::SystemTools::GetFilenameName(name) + ": " + missing;

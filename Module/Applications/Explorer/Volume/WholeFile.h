@@ -15,7 +15,7 @@ double CountUnpacked(const std::string& file, std::size_t offset);
 
 /// Why a file of VTK's XML formats, or a piece that it names, is not complete; empty if it is.
 /// VTK's readers use whatever was in memory for missing appended samples.
-std::string FindMissingEnd(const std::string& file);
+std::string DetectMissingEnd(const std::string& file);
 } // namespace Explore
 
 #endif

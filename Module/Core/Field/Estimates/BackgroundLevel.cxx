@@ -14,21 +14,23 @@ namespace
  * There are a background and a solid part if this fraction of the variance of all values is between
  * the two. The halves of a normal distribution have 0.637.
  */
-constexpr double ApartShare = 0.65;
+constexpr double ApartFraction = 0.65;
 /** The values of an even block differ by at most this fraction of the rise between the two. */
-constexpr double EvenShare = 0.15;
+constexpr double EvenFraction = 0.15;
 ///@{
 /**
  * A darker material stands out if this fraction of the variance of even places is between the two.
  */
-constexpr double DarkShare = 0.88;
-/** Its least rise, as a fraction of the brighter one's, and its least share of the even places. */
+constexpr double DarkFraction = 0.88;
+/**
+ * Its least rise, as a fraction of the brighter one's, and its least fraction of the even places.
+ */
 constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
 /** From the threshold to Full, as a fraction of the way to the solid's median. */
-constexpr double FullShare = 0.15;
+constexpr double FullFraction = 0.15;
 constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
 
 /** The means in a block, and how much they differ. */
@@ -49,7 +51,7 @@ public:
     double means[Inner * Inner * Inner];
     for (int i = 0; i < Inner * Inner * Inner; ++i)
     {
-      const double mean = FindMean(block, i);
+      const double mean = ComputeMean(block, i);
       means[i] = mean;
       sum += mean;
       low = i == 0 ? mean : std::min(low, mean);
@@ -62,11 +64,11 @@ public:
     }
   }
 
-  BackgroundLevel Find()
+  BackgroundLevel Estimate()
   {
     std::sort(this->All.begin(), this->All.end());
-    Split split = FindSplit(this->All);
-    if (split.Share < ApartShare)
+    Split split = ComputeSplit(this->All);
+    if (split.Fraction < ApartFraction)
     {
       return {};
     }
@@ -80,7 +82,7 @@ public:
     std::vector<double> even;
     for (const BlockMeans& block : this->Blocks)
     {
-      if (block.Span <= EvenShare * rise && block.Mean < level.Threshold)
+      if (block.Span <= EvenFraction * rise && block.Mean < level.Threshold)
       {
         even.push_back(block.Mean);
       }
@@ -88,11 +90,11 @@ public:
     std::sort(even.begin(), even.end());
     while (even.size() >= LeastBlocks)
     {
-      split = FindSplit(even);
+      split = ComputeSplit(even);
       const double low = even[split.Below / 2];
       const double high = even[(split.Below + even.size()) / 2];
       const auto all = static_cast<double>(even.size());
-      if (split.Share < DarkShare || high - low < LeastRise * rise ||
+      if (split.Fraction < DarkFraction || high - low < LeastRise * rise ||
         all - static_cast<double>(split.Below) < LeastPart * all)
       {
         break;
@@ -102,7 +104,7 @@ public:
       level.Threshold = 0.5 * (low + high);
       even.resize(split.Below);
     }
-    level.Full = level.Threshold + FullShare * (solid - level.Threshold);
+    level.Full = level.Threshold + FullFraction * (solid - level.Threshold);
     level.Dark = background;
     const auto above = std::lower_bound(this->All.begin(), this->All.end(), level.Threshold);
     level.Bright = *(above + (this->All.end() - above) / 2);
@@ -114,10 +116,10 @@ private:
   struct Split
   {
     std::size_t Below = 0;
-    double Share = 0.0;
+    double Fraction = 0.0;
   };
 
-  static double FindMean(const double* block, int i)
+  static double ComputeMean(const double* block, int i)
   {
     const int x = i % Inner;
     const int y = i / Inner % Inner;
@@ -135,7 +137,7 @@ private:
   }
 
   /** Otsu's split. */
-  static Split FindSplit(const std::vector<double>& values)
+  static Split ComputeSplit(const std::vector<double>& values)
   {
     const double first = values.empty() ? 0.0 : values.front(); // so that no digits are lost
     double sum = 0.0;
@@ -154,10 +156,10 @@ private:
       below += values[i - 1] - first;
       const auto n = static_cast<double>(i);
       const double gap = below / n - (sum - below) / (all - n);
-      const double share = n * (all - n) / all * gap * gap / variance;
-      if (values[i] > values[i - 1] && share > best.Share)
+      const double fraction = n * (all - n) / all * gap * gap / variance;
+      if (values[i] > values[i - 1] && fraction > best.Fraction)
       {
-        best = { i, share };
+        best = { i, fraction };
       }
     }
     return best;
@@ -169,14 +171,15 @@ private:
 
 } // namespace
 
-BackgroundLevel BackgroundLevel::Find(const NoiseSamples& samples)
+BackgroundLevel BackgroundLevel::Estimate(const NoiseSamples& samples)
 {
-  return FindInNoiseBlocks<ValueHeaps>(samples);
+  return EstimateInNoiseBlocks<ValueHeaps>(samples);
 }
 
-BackgroundLevel BackgroundLevel::Find(const SampleReader& read, const std::int64_t dimensions[3])
+BackgroundLevel BackgroundLevel::Estimate(
+  const SampleReader& read, const std::int64_t dimensions[3])
 {
-  return FindInNoiseBlocks<ValueHeaps>(read, dimensions);
+  return EstimateInNoiseBlocks<ValueHeaps>(read, dimensions);
 }
 
 } // namespace VolumeHaptics

@@ -30,9 +30,9 @@ struct BackgroundLevel
    * values are one heap. As long as a darker material stands out of the background in places where
    * values are even, the threshold becomes the one between these, and so on.
    */
-  static BackgroundLevel Find(const NoiseSamples& samples);
+  static BackgroundLevel Estimate(const NoiseSamples& samples);
   /** As above, to the bit, for a volume that is not a piece. */
-  static BackgroundLevel Find(const SampleReader& read, const std::int64_t dimensions[3]);
+  static BackgroundLevel Estimate(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 
 } // namespace VolumeHaptics

@@ -30,8 +30,8 @@ constexpr double RiseOverNoise = 10.0;
 /** A plateau begins where the rest of the rise is less than this fraction of the range. */
 constexpr double EdgeTail = 1e-3;
 /**
- * Tolerance of a plateau in another frame (fraction of the rise), and its distance from the middle
- * (widths).
+ * Tolerance of a plateau in another time step (fraction of the rise), and its distance from the
+ * middle (widths).
  */
 constexpr double SamePlateau = 0.3;
 constexpr double PlateauDistance = 3.0;
@@ -195,7 +195,7 @@ bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 }
 
 /** The motion (samples) of an edge to the nearest place on a line that has it; -1 without one. */
-double FindMotion(const SampleLine& line, const FoundEdge& edge)
+double MeasureMotion(const SampleLine& line, const FoundEdge& edge)
 {
   const double value = 0.5 * (edge.Low + edge.High);
   const auto begin = static_cast<std::int64_t>(std::floor(edge.Middle));
@@ -227,7 +227,7 @@ double Median(std::vector<double>& values)
 }
 
 /** The places where a lattice over the samples meets steep gradients. */
-std::vector<SteepPlace> FindSteepPlaces(
+std::vector<SteepPlace> CollectSteepPlaces(
   const EdgeSamples& samples, const Vector3& spacing, double noise, double& range)
 {
   const double all = static_cast<double>(samples.Size(0)) * static_cast<double>(samples.Size(1)) *
@@ -292,7 +292,7 @@ std::vector<SteepPlace> FindSteepPlaces(
 
 } // namespace
 
-EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,
+EdgeMotion MeasureEdgeMotion(const VolumeView& first, const VolumeView& second,
   const Matrix3& indexToWorld, double blur, double noise)
 {
   const EdgeSamples before(first);
@@ -301,7 +301,7 @@ EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,
   const Vector3 spacing{ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
   const double h[] = { spacing.X, spacing.Y, spacing.Z };
   double range = 0.0;
-  const std::vector<SteepPlace> places = FindSteepPlaces(before, spacing, noise, range);
+  const std::vector<SteepPlace> places = CollectSteepPlaces(before, spacing, noise, range);
   const double tolerance = std::max(EdgeTail * range, noise);
   const double leastRise = std::max(LeastEdgeRise * range, RiseOverNoise * noise);
   EdgeMotion found;
@@ -316,7 +316,7 @@ EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,
     {
       continue;
     }
-    const double moved = FindMotion(SampleLine(after, steep.At, steep.Axis), edge);
+    const double moved = MeasureMotion(SampleLine(after, steep.At, steep.Axis), edge);
     if (moved < 0.0)
     {
       continue;

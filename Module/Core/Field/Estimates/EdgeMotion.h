@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far edges move from one frame to the next, against their widths.
+ * How far edges move from one time step to the next, against their widths.
  *
- * A blend of two frames is an edge on its way as long as the edge moves by at most two of its
+ * A blend of two time steps is an edge on its way as long as the edge moves by at most two of its
  * widths; beyond, it is a cross-fade (FieldAtTime.h). An edge between the plateaus V1 and V2 is
  *
  *   width  = (V2 - V1) / (g sqrt(2 pi)),
@@ -25,7 +25,7 @@ namespace VolumeHaptics
 /** The motion of a volume's edges. */
 struct EdgeMotion
 {
-  int Edges = 0; ///< edges that are in both frames
+  int Edges = 0; ///< edges that are in both time steps
   int Fast = 0;  ///< edges that move by more than two widths
   ///@{
   /** Medians over the fast edges, world units. */
@@ -39,12 +39,12 @@ struct EdgeMotion
 
 /**
  * Measures up to 256 edges on a lattice of some 8000 places, within 64 samples of each: a few
- * milliseconds. For two frames of the same geometry.
+ * milliseconds. For two time steps of the same geometry.
  * @param indexToWorld the linear part of the map
  * @param blur of the kernel that widens edges before they are felt (samples)
  * @param noise of the samples, their standard deviation
  */
-EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,
+EdgeMotion MeasureEdgeMotion(const VolumeView& first, const VolumeView& second,
   const Matrix3& indexToWorld, double blur, double noise);
 
 } // namespace VolumeHaptics

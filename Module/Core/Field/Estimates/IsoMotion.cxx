@@ -27,7 +27,7 @@ constexpr double LostStep = 0.1;
 ///@}
 
 /** A step of Newton's method to a level, along the gradient. */
-Vector3 FindStep(const FieldAtTime& field, double value, const Vector3& index)
+Vector3 ComputeStep(const FieldAtTime& field, double value, const Vector3& index)
 {
   const Vector3 slope = field.Gradient(index).Gradient;
   return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
@@ -41,7 +41,7 @@ Vector3 GoToLevel(
   double length = 0.0;
   for (int step = 0; step < MostSteps; ++step)
   {
-    const Vector3 whole = FindStep(field, value, index);
+    const Vector3 whole = ComputeStep(field, value, index);
     length = Norm(whole);
     // Also false for NaN.
     if (!(length < 1e9))
@@ -59,33 +59,33 @@ Vector3 GoToLevel(
 
 } // namespace
 
-std::vector<Vector3> FindIsoMotions(
-  const std::vector<Vector3>& points, double value, const IsoFrames& frames)
+std::vector<Vector3> MeasureIsoMotions(
+  const std::vector<Vector3>& points, double value, const IsoTimeSteps& timeSteps)
 {
   const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
-  const FieldSampler first(frames.First, kernel);
-  const FieldSampler second(frames.Second, kernel);
+  const FieldSampler first(timeSteps.First, kernel);
+  const FieldSampler second(timeSteps.Second, kernel);
   std::optional<DisplacementField> material;
-  if (frames.Displacements.Data)
+  if (timeSteps.Displacements.Data)
   {
-    material.emplace(frames.Displacements, frames.First, frames.IndexToWorld.Linear);
+    material.emplace(timeSteps.Displacements, timeSteps.First, timeSteps.IndexToWorld.Linear);
   }
-  const Affine3 worldToIndex = Inverse(frames.IndexToWorld);
+  const Affine3 worldToIndex = Inverse(timeSteps.IndexToWorld);
   std::vector<Vector3> motions;
   motions.reserve(points.size());
   for (const Vector3& point : points)
   {
     const Vector3 begin = worldToIndex(point);
-    Vector3 end = material ? material->Find(begin, 0.0).Second : begin;
+    Vector3 end = material ? material->Compute(begin, 0.0).Second : begin;
     // A nearby level needs no blends in between.
     const bool isNear =
-      material || Norm(FindStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
+      material || Norm(ComputeStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
     for (int blend = isNear ? Blends : 1; blend <= Blends; ++blend)
     {
-      const double share = static_cast<double>(blend) / Blends;
-      end = GoToLevel(first, FieldAtTime(first, second, share), value, end);
+      const double fraction = static_cast<double>(blend) / Blends;
+      end = GoToLevel(first, FieldAtTime(first, second, fraction), value, end);
     }
-    const Vector3 motion = frames.IndexToWorld.Linear * (end - begin);
+    const Vector3 motion = timeSteps.IndexToWorld.Linear * (end - begin);
     motions.push_back(IsFinite(motion) ? motion : Vector3{});
   }
   return motions;

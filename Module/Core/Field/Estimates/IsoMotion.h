@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Moves the points of an isosurface from one frame of a moving volume to the next.
+ * Moves the points of an isosurface from one time step of a moving volume to the next.
  *
- * A point follows its level through the blends of the frames (FieldAtTime.h), along the gradient,
- * by Newton's method; where displacements are known, it moves with its material first, and the
- * level in the next frame only corrects that. If the level vanishes on the way, because its
- * structure disappears, the point stays where it lost the level.
+ * A point follows its level through the blends of the time steps (FieldAtTime.h), along the
+ * gradient, by Newton's method; where displacements are known, it moves with its material first,
+ * and the level in the next time step only corrects that. If the level vanishes on the way, because
+ * its structure disappears, the point stays where it lost the level.
  */
 #ifndef IsoMotion_h
 #define IsoMotion_h
@@ -21,8 +21,8 @@
 namespace VolumeHaptics
 {
 
-/** Two frames of the same geometry. */
-struct IsoFrames
+/** Two time steps of the same geometry. */
+struct IsoTimeSteps
 {
   VolumeView First;
   VolumeView Second;
@@ -31,9 +31,9 @@ struct IsoFrames
   Affine3 IndexToWorld;
 };
 
-/** The motions of points of the isosurface in the first frame (both in world units). */
-std::vector<Vector3> FindIsoMotions(
-  const std::vector<Vector3>& points, double value, const IsoFrames& frames);
+/** The motions of points of the isosurface in the first time step (both in world units). */
+std::vector<Vector3> MeasureIsoMotions(
+  const std::vector<Vector3>& points, double value, const IsoTimeSteps& timeSteps);
 
 } // namespace VolumeHaptics
 

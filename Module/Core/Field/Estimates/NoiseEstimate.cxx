@@ -17,12 +17,12 @@ constexpr int Quadratic = 10; // coefficients
 /** Their product is the number of blocks. */
 constexpr int MostBlocksAlongAnAxis = 16;
 constexpr int MostBlocksAlongAnAxisIfLarge = 8;
-/** The share of the blocks, in ascending order of their remainders, that counts as flat. */
+/** The fraction of the blocks, in ascending order of their remainders, that counts as flat. */
 constexpr double Flattest = 0.1;
 /**
  * A tenth of the estimates from 115 degrees of freedom lies below this fraction of the true value.
  */
-constexpr double ShareAtFlattest = 0.916;
+constexpr double FractionAtFlattest = 0.916;
 /** Noise below this fraction of the largest value is rounding. */
 constexpr double NoiseRounding = 1e-9;
 constexpr double NoiseThreshold = 3.4;
@@ -134,7 +134,7 @@ public:
   }
 
   /** The noise of a volume with a range of values. */
-  double FindNoise(const double range[2]) const
+  double ComputeNoise(const double range[2]) const
   {
     std::vector<double> left = this->Left;
     for (const double value : this->Flat)
@@ -150,7 +150,7 @@ public:
     }
     const auto tenth = left.begin() + static_cast<std::ptrdiff_t>(Flattest * (left.size() - 1));
     std::nth_element(left.begin(), tenth, left.end());
-    const double noise = std::sqrt(*tenth / (BlockSamples - Quadratic)) / ShareAtFlattest;
+    const double noise = std::sqrt(*tenth / (BlockSamples - Quadratic)) / FractionAtFlattest;
     return noise > NoiseRounding * std::max(std::abs(range[0]), std::abs(range[1])) ? noise : 0.0;
   }
 
@@ -236,7 +236,7 @@ bool HasRangeOfAll(const std::int64_t dimensions[3])
   return n[0] <= 0 || n[1] <= 0 || n[2] <= MostSamplesRanged / n[0] / n[1];
 }
 
-std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6])
+std::vector<std::array<int, 6>> ComputeNoiseBoxes(const int whole[6])
 {
   NoiseSamples samples;
   for (int a = 0; a < 3; ++a)
@@ -344,7 +344,7 @@ double FindBorderValue(const NoiseSamples& samples)
   double value = 0.0;
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const int corner = samples.FindCorner(s);
+    const int corner = samples.GetCorner(s);
     if (corner >= 0 && corner < first && std::isfinite(samples.Values[s]))
     {
       first = corner;
@@ -375,7 +375,7 @@ void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
     at[0] = samples.Indices[s] - row;
     if (at[0] < 0 || at[0] >= samples.Dimensions[0])
     {
-      at = samples.FindPlace(s);
+      at = samples.ComputePlace(s);
       row = samples.Indices[s] - at[0];
       y = axes[1].Find(at[1]);
       z = axes[2].Find(at[2]);
@@ -425,7 +425,7 @@ double EstimateNoise(const NoiseSamples& samples)
 {
   Remainders remainders;
   VisitNoiseBlocks(samples, [&](const double* block) { remainders.Add(block); });
-  return remainders.FindNoise(samples.Range);
+  return remainders.ComputeNoise(samples.Range);
 }
 
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
@@ -451,7 +451,7 @@ double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3],
     }
     std::copy_n(seen.Range, 2, range);
   }
-  return remainders.FindNoise(range);
+  return remainders.ComputeNoise(range);
 }
 
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld)

@@ -46,7 +46,7 @@ bool HasRangeOfAll(const std::int64_t dimensions[3]);
  * Boxes (extents) of a large volume that together contain all noise samples: one for each block,
  * and one for each corner.
  */
-std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6]);
+std::vector<std::array<int, 6>> ComputeNoiseBoxes(const int whole[6]);
 
 /** Returns the sample with a number, i + n_x (j + n_y k), of a piece of a volume. */
 using SampleReader = std::function<double(std::int64_t)>;
@@ -78,11 +78,11 @@ void VisitNoiseBlocks(
  * The result of a finder for the noise blocks of a volume, which the first arguments above give.
  */
 template <typename Finder, typename... Volume>
-auto FindInNoiseBlocks(const Volume&... volume)
+auto EstimateInNoiseBlocks(const Volume&... volume)
 {
   Finder finder;
   VisitNoiseBlocks(volume..., [&finder](const double* block) { finder.Add(block); });
-  return finder.Find();
+  return finder.Estimate();
 }
 
 /**

@@ -37,7 +37,7 @@ bool IsEnormous(double value)
  * Smallest and largest value of the samples that do not stand for missing values; the first is
  * larger if there are none.
  */
-void FindInside(const NoiseSamples& samples, double range[2])
+void ComputeInsideRange(const NoiseSamples& samples, double range[2])
 {
   std::copy_n(samples.Inside, 2, range);
   if (HasRangeOfAll(samples.Dimensions))
@@ -63,11 +63,11 @@ bool MayBeMissing(double value)
     IsEnormous(value);
 }
 
-OutsideSamples FindOutside(const NoiseSamples& samples)
+OutsideSamples DetectOutside(const NoiseSamples& samples)
 {
   OutsideSamples outside;
   double inside[2];
-  FindInside(samples, inside);
+  ComputeInsideRange(samples, inside);
   if (!(inside[0] <= inside[1]))
   {
     return outside; // no sample is inside
@@ -79,7 +79,7 @@ OutsideSamples FindOutside(const NoiseSamples& samples)
     const double value = samples.Values[s];
     const bool isNumber = std::isfinite(value);
     holes += isNumber ? 0 : 1;
-    if ((isNumber && !MayBeMissing(value)) || samples.FindCorner(s) < 0)
+    if ((isNumber && !MayBeMissing(value)) || samples.GetCorner(s) < 0)
     {
       continue;
     }
@@ -108,7 +108,7 @@ void FillOutside(const OutsideSamples& outside, NoiseSamples& samples)
   {
     return;
   }
-  FindInside(samples, samples.Range);
+  ComputeInsideRange(samples, samples.Range);
   samples.Range[0] = std::min(samples.Range[0], outside.Fill);
   for (double& value : samples.Values)
   {

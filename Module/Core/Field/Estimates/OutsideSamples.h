@@ -31,7 +31,7 @@ struct OutsideSamples
    * else one less.
    */
   double Fill = 0.0;
-  /** If NaN and infinity are holes: the share of such samples among those read. */
+  /** If NaN and infinity are holes: the fraction of such samples among those read. */
   double Holes = 0.0;
 
   bool HasAny() const { return this->AreNonFinite || this->Missing == this->Missing; }
@@ -52,7 +52,7 @@ bool MayBeMissing(double value);
  * Decides for a whole volume. Numbers in a corner stand for missing values if MayBeMissing says so,
  * and if they lie apart from all other values by a tenth of the range of those, which is not 0.
  */
-OutsideSamples FindOutside(const NoiseSamples& samples);
+OutsideSamples DetectOutside(const NoiseSamples& samples);
 
 /** Sets the samples outside to their value, and corrects the range. */
 void FillOutside(const OutsideSamples& outside, NoiseSamples& samples);

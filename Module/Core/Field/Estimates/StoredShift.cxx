@@ -14,9 +14,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Values (HU) of air and lung, without padding: in unshifted data, LeastShare have them. */
+/** Values (HU) of air and lung, without padding: in unshifted data, LeastFraction have them. */
 constexpr double SurelyAir[2] = { -1200.0, -200.0 };
-constexpr double LeastShare = 0.005;
+constexpr double LeastFraction = 0.005;
 /** Values (HU) of air and of soft tissue, and values between them, as in lungs and edges. */
 constexpr double AirValues[2] = { -1030.0, -850.0 };
 constexpr double BrightestAir = -940.0; // without lung
@@ -56,7 +56,7 @@ public:
       [](double value) { return std::isfinite(value); });
   }
 
-  StoredShift Find()
+  StoredShift Estimate()
   {
     std::vector<double>& all = this->All;
     StoredShift found;
@@ -68,12 +68,12 @@ public:
     found.Range[0] = all.front();
     found.Range[1] = all.back();
     const auto count = static_cast<double>(all.size());
-    if (this->Count(SurelyAir[0], SurelyAir[1]) >= LeastShare * count)
+    if (this->Count(SurelyAir[0], SurelyAir[1]) >= LeastFraction * count)
     {
       found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan;
       return found;
     }
-    if (this->CountWithout(-HUGE_VAL, Negative) < LeastShare * count && this->FindShift(found))
+    if (this->CountWithout(-HUGE_VAL, Negative) < LeastFraction * count && this->DetectShift(found))
     {
       return found;
     }
@@ -84,7 +84,7 @@ public:
 
 private:
   /** Whether air and soft tissue are where a shift puts them. */
-  bool FindShift(StoredShift& found) const
+  bool DetectShift(StoredShift& found) const
   {
     const auto count = static_cast<double>(this->All.size());
     for (const double offset : Offsets)
@@ -92,14 +92,14 @@ private:
       const double heap = this->Count(AirValues[0] + offset, AirValues[1] + offset);
       const double between = this->Count(BetweenValues[0] + offset, BetweenValues[1] + offset);
       const double tissue = this->Count(TissueValues[0] + offset, TissueValues[1] + offset);
-      if (std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
+      if (std::min(heap, tissue) < std::max(LeastFraction * count, HeapRatio * between) ||
         this->CountWithout(TissueValues[0] + offset, TissueValues[1] + offset) <
           LeastSpread * tissue ||
-        this->CountWithout(-HUGE_VAL, DarkerThanAir + offset) >= LeastShare * count)
+        this->CountWithout(-HUGE_VAL, DarkerThanAir + offset) >= LeastFraction * count)
       {
         continue;
       }
-      const double air = this->FindAir(AirValues[0] + offset, BrightestAir + offset);
+      const double air = this->EstimateAir(AirValues[0] + offset, BrightestAir + offset);
       const double usual = std::abs(air - (Air + offset));
       const double other = offset == Offsets[0] ? std::abs(air - (Air + OtherOffset)) : HUGE_VAL;
       if (std::min(usual, other) <= NearAir)
@@ -145,10 +145,10 @@ private:
    * The middle of the shortest half of the values from `low` to `high`; without the most frequent
    * one, to which values may have been clipped, if others remain.
    */
-  double FindAir(double low, double high) const
+  double EstimateAir(double low, double high) const
   {
     std::vector<double> values = this->Without(low, high);
-    if (static_cast<double>(values.size()) < LeastShare * static_cast<double>(this->All.size()))
+    if (static_cast<double>(values.size()) < LeastFraction * static_cast<double>(this->All.size()))
     {
       const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);
       values.assign(first, std::upper_bound(first, this->All.end(), high));
@@ -171,14 +171,14 @@ private:
 
 } // namespace
 
-StoredShift StoredShift::Find(const NoiseSamples& samples)
+StoredShift StoredShift::Estimate(const NoiseSamples& samples)
 {
-  return FindInNoiseBlocks<SortedValues>(samples);
+  return EstimateInNoiseBlocks<SortedValues>(samples);
 }
 
-StoredShift StoredShift::Find(const SampleReader& read, const std::int64_t dimensions[3])
+StoredShift StoredShift::Estimate(const SampleReader& read, const std::int64_t dimensions[3])
 {
-  return FindInNoiseBlocks<SortedValues>(read, dimensions);
+  return EstimateInNoiseBlocks<SortedValues>(read, dimensions);
 }
 
 } // namespace VolumeHaptics

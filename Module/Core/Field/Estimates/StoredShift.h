@@ -25,9 +25,9 @@ struct StoredShift
   bool IsStrange = false;
   double Range[2] = { 1.0, 0.0 }; ///< of the values that were read; the first is larger without any
 
-  static StoredShift Find(const NoiseSamples& samples);
+  static StoredShift Estimate(const NoiseSamples& samples);
   /** As above, to the bit, for a volume that is not a piece. */
-  static StoredShift Find(const SampleReader& read, const std::int64_t dimensions[3]);
+  static StoredShift Estimate(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 
 } // namespace VolumeHaptics

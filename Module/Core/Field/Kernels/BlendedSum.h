@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sum over N^3 taps of two frames, blended:
+ * The sum over N^3 taps of two time steps, blended:
  *
  *   V_i = a_i + share (b_i - a_i)
  *
- * Samples that are equal in both frames stay the same to the bit. The rules of FieldKernels.h hold
- * here too.
+ * Samples that are equal in both time steps stay the same to the bit. The rules of FieldKernels.h
+ * hold here too.
  */
 #ifndef BlendedSum_h
 #define BlendedSum_h
@@ -19,18 +19,18 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Blends the rows of another frame into these. */
+/** Blends the rows of another time step into these. */
 template <int N>
-VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double share, RowPair<N>& rows)
+VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double fraction, RowPair<N>& rows)
 {
   for (int p = 0; p < RowPair<N>::Whole; ++p)
   {
-    rows.Even[p] = rows.Even[p] + share * (other.Even[p] - rows.Even[p]);
-    rows.Odd[p] = rows.Odd[p] + share * (other.Odd[p] - rows.Odd[p]);
+    rows.Even[p] = rows.Even[p] + fraction * (other.Even[p] - rows.Even[p]);
+    rows.Odd[p] = rows.Odd[p] + fraction * (other.Odd[p] - rows.Odd[p]);
   }
   if constexpr (RowPair<N>::HasRest)
   {
-    rows.Rest = rows.Rest + share * (other.Rest - rows.Rest);
+    rows.Rest = rows.Rest + fraction * (other.Rest - rows.Rest);
   }
 }
 
@@ -51,13 +51,13 @@ VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 
 ///@{
 /**
- * Both rows in the layout of FrameTaps, and the same rows of both frames, blended as BlendRows
- * does.
+ * Both rows in the layout of TimeStepTaps, and the same rows of both time steps, blended as
+ * BlendRows does.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
 {
-  constexpr int line = FrameTaps::Line<N>;
+  constexpr int line = TimeStepTaps::Line<N>;
   constexpr int whole = RowPair<N>::Whole;
   for (int p = 0; p < whole; ++p)
   {
@@ -71,14 +71,14 @@ VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
 }
 template <int N>
 VOLUME_HAPTICS_INLINE void LoadBlendedLines(
-  const FrameTaps& frames, int at, double share, RowPair<N>& rows)
+  const TimeStepTaps& timeSteps, int at, double fraction, RowPair<N>& rows)
 {
-  constexpr int line = FrameTaps::Line<N>;
+  constexpr int line = TimeStepTaps::Line<N>;
   constexpr int whole = RowPair<N>::Whole;
-  const double* const taps = frames.Taps + at;
-  const double* const changes = frames.Changes + at;
+  const double* const taps = timeSteps.Taps + at;
+  const double* const changes = timeSteps.Changes + at;
   const auto blend = [=](int place)
-  { return LoadDouble4(taps + place) + share * LoadDouble4(changes + place); };
+  { return LoadDouble4(taps + place) + fraction * LoadDouble4(changes + place); };
   for (int p = 0; p < whole; ++p)
   {
     rows.Even[p] = blend(4 * p);
@@ -88,12 +88,12 @@ VOLUME_HAPTICS_INLINE void LoadBlendedLines(
   {
     const int rest = 4 * whole;
     rows.Rest = LoadHalves(taps + rest, taps + line + rest) +
-      share * LoadHalves(changes + rest, changes + line + rest);
+      fraction * LoadHalves(changes + rest, changes + line + rest);
   }
 }
 ///@}
 
-/** N^3 samples of a frame, consecutive along x. */
+/** N^3 samples of a time step, consecutive along x. */
 template <typename T>
 struct TapBlock
 {
@@ -111,7 +111,7 @@ VOLUME_HAPTICS_INLINE void LoadRows(const TapBlock<T>& block, int k, int j, RowP
 
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T>& second,
-  double share, const Footprint<N>& foot, Vector3* gradient)
+  double fraction, const Footprint<N>& foot, Vector3* gradient)
 {
   return SumPlanes<N, WithGradient>(
     [&](int k, int j, RowPair<N>& rows)
@@ -119,7 +119,7 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
       RowPair<N> other;
       LoadRows<T, N>(first, k, j, rows);
       LoadRows<T, N>(second, k, j, other);
-      BlendRows<N>(other, share, rows);
+      BlendRows<N>(other, fraction, rows);
     },
     foot, gradient);
 }
@@ -127,24 +127,24 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
 /** The sum over copies of the taps, see CopyTaps. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
-  const FrameBlend& blend, const Footprint<N>& foot, Vector3* gradient)
+  const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
 {
   T blocks[2][N * N * N];
   CopyTaps<T, N>(blend.First.Volume, foot, blocks[0]);
   CopyTaps<T, N>(blend.Second.Volume, foot, blocks[1]);
   return SumBlend<T, N, WithGradient>(
-    { blocks[0], N, N * N }, { blocks[1], N, N * N }, blend.Share, foot, gradient);
+    { blocks[0], N, N * N }, { blocks[1], N, N * N }, blend.Fraction, foot, gradient);
 }
 
 /** The sum without memories. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
-  const FrameBlend& blend, const Footprint<N>& foot, Vector3* gradient)
+  const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
 {
   const VolumeView& a = blend.First.Volume;
   const VolumeView& b = blend.Second.Volume;
-  const T* const first = FindCorner<T, N>(a, foot.First);
-  const T* const second = FindCorner<T, N>(b, foot.First);
+  const T* const first = GetCorner<T, N>(a, foot.First);
+  const T* const second = GetCorner<T, N>(b, foot.First);
   if (first && second)
   {
     if constexpr (N > 4)
@@ -153,7 +153,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
       PrefetchRows(second, N, b.Stride[1], b.Stride[2]);
     }
     const double value = SumBlend<T, N, WithGradient>({ first, a.Stride[1], a.Stride[2] },
-      { second, b.Stride[1], b.Stride[2] }, blend.Share, foot, gradient);
+      { second, b.Stride[1], b.Stride[2] }, blend.Fraction, foot, gradient);
     if (!std::is_floating_point_v<T> || IsNumber(value))
     {
       return value;
@@ -163,25 +163,26 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
 }
 
 /** Whether a memory has a blend's samples from the first one on. */
-VOLUME_HAPTICS_INLINE bool HoldsFrames(
-  const FrameTaps& memory, const FrameBlend& blend, const std::int64_t* first)
+VOLUME_HAPTICS_INLINE bool HoldsTimeSteps(
+  const TimeStepTaps& memory, const TimeStepBlend& blend, const std::int64_t* first)
 {
   return memory.Field == blend.First.Number && memory.SecondField == blend.Second.Number &&
     memory.First[0] == first[0] && memory.First[1] == first[1] && memory.First[2] == first[2];
 }
 
 /**
- * Reads the N^3 taps of both frames from the first one on; false if some are outside the samples.
+ * Reads the N^3 taps of both time steps from the first one on; false if some are outside the
+ * samples.
  */
 template <typename T, int N>
-VOLUME_HAPTICS_OUTLINE bool FillFrames(
-  const FrameBlend& blend, const std::int64_t* first, FrameTaps& memory)
+VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
+  const TimeStepBlend& blend, const std::int64_t* first, TimeStepTaps& memory)
 {
-  constexpr int line = FrameTaps::Line<N>;
+  constexpr int line = TimeStepTaps::Line<N>;
   const VolumeView& a = blend.First.Volume;
   const VolumeView& b = blend.Second.Volume;
-  const TapBlock<T> near{ FindCorner<T, N>(a, first), a.Stride[1], a.Stride[2] };
-  const TapBlock<T> next{ FindCorner<T, N>(b, first), b.Stride[1], b.Stride[2] };
+  const TapBlock<T> near{ GetCorner<T, N>(a, first), a.Stride[1], a.Stride[2] };
+  const TapBlock<T> next{ GetCorner<T, N>(b, first), b.Stride[1], b.Stride[2] };
   memory.Field = 0;
   if (!near.Corner || !next.Corner)
   {
@@ -214,11 +215,11 @@ VOLUME_HAPTICS_OUTLINE bool FillFrames(
 
 /** The memory of a blend; null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
-  const FrameBlend& blend, const std::int64_t* first, const TickMemory& tick)
+  const TimeStepBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
   for (const BlendMemory& memory : tick.Blends)
   {
-    if (memory.Share == blend.Share && HoldsTaps(memory, blend.First.Number, first) &&
+    if (memory.Fraction == blend.Fraction && HoldsTaps(memory, blend.First.Number, first) &&
       memory.SecondField == blend.Second.Number)
     {
       return &memory;
@@ -229,38 +230,39 @@ VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
 
 /** Gives the older memory to a blend. */
 VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
-  const FrameBlend& blend, const std::int64_t* first, TickMemory& tick)
+  const TimeStepBlend& blend, const std::int64_t* first, TickMemory& tick)
 {
   BlendMemory& memory = tick.Blends[tick.OldBlend];
   tick.OldBlend = 1 - tick.OldBlend;
   SetPlace(blend.First.Number, first, memory);
   memory.SecondField = blend.Second.Number;
-  memory.Share = blend.Share;
+  memory.Fraction = blend.Fraction;
   return memory;
 }
 
-/** From the memories: from the blend, or from both frames, whose blend is then stored. */
+/** From the memories: from the blend, or from both time steps, whose blend is then stored. */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
-  const FrameBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)
+  const TimeStepBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)
 {
   if (const BlendMemory* const known = FindBlend(blend, foot.First, tick))
   {
     sample.Value = SumTaps<N>(known->Taps, foot, &sample.Gradient);
     return IsNumber(sample.Value);
   }
-  const FrameTaps& frames = tick.Pair;
-  if (!HoldsFrames(frames, blend, foot.First) && !FillFrames<T, N>(blend, foot.First, tick.Pair))
+  const TimeStepTaps& timeSteps = tick.Pair;
+  if (!HoldsTimeSteps(timeSteps, blend, foot.First) &&
+    !FillTimeSteps<T, N>(blend, foot.First, tick.Pair))
   {
     return false;
   }
   BlendMemory& kept = BeginBlend(blend, foot.First, tick);
-  const double share = blend.Share;
+  const double fraction = blend.Fraction;
   sample.Value = SumTwice<N>(
-    [&frames, &kept, share](int k, int pair, RowPair<N>& rows)
+    [&timeSteps, &kept, fraction](int k, int pair, RowPair<N>& rows)
     {
       const int line = k * N + 2 * pair;
-      LoadBlendedLines<N>(frames, line * FrameTaps::Line<N>, share, rows);
+      LoadBlendedLines<N>(timeSteps, line * TimeStepTaps::Line<N>, fraction, rows);
       StoreRows<N>(rows, kept.Taps + line * N);
     },
     kept.Taps, foot, &sample.Gradient);
@@ -270,7 +272,7 @@ VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
 /** The gradient of a blend. */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE FieldSample SumBlendedGradient(
-  const FrameBlend& blend, const Footprint<N>& foot, const BlendMemories& memories)
+  const TimeStepBlend& blend, const Footprint<N>& foot, const BlendMemories& memories)
 {
   FieldSample sample;
   if constexpr (N <= TapMemory::MostTaps)

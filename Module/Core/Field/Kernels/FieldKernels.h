@@ -30,7 +30,7 @@ VOLUME_HAPTICS_INLINE double Spline(const FieldView& view, double x, double y, d
 }
 
 template <typename T>
-VOLUME_HAPTICS_INLINE double Spline(const FrameBlend& blend, double x, double y, double z)
+VOLUME_HAPTICS_INLINE double Spline(const TimeStepBlend& blend, double x, double y, double z)
 {
   Footprint<4> foot;
   LocateSpline<false>(blend.First, x, y, z, foot);
@@ -45,12 +45,12 @@ double SplineValue(const Source& from, double x, double y, double z) noexcept
 }
 
 template <typename T>
-SharePair SharedSplineValues(
-  const FrameBlend& blend, double share, double x, double y, double z) noexcept
+FractionPair SharedSplineValues(
+  const TimeStepBlend& blend, double share, double x, double y, double z) noexcept
 {
   Footprint<4> foot;
   LocateSpline<false>(blend.First, x, y, z, foot);
-  const FrameBlend other{ blend.First, blend.Second, share };
+  const TimeStepBlend other{ blend.First, blend.Second, share };
   return { SumBlendOfSamples<T, 4, false>(blend, foot, nullptr),
     SumBlendOfSamples<T, 4, false>(other, foot, nullptr) };
 }
@@ -80,7 +80,7 @@ FieldSample SplineGradient(const FieldView& view, double x, double y, double z) 
 
 template <typename T>
 FieldSample BlendedSpline(
-  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
+  const TimeStepBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
 {
   Footprint<4> foot;
   LocateSpline<true>(blend.First, x, y, z, foot);
@@ -110,7 +110,7 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
 }
 
 /** Four weights of the Gaussian at a fraction t of an interval; each power has `count` numbers. */
-VOLUME_HAPTICS_INLINE Double4 FindWeights(const double* coefficients, int count, double t)
+VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int count, double t)
 {
   const double t2 = t * t;
   const auto term = [&](int power) { return LoadDouble4(coefficients + power * count); };
@@ -147,7 +147,7 @@ VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   const GaussianPlace place = LocateInTable(view, axis, position, taps);
   for (int i = 0; i < 2 * taps; i += 4)
   {
-    StoreDouble4(FindWeights(place.Coefficients + i, 2 * taps, place.Fraction), weights + i);
+    StoreDouble4(ComputeWeights(place.Coefficients + i, 2 * taps, place.Fraction), weights + i);
   }
   return place.First;
 }
@@ -161,7 +161,7 @@ VOLUME_HAPTICS_INLINE void LocateGaussian(
   for (int i = 0; i < 2 * N; i += 4)
   {
     StoreDouble4(
-      FindWeights(place.Coefficients + i, 2 * N, place.Fraction), foot.Weights[axis] + i);
+      ComputeWeights(place.Coefficients + i, 2 * N, place.Fraction), foot.Weights[axis] + i);
   }
   foot.First[axis] = place.First;
 }
@@ -186,7 +186,7 @@ FieldSample GaussianGradient(const FieldView& view, double x, double y, double z
 
 template <typename T, int N>
 FieldSample BlendedGaussian(
-  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
+  const TimeStepBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
 {
   Footprint<N> foot;
   LocateGaussian<N>(blend.First, x, y, z, foot);
@@ -264,9 +264,9 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
   FieldFunctions f;
   f.Value = TrilinearValue<T, FieldView>;
   f.Pair = TrilinearPair<T, FieldView>;
-  f.BlendedValue = TrilinearValue<T, FrameBlend>;
+  f.BlendedValue = TrilinearValue<T, TimeStepBlend>;
   f.SharedValues = SharedTrilinearValues<T>;
-  f.BlendedPair = TrilinearPair<T, FrameBlend>;
+  f.BlendedPair = TrilinearPair<T, TimeStepBlend>;
   switch (estimator)
   {
     case GradientEstimator::CentralDifference:
@@ -275,7 +275,7 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
       return f;
     case GradientEstimator::CubicBSpline:
       return { SplineValue<T, FieldView>, SplinePair<T, FieldView>, SplineGradient<T>,
-        SplineValue<T, FrameBlend>, SharedSplineValues<T>, SplinePair<T, FrameBlend>,
+        SplineValue<T, TimeStepBlend>, SharedSplineValues<T>, SplinePair<T, TimeStepBlend>,
         BlendedSpline<T>, FillTaps<T, 4>, RememberedSpline };
     case GradientEstimator::Gaussian:
       break;

@@ -58,7 +58,7 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
 
 /** All labels after the first one, one by one. */
 template <typename U>
-VOLUME_HAPTICS_OUTLINE void FindFurtherLabels(
+VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
 {
   std::uint64_t rest[LabelTaps];
@@ -92,7 +92,7 @@ VOLUME_HAPTICS_OUTLINE void FindFurtherLabels(
  * are 0 or a ^ b.
  */
 template <typename U>
-VOLUME_HAPTICS_INLINE void FindIn(
+VOLUME_HAPTICS_INLINE void CollectFrom(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
 {
   const U first = corner.At(0, 0, 0);
@@ -124,13 +124,13 @@ VOLUME_HAPTICS_INLINE void FindIn(
   if (any != 0 && any != common)
   {
     found.Count = 1;
-    FindFurtherLabels(corner, block, found);
+    CollectFurtherLabels(corner, block, found);
   }
 }
 
 /** As above, at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
 template <typename U>
-VOLUME_HAPTICS_OUTLINE void FindInCopy(
+VOLUME_HAPTICS_OUTLINE void CollectFromCopy(
   const VolumeView& view, const std::int64_t* first, LabelBlock& block, LabelsFound<U>& found)
 {
   std::int64_t offset[3][LabelTaps];
@@ -154,11 +154,11 @@ VOLUME_HAPTICS_OUTLINE void FindInCopy(
       }
     }
   }
-  FindIn<U>({ copy, LabelTaps, LabelTaps * LabelTaps }, block, found);
+  CollectFrom<U>({ copy, LabelTaps, LabelTaps * LabelTaps }, block, found);
 }
 
 template <typename U>
-VOLUME_HAPTICS_INLINE void FindLabels(
+VOLUME_HAPTICS_INLINE void CollectLabels(
   const LabelField& view, double x, double y, double z, LabelBlock& block, LabelsFound<U>& found)
 {
   const VolumeView& volume = view.Volume;
@@ -172,12 +172,12 @@ VOLUME_HAPTICS_INLINE void FindLabels(
   }
   if (!fits)
   {
-    FindInCopy<U>(volume, first, block, found);
+    CollectFromCopy<U>(volume, first, block, found);
     return;
   }
   const U* const corner = static_cast<const U*>(volume.Data) + first[0] +
     first[1] * volume.Stride[1] + first[2] * volume.Stride[2];
-  FindIn<U>({ corner, volume.Stride[1], volume.Stride[2] }, block, found);
+  CollectFrom<U>({ corner, volume.Stride[1], volume.Stride[2] }, block, found);
 }
 
 /** The weights of the taps along an axis, then their slopes. */
@@ -256,10 +256,11 @@ using LabelBits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
     std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
 
 template <typename T>
-void FindLabelsOf(const LabelField& view, double x, double y, double z, LabelBlock& block) noexcept
+void CollectLabelsOf(
+  const LabelField& view, double x, double y, double z, LabelBlock& block) noexcept
 {
   LabelsFound<LabelBits<T>> found;
-  FindLabels(view, x, y, z, block, found);
+  CollectLabels(view, x, y, z, block, found);
   block.Count = found.Count;
   for (int i = 0; i < found.Count; ++i)
   {
@@ -291,15 +292,15 @@ VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
     sum = sum + weights.Along[k] * plane;
     slope = slope + weights.Along[LabelTaps + k] * plane;
   }
-  FieldSample share;
-  share.Value = sum[0];
-  share.Gradient.X = sum[1];
-  share.Gradient.Y = sum[2];
-  share.Gradient.Z = slope[0];
-  return share;
+  FieldSample fraction;
+  fraction.Value = sum[0];
+  fraction.Gradient.X = sum[1];
+  fraction.Gradient.Y = sum[2];
+  fraction.Gradient.Z = slope[0];
+  return fraction;
 }
 
-FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) noexcept
+FieldSample FractionOf(const LabelWeights& weights, const std::uint64_t* planes) noexcept
 {
   return SumRows(weights,
     [&](int j, int k)
@@ -316,7 +317,7 @@ FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) no
     });
 }
 
-FieldSample ShareOfSteps(
+FieldSample FractionOfSteps(
   const LabelField& view, double x, double y, double z, const LabelSteps& steps) noexcept
 {
   StepWeights weights;
@@ -347,7 +348,7 @@ LabelFunctions SelectLabelFunctions(ScalarType type)
 {
   return WithSampleType(type,
     [](auto sample) -> LabelFunctions {
-      return { FindLabelsOf<decltype(sample)>, WeighLabels, ShareOf, ShareOfSteps };
+      return { CollectLabelsOf<decltype(sample)>, WeighLabels, FractionOf, FractionOfSteps };
     });
 }
 

@@ -69,17 +69,17 @@ struct CellSamples
   const std::int64_t* Stride;
 };
 
-/** The eight samples of a cell in two frames. */
+/** The eight samples of a cell in two time steps. */
 template <typename T>
 struct CellBlend
 {
   CellSamples<T> First;
   CellSamples<T> Second;
-  double Share;
+  double Fraction;
 };
 
 template <typename T>
-VOLUME_HAPTICS_INLINE CellSamples<T> FindSamples(const FieldView& view, const CellPlace& place)
+VOLUME_HAPTICS_INLINE CellSamples<T> ReadSamples(const FieldView& view, const CellPlace& place)
 {
   const std::int64_t* const stride = view.Volume.Stride;
   return { static_cast<const T*>(view.Volume.Data) + place.X.Cell * stride[0] +
@@ -88,9 +88,10 @@ VOLUME_HAPTICS_INLINE CellSamples<T> FindSamples(const FieldView& view, const Ce
 }
 
 template <typename T>
-VOLUME_HAPTICS_INLINE CellBlend<T> FindSamples(const FrameBlend& blend, const CellPlace& place)
+VOLUME_HAPTICS_INLINE CellBlend<T> ReadSamples(const TimeStepBlend& blend, const CellPlace& place)
 {
-  return { FindSamples<T>(blend.First, place), FindSamples<T>(blend.Second, place), blend.Share };
+  return { ReadSamples<T>(blend.First, place), ReadSamples<T>(blend.Second, place),
+    blend.Fraction };
 }
 
 ///@{
@@ -112,7 +113,7 @@ template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellBlend<T>& cell, int plane)
 {
   const Double4 first = LoadPlane(cell.First, plane);
-  return first + cell.Share * (LoadPlane(cell.Second, plane) - first);
+  return first + cell.Fraction * (LoadPlane(cell.Second, plane) - first);
 }
 ///@}
 
@@ -128,7 +129,7 @@ template <typename T>
 VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 {
   const double first = LoadSample(cell.First, i);
-  return first + cell.Share * (LoadSample(cell.Second, i) - first);
+  return first + cell.Fraction * (LoadSample(cell.Second, i) - first);
 }
 ///@}
 
@@ -214,23 +215,23 @@ template <typename T>
 VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
 {
   const CellPlace place = LocateCell(view, x, y, z);
-  return Interpolate<T>(FindSamples<T>(view, place), place);
+  return Interpolate<T>(ReadSamples<T>(view, place), place);
 }
 
 template <typename T>
-VOLUME_HAPTICS_INLINE double Trilinear(const FrameBlend& blend, double x, double y, double z)
+VOLUME_HAPTICS_INLINE double Trilinear(const TimeStepBlend& blend, double x, double y, double z)
 {
   const CellPlace place = LocateCell(blend.First, x, y, z);
-  return Interpolate<T>(FindSamples<T>(blend, place), place);
+  return Interpolate<T>(ReadSamples<T>(blend, place), place);
 }
 
 ///@{
-/** The view that gives the cells of all frames. */
+/** The view that gives the cells of all time steps. */
 VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
 {
   return view;
 }
-VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FrameBlend& blend)
+VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const TimeStepBlend& blend)
 {
   return blend.First;
 }
@@ -244,14 +245,14 @@ double TrilinearValue(const Source& from, double x, double y, double z) noexcept
 }
 
 template <typename T>
-SharePair SharedTrilinearValues(
-  const FrameBlend& blend, double share, double x, double y, double z) noexcept
+FractionPair SharedTrilinearValues(
+  const TimeStepBlend& blend, double share, double x, double y, double z) noexcept
 {
   const CellPlace place = LocateCell(blend.First, x, y, z);
-  CellBlend<T> cell = FindSamples<T>(blend, place);
-  SharePair pair;
+  CellBlend<T> cell = ReadSamples<T>(blend, place);
+  FractionPair pair;
   pair.First = Interpolate<T>(cell, place);
-  cell.Share = share;
+  cell.Fraction = share;
   pair.Second = Interpolate<T>(cell, place);
   return pair;
 }
@@ -263,11 +264,11 @@ ValuePair TrilinearPair(
   const FieldView& view = GetGeometry(from);
   const CellPlace ahead = LocateCell(view, x + dx, y + dy, z + dz);
   const CellPlace behind = LocateCell(view, x - dx, y - dy, z - dz);
-  return Interpolate<T>(FindSamples<T>(from, ahead), ahead, FindSamples<T>(from, behind), behind);
+  return Interpolate<T>(ReadSamples<T>(from, ahead), ahead, ReadSamples<T>(from, behind), behind);
 }
 
 template <typename T, typename Source>
-VOLUME_HAPTICS_INLINE FieldSample FindDifference(
+VOLUME_HAPTICS_INLINE FieldSample ComputeDifference(
   const Source& from, int radius, double x, double y, double z)
 {
   const double r = radius;
@@ -285,14 +286,14 @@ VOLUME_HAPTICS_INLINE FieldSample FindDifference(
 template <typename T>
 FieldSample CentralDifference(const FieldView& view, double x, double y, double z) noexcept
 {
-  return FindDifference<T>(view, view.Kernel.Radius, x, y, z);
+  return ComputeDifference<T>(view, view.Kernel.Radius, x, y, z);
 }
 
 template <typename T>
 FieldSample BlendedDifference(
-  const FrameBlend& blend, double x, double y, double z, const BlendMemories&) noexcept
+  const TimeStepBlend& blend, double x, double y, double z, const BlendMemories&) noexcept
 {
-  return FindDifference<T>(blend, blend.First.Kernel.Radius, x, y, z);
+  return ComputeDifference<T>(blend, blend.First.Kernel.Radius, x, y, z);
 }
 
 } // namespace

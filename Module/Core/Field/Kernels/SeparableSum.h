@@ -278,7 +278,7 @@ VOLUME_HAPTICS_INLINE void PrefetchRows(
 
 /** The samples of N^3 taps, if they are consecutive along x and all within the samples. */
 template <typename T, int N>
-VOLUME_HAPTICS_INLINE const T* FindCorner(const VolumeView& view, const std::int64_t* first)
+VOLUME_HAPTICS_INLINE const T* GetCorner(const VolumeView& view, const std::int64_t* first)
 {
   const std::int64_t* const n = view.Dimensions;
   const std::int64_t* const stride = view.Stride;
@@ -295,7 +295,7 @@ VOLUME_HAPTICS_INLINE double Separable(
 {
   const std::int64_t line = view.Stride[1];
   const std::int64_t plane = view.Stride[2];
-  if (const T* const corner = FindCorner<T, N>(view, foot.First))
+  if (const T* const corner = GetCorner<T, N>(view, foot.First))
   {
     if constexpr (N > 4)
     {
@@ -314,7 +314,7 @@ VOLUME_HAPTICS_INLINE double Separable(
 template <typename T, int N>
 bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memory) noexcept
 {
-  const T* const corner = FindCorner<T, N>(view, first);
+  const T* const corner = GetCorner<T, N>(view, first);
   if (!corner)
   {
     return false;

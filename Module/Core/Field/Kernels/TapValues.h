@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Trilinear values of two frames, blended, from the samples that the last gradient has left in a
- * memory: samples around a proxy are hardly farther away than the gradient's taps. As from the
- * frames, to the bit. NaN if the memory lacks the samples. The rules of FieldKernels.h hold here
- * too.
+ * Trilinear values of two time steps, blended, from the samples that the last gradient has left in
+ * a memory: samples around a proxy are hardly farther away than the gradient's taps. As from the
+ * time steps, to the bit. NaN if the memory lacks the samples. The rules of FieldKernels.h hold
+ * here too.
  */
 #ifndef TapValues_h
 #define TapValues_h
@@ -21,15 +21,15 @@ namespace
 
 constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
 
-/** A cell of a FrameTaps. */
+/** A cell of a TimeStepTaps. */
 template <int N>
 struct TapCell
 {
-  static constexpr int Line = FrameTaps::Line<N>;
+  static constexpr int Line = TimeStepTaps::Line<N>;
 
   const double* Taps;
   const double* Changes;
-  double Share;
+  double Fraction;
 };
 
 template <int N>
@@ -38,13 +38,13 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const TapCell<N>& cell, int plane)
   constexpr int line = TapCell<N>::Line;
   const int at = plane * N * line;
   return LoadHalves(cell.Taps + at, cell.Taps + at + line) +
-    cell.Share * LoadHalves(cell.Changes + at, cell.Changes + at + line);
+    cell.Fraction * LoadHalves(cell.Changes + at, cell.Changes + at + line);
 }
 
 /** False if the memory lacks a part of the cell. */
 template <int N>
-VOLUME_HAPTICS_INLINE bool FindCell(
-  const FrameTaps& memory, const CellPlace& place, double share, TapCell<N>& cell)
+VOLUME_HAPTICS_INLINE bool ReadCell(
+  const TimeStepTaps& memory, const CellPlace& place, double fraction, TapCell<N>& cell)
 {
   // Negative numbers become large ones.
   const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
@@ -56,44 +56,44 @@ VOLUME_HAPTICS_INLINE bool FindCell(
     return false;
   }
   const std::uint64_t at = (k * N + j) * TapCell<N>::Line + i;
-  cell = { memory.Taps + at, memory.Changes + at, share };
+  cell = { memory.Taps + at, memory.Changes + at, fraction };
   return true;
 }
 
 template <int N>
-double TapValue(const FrameTaps& memory, const FieldView& view, double share, double x, double y,
-  double z) noexcept
+double TapValue(const TimeStepTaps& memory, const FieldView& view, double fraction, double x,
+  double y, double z) noexcept
 {
   const CellPlace place = LocateCell(view, x, y, z);
   TapCell<N> cell;
-  return FindCell<N>(memory, place, share, cell) ? BlendCell(cell, place) : NoTapValue;
+  return ReadCell<N>(memory, place, fraction, cell) ? BlendCell(cell, place) : NoTapValue;
 }
 
 template <int N>
-SharePair SharedTapValues(const FrameTaps& memory, const FieldView& view, const SharePair& shares,
-  double x, double y, double z) noexcept
+FractionPair SharedTapValues(const TimeStepTaps& memory, const FieldView& view,
+  const FractionPair& fractions, double x, double y, double z) noexcept
 {
   const CellPlace place = LocateCell(view, x, y, z);
   TapCell<N> cell;
-  SharePair pair{ NoTapValue, NoTapValue };
-  if (FindCell<N>(memory, place, shares.First, cell))
+  FractionPair pair{ NoTapValue, NoTapValue };
+  if (ReadCell<N>(memory, place, fractions.First, cell))
   {
     pair.First = BlendCell(cell, place);
-    cell.Share = shares.Second;
+    cell.Fraction = fractions.Second;
     pair.Second = BlendCell(cell, place);
   }
   return pair;
 }
 
 template <int N>
-ValuePair TapPair(const FrameTaps& memory, const FieldView& view, double share, double x, double y,
-  double z, double dx, double dy, double dz) noexcept
+ValuePair TapPair(const TimeStepTaps& memory, const FieldView& view, double fraction, double x,
+  double y, double z, double dx, double dy, double dz) noexcept
 {
   const CellPlace there = LocateCell(view, x + dx, y + dy, z + dz);
   const CellPlace here = LocateCell(view, x - dx, y - dy, z - dz);
   TapCell<N> ahead;
   TapCell<N> behind;
-  return FindCell<N>(memory, there, share, ahead) && FindCell<N>(memory, here, share, behind)
+  return ReadCell<N>(memory, there, fraction, ahead) && ReadCell<N>(memory, here, fraction, behind)
     ? BlendCells(ahead, there, behind, here)
     : ValuePair{ NoTapValue, NoTapValue };
 }

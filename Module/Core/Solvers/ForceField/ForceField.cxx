@@ -8,13 +8,14 @@
 namespace VolumeHaptics
 {
 
-Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept
+Vector3 ComputeFieldPush(const HapticModel& model, const TickRecord& record) noexcept
 {
-  const double share = model.Baked->KeptShare(model.DeviceToIndex(record.Tip));
-  return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude * share) * record.Normal;
+  const double fraction = model.Baked->KeptFraction(model.DeviceToIndex(record.Tip));
+  return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude * fraction) *
+    record.Normal;
 }
 
-Vector3 FindFieldDamping(
+Vector3 ComputeFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept
 {
   const Vector3 velocity = (1.0 / model.Baked->Settings.TickPeriod) * (record.Tip - from);
@@ -22,7 +23,7 @@ Vector3 FindFieldDamping(
   return -damping * velocity;
 }
 
-Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept
+Vector3 ComputeFieldPlace(const HapticModel& model, const ServoState& state) noexcept
 {
   const Vector3 index = model.DeviceToIndex(state.PreviousTip);
   if (!model.Baked->IsMoving() || model.Baked->FeelsLabels() || state.CarriedTo == state.DataTime ||
@@ -30,7 +31,7 @@ Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexce
   {
     return state.PreviousTip;
   }
-  const Vector3 now = model.Baked->FollowMaterial(index, state.CarriedTo, state.DataTime);
+  const Vector3 now = model.Baked->TrackMaterial(index, state.CarriedTo, state.DataTime);
   return state.PreviousTip + Inverse(model.DeviceToIndex.Linear) * (now - index);
 }
 
@@ -39,7 +40,7 @@ void StepForceField(const HapticModel& model, ServoState& state, TickRecord& rec
 {
   const FieldAtTime field = model.Baked->At(state.DataTime, input.Memory);
   const Vector3 index = model.DeviceToIndex(record.Tip);
-  const Surface surface = Law::FindFieldSurface(model, field, index);
+  const Surface surface = Law::ComputeFieldSurface(model, field, index);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = record.Tip;
   if (!state.Enabled)
@@ -47,9 +48,9 @@ void StepForceField(const HapticModel& model, ServoState& state, TickRecord& rec
     return;
   }
   record.Stiffness = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
-  const Vector3 push = FindFieldPush(model, record);
-  const Vector3 place = FindFieldPlace(model, state);
-  const Vector3 damping = FindFieldDamping(model, place, record);
+  const Vector3 push = ComputeFieldPush(model, record);
+  const Vector3 place = ComputeFieldPlace(model, state);
+  const Vector3 damping = ComputeFieldDamping(model, place, record);
   record.WallWork = Dot(damping, place - state.PreviousTip);
   record.NormalForce = Norm(push);
   record.DragForce = Norm(damping);
@@ -69,9 +70,9 @@ Vector3 FindFieldDrag(
     return {};
   }
   // Only the hand's motion: where the material moves, it may give energy.
-  const Vector3 drag = FindFieldDamping(model, before.PreviousTip, record);
-  const Vector3 material = FindFieldDamping(model, FindFieldPlace(model, before), record);
-  const double whole = Norm(FindFieldPush(model, record) + material);
+  const Vector3 drag = ComputeFieldDamping(model, before.PreviousTip, record);
+  const Vector3 material = ComputeFieldDamping(model, ComputeFieldPlace(model, before), record);
+  const double whole = Norm(ComputeFieldPush(model, record) + material);
   // The force may be clamped.
   return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }

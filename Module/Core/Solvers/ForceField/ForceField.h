@@ -17,17 +17,17 @@ void StepForceField(const HapticModel& model, ServoState& state, TickRecord& rec
   const MethodInput& input) noexcept;
 
 /** The damping force (N) on a tip that has come from a place within one tick. */
-Vector3 FindFieldDamping(
+Vector3 ComputeFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
 
 /**
  * The present place of the material at the last tick's tip: damping acts against the motion
  * relative to it. The last tip itself if displacements are not known (CarriedProxy.h).
  */
-Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
+Vector3 ComputeFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 
 /** The force (N) against the gradient. */
-Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
+Vector3 ComputeFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
 
 /** See Method::Reach. */
 Vector3 FindFieldReach(const HapticModel& model) noexcept;

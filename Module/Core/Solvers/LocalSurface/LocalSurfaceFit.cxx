@@ -50,7 +50,7 @@ public:
     this->Sign = side == SurfaceSide::Lower || (side == SurfaceSide::Both && isHigh) ? -1.0 : 1.0;
   }
 
-  LocalSurface Find() noexcept
+  LocalSurface Solve() noexcept
   {
     LocalSurface found;
     if (!IsFinite(this->Request.Position) ||
@@ -60,11 +60,11 @@ public:
     }
     Vector3 foot;
     Vector3 normal;
-    if (!this->FindCrossing(foot) || !this->FindNormal(foot, normal))
+    if (!this->FindCrossing(foot) || !this->ComputeNormal(foot, normal))
     {
       return found;
     }
-    this->FollowFoot(foot, normal);
+    this->SolveFoot(foot, normal);
     const bool isBoth = this->Model.Baked->Settings.Side == SurfaceSide::Both;
     // Because of rounding, the proxy may lie on either side of the surface that holds it. And if a
     // structure is thinner than the kernel, the gradient may belong to the structure behind it.
@@ -80,7 +80,7 @@ public:
     found.Shape.Gradient = normal;
     if (this->Model.Baked->Settings.LocalShape == LocalSurfaceShape::Quadric)
     {
-      found.Shape.Curvature = this->FindCurvature(foot, normal);
+      found.Shape.Curvature = this->ComputeCurvature(foot, normal);
     }
     return found;
   }
@@ -92,7 +92,7 @@ private:
   }
 
   /** Unit, into the structure; false without a gradient. */
-  bool FindNormal(const Vector3& x, Vector3& normal) const noexcept
+  bool ComputeNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
     if (!this->Field.IsInside(index))
@@ -182,7 +182,7 @@ private:
   }
 
   /** Moves from a crossing to the point of the surface that is nearest to Position. */
-  void FollowFoot(Vector3& foot, Vector3& normal) const noexcept
+  void SolveFoot(Vector3& foot, Vector3& normal) const noexcept
   {
     const Vector3& start = this->Request.Position;
     for (int i = 0; i < MostFeet; ++i)
@@ -197,7 +197,7 @@ private:
       }
       const Vector3 next = this->Narrow(before, behind, atBefore);
       Vector3 nextNormal;
-      if (Norm(next - start) > Norm(foot - start) || !this->FindNormal(next, nextNormal))
+      if (Norm(next - start) > Norm(foot - start) || !this->ComputeNormal(next, nextNormal))
       {
         return;
       }
@@ -212,7 +212,7 @@ private:
   }
 
   /** The change of the normal across the foot; 0 if there is no normal a kernel radius away. */
-  Symmetric3 FindCurvature(const Vector3& foot, const Vector3& normal) const noexcept
+  Symmetric3 ComputeCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
     const double step = this->Model.Baked->Kernel.Radius * this->Model.Baked->LargestSpacing;
     // Any two directions at right angles to the normal: away from its largest component.
@@ -229,8 +229,8 @@ private:
         : step;
       Vector3 ahead;
       Vector3 behind;
-      if (!this->FindNormal(foot + reach[i] * axes[i], ahead) ||
-        !this->FindNormal(foot - reach[i] * axes[i], behind))
+      if (!this->ComputeNormal(foot + reach[i] * axes[i], ahead) ||
+        !this->ComputeNormal(foot - reach[i] * axes[i], behind))
       {
         return {};
       }
@@ -247,8 +247,8 @@ private:
     const double bendB = b * (reach[1] / step);
     const double twist = mixed * (std::sqrt(reach[0] * reach[1]) / step);
     const double most = std::sqrt(bendA * bendA + bendB * bendB + 2.0 * twist * twist) * step;
-    const double share = std::min(1.0, 1.0 / most);
-    return { share * curvature.Diagonal, share * curvature.Mixed };
+    const double fraction = std::min(1.0, 1.0 / most);
+    return { fraction * curvature.Diagonal, fraction * curvature.Mixed };
   }
 
   const HapticModel& Model;
@@ -266,7 +266,7 @@ private:
 
 LocalSurface FitLocalSurface(const HapticModel& model, const LocalSurfaceRequest& request) noexcept
 {
-  return IsoSurfaceFinder(model, request).Find();
+  return IsoSurfaceFinder(model, request).Solve();
 }
 
 } // namespace VolumeHaptics

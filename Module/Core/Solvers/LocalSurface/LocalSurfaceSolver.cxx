@@ -79,7 +79,7 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
 }
 
 /** The point at which the tip came through the surface. */
-Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
+Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
 {
   const double before = shape.Depth(from);
   const double now = shape.Depth(tip);
@@ -105,7 +105,7 @@ bool HoldWhole(
   {
     return false;
   }
-  Vector3 stuck = local.IsHeld ? local.Position : FindEntry(shape, local.Tip, tip);
+  Vector3 stuck = local.IsHeld ? local.Position : ComputeEntry(shape, local.Tip, tip);
   if (!Return(shape, stuck))
   {
     return false;
@@ -133,8 +133,8 @@ bool HoldWhole(
   int side = 0;
   for (int i = 0; i < MostSlips && friction > 0.0 && atLow < -near; ++i)
   {
-    const double share = low + (high - low) * atLow / (atLow - atHigh);
-    Vector3 x = goal + share * (stuck - goal);
+    const double fraction = low + (high - low) * atLow / (atLow - atHigh);
+    Vector3 x = goal + fraction * (stuck - goal);
     if (!Return(shape, x))
     {
       break;
@@ -143,7 +143,7 @@ bool HoldWhole(
     const bool isLow = at <= 0.0;
     const int now = isLow ? -1 : 1;
     (isLow ? atHigh : atLow) *= side == now ? 0.5 : 1.0;
-    (isLow ? low : high) = share;
+    (isLow ? low : high) = fraction;
     (isLow ? atLow : atHigh) = at;
     local.Position = isLow ? x : local.Position;
     side = now;
@@ -186,7 +186,7 @@ Vector3 LagOf(const LocalState& local) noexcept
  * The motion (world) of a surface with a moving volume: its centre moves with the material if
  * displacements are known, and then along the normal, by Newton's method, to its old level.
  */
-Vector3 FindCarry(
+Vector3 ComputeCarry(
   const HapticModel& model, const LocalSurface& surface, double from, double to) noexcept
 {
   const BakedVolume& baked = *model.Baked;
@@ -196,7 +196,7 @@ Vector3 FindCarry(
   {
     return {};
   }
-  const Vector3 there = baked.FollowMaterial(index, from, to);
+  const Vector3 there = baked.TrackMaterial(index, from, to);
   const FieldAtTime now = baked.At(to);
   const Vector3& normal = surface.Shape.Gradient;
   const Vector3 along = worldToIndex.Linear * normal; // voxels in a world unit
@@ -222,7 +222,7 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
   {
     return 0.0;
   }
-  const Vector3 motion = FindCarry(model, local.Surface, from, to);
+  const Vector3 motion = ComputeCarry(model, local.Surface, from, to);
   local.Surface.Shape.Centre += motion;
   if (local.IsHeld)
   {
@@ -236,7 +236,7 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
 }
 
 /** Moves the tip and the proxy over the present surface, which was carried by this distance. */
-void Follow(const HapticModel& model, const Vector3& tip, double carried, double friction,
+void Solve(const HapticModel& model, const Vector3& tip, double carried, double friction,
   LocalState& local, ContactState& contact) noexcept
 {
   const double follows = MostFollowing * (Norm(tip - local.Tip) + carried);
@@ -357,7 +357,7 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   const double carried =
     Carry(model, state.CarriedTo, state.DataTime, record.Stiffness, local, record.WallWork);
   record.WallWork = isFelt ? record.WallWork : 0.0;
-  Follow(model, tip, carried, friction, local, record.Contact);
+  Solve(model, tip, carried, friction, local, record.Contact);
   ++local.Age;
   record.IsRenewed = result.IsSimulated
     ? local.Age * settings.TickPeriod * settings.LocalSurfaceRate >= AlmostOne
@@ -369,7 +369,7 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
     const double from = local.Request.DataTime;
     if (model.Baked->IsMoving() && from != state.DataTime && found.IsThere)
     {
-      found.Shape.Centre += FindCarry(model, found, from, state.DataTime);
+      found.Shape.Centre += ComputeCarry(model, found, from, state.DataTime);
     }
     Renew(model, found, friction, local, record.Contact);
     Request(model, motion, local);

@@ -55,7 +55,7 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
   const Vector3 index = model.DeviceToIndex(position);
-  Surface surface = found ? *found : Law::FindSurface(model, field, index, state.Labels);
+  Surface surface = found ? *found : Law::ComputeSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
   // Before the materials, so that the processor has the result by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
@@ -100,7 +100,7 @@ void StepPlain(
   const Vector3 index = model.DeviceToIndex(state.Proxy);
   Law::Slope slope;
   if (!field.IsInside(index) ||
-    !Law::FindSlope(model, field.Gradient(index, memory ? &memory->Of(0) : nullptr), slope))
+    !Law::ComputeSlope(model, field.Gradient(index, memory ? &memory->Of(0) : nullptr), slope))
   {
     const Surface none = Law::MakeNoSurface(model);
     Step(model, state, record, FieldAtTime(field, memory), &none);
@@ -116,14 +116,15 @@ void StepPlain(
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept
 {
-  std::optional<FieldStep> field = model.Baked->FindStep(state.CarriedTo, state.DataTime, memory);
+  std::optional<FieldStep> field =
+    model.Baked->ComputeStep(state.CarriedTo, state.DataTime, memory);
   Vector3 index = model.DeviceToIndex(state.Proxy);
   Law::Slope slope;
-  if (!field || !field->IsInside(index) || !Law::FindSlope(model, field->Gradient(index), slope))
+  if (!field || !field->IsInside(index) || !Law::ComputeSlope(model, field->Gradient(index), slope))
   {
     return false;
   }
-  const SharePair levels = field->Values(index);
+  const FractionPair levels = field->Values(index);
   if (levels.First == levels.Second)
   {
     return false; // perhaps nothing has changed
@@ -132,14 +133,14 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const Vector3 start = state.Proxy;
   if (Carrying::IsSurfaceThere(state, fade))
   {
-    const ProxyCarry carry = Carrying::FollowValues(model, state, slope.Normal, slope.Magnitude,
+    const ProxyCarry carry = Carrying::SolveLevel(model, state, slope.Normal, slope.Magnitude,
       levels, [&field](const Vector3& at) { return field->Value(at); });
     state.Proxy = carry.Proxy;
     index = model.DeviceToIndex(carry.Proxy);
-    record.WallWork = Carrying::FindWork(state, start, carry.Proxy);
+    record.WallWork = Carrying::ComputeWork(state, start, carry.Proxy);
     if (!Carrying::IsSameSurface(model, carry.Away))
     {
-      if (!Law::FindSlope(model, field->Gradient(index), slope))
+      if (!Law::ComputeSlope(model, field->Gradient(index), slope))
       {
         const Surface none = Law::MakeNoSurface(model);
         Step(model, state, record, model.Baked->At(state.DataTime, &memory), &none);

@@ -92,7 +92,7 @@ struct Walk
 };
 
 /** @param rise of a pair of steps, by the gradient */
-double FindEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
+double ComputeEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 {
   const double found = std::min(ahead.LeastPair, behind.LeastPair);
   const double least = std::isfinite(found) ? found : rise; // without any step inside the volume
@@ -103,7 +103,7 @@ double FindEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 
 } // namespace
 
-FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
+FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept
 {
   const double part = radius / (FarSide::StepsPerRadius * Norm(reach));
@@ -141,14 +141,14 @@ FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vect
     const bool isDone =
       (!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0);
     // Ripple can take all weight, too, but a ramp is judged as a whole.
-    if (isDone && FindEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
+    if (isDone && ComputeEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
     {
       break;
     }
   }
   ahead.AddRest();
   behind.AddRest();
-  const double evenness = FindEvenness(ahead, behind, 2.0 * part * rise);
+  const double evenness = ComputeEvenness(ahead, behind, 2.0 * part * rise);
   const auto finite = [start](double far) { return std::isfinite(far) ? far : start; };
   return { finite(ahead.Far), finite(behind.Far), evenness };
 }

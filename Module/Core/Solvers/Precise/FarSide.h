@@ -8,7 +8,7 @@
  * value is somewhere on that ramp, and its material belongs to neither tissue; it changes with
  * every wiggle of the edge. The far side is the value that the ramp leads to:
  *
- *   const FarValues far = FindFarSide(field, index, reach, radius, rise, isDescending);
+ *   const FarValues far = MeasureFarSide(field, index, reach, radius, rise, isDescending);
  *
  * ## The walk
  *
@@ -94,7 +94,7 @@ constexpr double EdgeEvenness = 0.42;
 constexpr double RampEvenness = 0.52;
 
 /** From 0 for an edge to 1 for an even ramp, which has no edge. */
-inline double FindEvenShare(const FarValues& far) noexcept
+inline double ComputeEvenFraction(const FarValues& far) noexcept
 {
   return std::clamp((far.Evenness - EdgeEvenness) / (RampEvenness - EdgeEvenness), 0.0, 1.0);
 }
@@ -105,7 +105,7 @@ inline double FindEvenShare(const FarValues& far) noexcept
  * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; with
  * isDescending, it falls.
  */
-FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
+FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept;
 
 /**
@@ -120,7 +120,7 @@ inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexc
 }
 
 /** The values of a surface after a path of some voxels, on which a walk has given `far`. */
-inline ValuePair FollowFarSide(
+inline ValuePair ComputeFarSide(
   const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
 {
   const double ahead = voxels / (voxels + FarSide::PathLength);

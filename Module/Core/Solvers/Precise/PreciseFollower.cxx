@@ -11,7 +11,7 @@ namespace
 
 /** The longest step of tip and proxy (voxels); or this fraction of the lag, if that is more. */
 constexpr double LongestStep = 0.25;
-constexpr double SpringShare = 0.02;
+constexpr double SpringFraction = 0.02;
 /** Motions as short as this (voxels) are not judged at their end. */
 constexpr double ShortStep = 1e-3;
 /**
@@ -35,7 +35,7 @@ constexpr double LongestWallDistance = 4e-3;
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
 /** The learned part of a tick's prediction: the remainder appears in the next tick. */
-constexpr double LearnedShare = 0.5;
+constexpr double LearnedFraction = 0.5;
 
 /** N: a smaller change of the force is no leap. */
 constexpr double LeastLeap = 0.02;
@@ -47,14 +47,14 @@ constexpr int MostSetbacks = 8;
 
 } // namespace
 
-void PreciseFollower::Follow(const Vector3& tip) noexcept
+void PreciseFollower::Solve(const Vector3& tip) noexcept
 {
   const Vector3 from = this->State.ReachedTip;
   const Vector3 lag = from - this->Proxy;
   if (this->State.CachedSampleDistance >
     (this->IsOfWalls ? LongestWallDistance : LongestSampleDistance))
   {
-    this->LookAround(lag, this->FindTouched(lag));
+    this->LookAround(lag, this->ComputeTouched(lag));
     this->Refresh(Norm(lag));
   }
   if (Law::IsFelt(this->State.Here))
@@ -72,7 +72,7 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
     {
       // Far from the proxy, longer steps do not turn the spring more.
       const double longest =
-        std::max(LongestStep, SpringShare * this->Field.Voxels(at - this->Proxy));
+        std::max(LongestStep, SpringFraction * this->Field.Voxels(at - this->Proxy));
       steps = std::ceil(voxels / longest - Rounding);
     }
     at = steps > 1.0 ? at + (1.0 / steps) * displacement : tip;
@@ -86,7 +86,7 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
 void PreciseFollower::TakeOver(const Surface& there, const Vector3& motion) noexcept
 {
   const Vector3 lag = this->State.ReachedTip - this->Proxy;
-  this->State.Here = this->Field.Look(this->Proxy, there, lag, this->FindTouched(lag),
+  this->State.Here = this->Field.Look(this->Proxy, there, lag, this->ComputeTouched(lag),
     this->State.CachedSampleDistance + this->Field.Voxels(motion));
   this->State.CachedSampleDistance = 0.0;
   this->Refresh(Norm(lag));
@@ -135,7 +135,7 @@ void PreciseFollower::WriteLeap(
   }
 }
 
-TouchedMaterial PreciseFollower::FindTouched(const Vector3& lag) const noexcept
+TouchedMaterial PreciseFollower::ComputeTouched(const Vector3& lag) const noexcept
 {
   const PrecisePoint& here = this->State.Here;
   const bool holds = here.SurfaceStrength > 0.0 && Dot(lag, here.Normal) > 0.0;
@@ -199,7 +199,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
       }
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
-    this->Note(voxels);
+    this->Record(voxels);
     // Motions at one tip shrink at a rate, which gives the sum of this motion and all that follow.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
@@ -221,15 +221,15 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
         Norm(tip - this->Proxy), Norm(this->State.ReachedTip - this->Proxy));
       return false;
     }
-    const double share = voxels > LongestStep ? LongestStep / voxels : 1.0;
-    const Arrival end = this->Field.Arrive(
-      { this->Proxy, this->State.Spring, this->State.Level, this->FindTouched(tip - this->Proxy) },
-      motion, share, tip);
+    const double fraction = voxels > LongestStep ? LongestStep / voxels : 1.0;
+    const Arrival end = this->Field.Arrive({ this->Proxy, this->State.Spring, this->State.Level,
+                                             this->ComputeTouched(tip - this->Proxy) },
+      motion, fraction, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
     // Only the return to the level makes the spring longer, and only a few times.
     setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
-    lastVoxels = share * voxels;
+    lastVoxels = fraction * voxels;
     lastDisplacement = motion.Displacement;
     this->Proxy = end.Proxy;
     this->State.Here = end.There;
@@ -267,7 +267,7 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   {
     const auto plain = [&] { return Law::Move(here, k, split, this->Last, Vector3{}); };
     motion.Displacement = tipBefore && turns && this->Last.Excess > here.Viscosity
-      ? ProxyDisplacement::Find(here, k, *tipBefore - this->Proxy, lag, split, plain)
+      ? ProxyDisplacement::Compute(here, k, *tipBefore - this->Proxy, lag, split, plain)
       : plain();
   }
   if (!motion.IsHeld)
@@ -289,7 +289,7 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   return motion;
 }
 
-void PreciseFollower::Note(double voxels) noexcept
+void PreciseFollower::Record(double voxels) noexcept
 {
   const bool moves = voxels > 0.0 && this->Pushes;
   this->WentThrough = this->WentThrough || (moves && this->Last.IsThrough);
@@ -315,7 +315,7 @@ void PreciseFollower::Learn(
   {
     const double prediction =
       Dot(firstDisplacement, displacement) / Dot(firstDisplacement, firstDisplacement);
-    this->State.StepPrediction += LearnedShare *
+    this->State.StepPrediction += LearnedFraction *
       (std::clamp(prediction, LeastPrediction, MostPrediction) - this->State.StepPrediction);
   }
   else if (!this->State.IsHeld)

@@ -52,7 +52,7 @@ public:
   /** For a moving volume: takes over the surface to which the proxy was carried by a motion (m). */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
   /** Moves the tip straight to a position, and the proxy after it. */
-  void Follow(const Vector3& tip) noexcept;
+  void Solve(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
   /**
@@ -64,7 +64,7 @@ public:
 
 private:
   /** The material at the proxy, if its surface or drag takes a part of the spring's force. */
-  TouchedMaterial FindTouched(const Vector3& lag) const noexcept;
+  TouchedMaterial ComputeTouched(const Vector3& lag) const noexcept;
   /** Samples the material at the proxy; `touched` as in PreciseSurroundings::Look. */
   void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
@@ -76,7 +76,7 @@ private:
   /** The motion by the law at the proxy's point. `tipBefore` is null if the tip stays. */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
   /** Records the kind of contact. */
-  void Note(double voxels) noexcept;
+  void Record(double voxels) noexcept;
   /** Makes a motion longer, if the material still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
   /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */

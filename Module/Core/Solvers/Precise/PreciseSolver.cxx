@@ -12,10 +12,10 @@ namespace
 {
 
 /** @param carried the distance (m) by which the volume has carried the proxy before */
-void Follow(const HapticModel& model, const SpringBefore& before, double carried,
+void Solve(const HapticModel& model, const SpringBefore& before, double carried,
   PreciseFollower& follower, TickRecord& record) noexcept
 {
-  follower.Follow(record.Tip);
+  follower.Solve(record.Tip);
   follower.Write(record);
   if (model.Baked->Settings.Placement != MaterialPlacement::Kernel)
   {
@@ -41,7 +41,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);
-    Follow(model, spring, 0.0, follower, record);
+    Solve(model, spring, 0.0, follower, record);
     return;
   }
   const Vector3 before = state.Proxy;
@@ -60,7 +60,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
   {
     follower.TakeOver(*carried.There, carried.Motion);
   }
-  Follow(model, spring, distance, follower, record);
+  Solve(model, spring, distance, follower, record);
 }
 
 Vector3 FindPreciseReach(const HapticModel& model) noexcept

@@ -33,8 +33,8 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
 {
   const double above = value - 0.5 * (sides.Ahead + sides.Behind);
   const double width = EdgeTolerance * std::abs(sides.Ahead - sides.Behind);
-  const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
-  return std::clamp(share, 0.0, 1.0);
+  const double fraction = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
+  return std::clamp(fraction, 0.0, 1.0);
 }
 
 /**
@@ -61,13 +61,13 @@ double GradedStrength(const ValuePair& sides, double strength, double own, doubl
                                      : std::max(value, std::min(own, value + lead));
   const double above = isDescending ? middle - inside : inside - middle;
   const double past = std::clamp(above / std::max(EdgeWidth * height, 1e-300), 0.0, 1.0);
-  const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
-  const double edge = EdgeStrength * share;
+  const double fraction = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
+  const double edge = EdgeStrength * fraction;
   const double whole = strength * AtEdge(sides, inside, isDescending);
-  return std::min(whole, edge / std::max(1.0 - share, 1e-12));
+  return std::min(whole, edge / std::max(1.0 - fraction, 1e-12));
 }
 
-/** The share of the way from the middle of an edge to its end at which the medium is left. */
+/** The fraction of the way from the middle of an edge to its end at which the medium is left. */
 constexpr double LeavingBegins = 0.5;
 
 } // namespace
@@ -97,13 +97,13 @@ PrecisePoint PreciseSurroundings::Look(
   const Vector3 index = this->Model.DeviceToIndex(proxy);
   if (!this->IsPlain)
   {
-    return this->LookAt(
-      index, Law::FindSurface(this->Model, this->Field, index, this->Labels), lag, touched, voxels);
+    return this->LookAt(index, Law::ComputeSurface(this->Model, this->Field, index, this->Labels),
+      lag, touched, voxels);
   }
   Law::Slope slope;
   FieldSample sample;
   if (!this->Field.IsInside(index) ||
-    !Law::FindSlope(this->Model, sample = this->Field.Gradient(index), slope))
+    !Law::ComputeSlope(this->Model, sample = this->Field.Gradient(index), slope))
   {
     return this->LookAt(index, Law::MakeNoSurface(this->Model), lag, touched, voxels);
   }
@@ -122,7 +122,7 @@ PrecisePoint PreciseSurroundings::Look(
   const double fade = this->Model.BorderFade(index);
   FarWalk walk;
   const ValuePair values =
-    this->FindValues(index, slope, isDescending, distinct[0] * fade, touched, voxels, walk);
+    this->ComputeValues(index, slope, isDescending, distinct[0] * fade, touched, voxels, walk);
   const auto join = [&](const ValuePair& sides, MaterialPoint& material)
   {
     Law::JoinMaterials(this->Model, sides, baked.Materials(sides.Ahead),
@@ -162,11 +162,11 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   }
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
   // Look up first: the sampling of the values then hides the lookup's latency.
-  const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
-  const double share = surface.IsWall ? 0.0 : distinct[0] * surface.Fade;
+  const DistinctnessTable::Values distinct = Law::ComputeDistinctness(this->Model, surface);
+  const double fraction = surface.IsWall ? 0.0 : distinct[0] * surface.Fade;
   FarWalk walk;
   const ValuePair values =
-    this->FindValues(index, slope, isDescending, share, touched, voxels, walk);
+    this->ComputeValues(index, slope, isDescending, fraction, touched, voxels, walk);
   const auto join = [&](const ValuePair& sides, MaterialPoint& material)
   { Law::SetMaterials(this->Model, index, surface, distinct, sides, this->Labels, material); };
   PrecisePoint point;
@@ -216,7 +216,7 @@ void PreciseSurroundings::LeaveMedium(
   const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept
 {
   const bool isEdge = point.Viscosity > 0.0 && point.SurfaceValue != point.MediumValue;
-  if (!isEdge || FarSide::FindEvenShare(point.Far) >= 1.0)
+  if (!isEdge || FarSide::ComputeEvenFraction(point.Far) >= 1.0)
   {
     return;
   }
@@ -246,13 +246,13 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     point.SurfaceStrength *= AtEdge(sides, this->Field.Value(index), isDescending);
     return;
   }
-  const double even = FarSide::FindEvenShare(point.Far);
+  const double even = FarSide::ComputeEvenFraction(point.Far);
   const double value = this->Field.Value(index);
   double edge = point.SurfaceStrength;
   if (even < 1.0)
   {
     edge = GradedStrength(
-      sides, point.SurfaceStrength, point.Value, value, this->FindPromise(slope), isDescending);
+      sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
   }
   // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
   double ramp = point.SurfaceStrength;
@@ -269,25 +269,25 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   point.SurfaceStrength = edge + even * (ramp - edge);
 }
 
-double PreciseSurroundings::FindRise(const Law::Slope& slope) const noexcept
+double PreciseSurroundings::ComputeRise(const Law::Slope& slope) const noexcept
 {
   return slope.Magnitude * this->Model.KernelLengthAlong(slope.Normal) *
     this->Model.WorldUnitsPerMeter;
 }
 
-double PreciseSurroundings::FindPromise(const Law::Slope& slope) const noexcept
+double PreciseSurroundings::ComputePromise(const Law::Slope& slope) const noexcept
 {
   const GradientKernel& kernel = this->Model.Baked->Kernel;
   const bool isSpline = kernel.Estimator == GradientEstimator::CubicBSpline;
-  return (isSpline ? this->Model.InverseRadius : 1.0) * this->FindRise(slope);
+  return (isSpline ? this->Model.InverseRadius : 1.0) * this->ComputeRise(slope);
 }
 
-ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope& slope,
-  bool isDescending, double share, const TouchedMaterial& touched, double voxels,
+ValuePair PreciseSurroundings::ComputeValues(const Vector3& index, const Law::Slope& slope,
+  bool isDescending, double fraction, const TouchedMaterial& touched, double voxels,
   FarWalk& walk) const noexcept
 {
   const BakedVolume& baked = *this->Model.Baked;
-  if (baked.Settings.Placement == MaterialPlacement::Kernel || share <= 0.0)
+  if (baked.Settings.Placement == MaterialPlacement::Kernel || fraction <= 0.0)
   {
     return this->Field.Values(index, slope.Reach);
   }
@@ -301,10 +301,10 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope
   }
   else
   {
-    const double rise = this->FindRise(slope);
+    const double rise = this->ComputeRise(slope);
     walk.Far =
-      FindFarSide(this->Field, index, slope.Reach, baked.Kernel.Radius, rise, isDescending);
-    const double edge = share * (1.0 - FarSide::FindEvenShare(walk.Far));
+      MeasureFarSide(this->Field, index, slope.Reach, baked.Kernel.Radius, rise, isDescending);
+    const double edge = fraction * (1.0 - FarSide::ComputeEvenFraction(walk.Far));
     if (edge < 1.0)
     {
       const ValuePair nearby = this->Field.Values(index, slope.Reach);
@@ -312,7 +312,7 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope
       walk.Far.Behind = nearby.Behind + edge * (walk.Far.Behind - nearby.Behind);
     }
   }
-  if (FarSide::FindEvenShare(walk.Far) >= 1.0)
+  if (FarSide::ComputeEvenFraction(walk.Far) >= 1.0)
   {
     walk.Lasts = lasts;
     return this->Field.Values(index, slope.Reach);
@@ -322,7 +322,7 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope
     return { walk.Far.Ahead, walk.Far.Behind };
   }
   walk.Lasts = lasts;
-  const ValuePair followed = FollowFarSide(*before, walk.Far, voxels);
+  const ValuePair followed = ComputeFarSide(*before, walk.Far, voxels);
   return { touched.IsSurface ? followed.Ahead : walk.Far.Ahead, followed.Behind };
 }
 
@@ -345,9 +345,9 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
 }
 
 Arrival PreciseSurroundings::Arrive(
-  const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept
+  const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept
 {
-  const Vector3 displacement = share * motion.Displacement;
+  const Vector3 displacement = fraction * motion.Displacement;
   Arrival end = this->Try(start, motion, displacement, tip);
   const Remainder rest = this->Judge(motion, displacement, tip, end);
   const double tolerance = -Tolerance * Norm(tip - end.Proxy);

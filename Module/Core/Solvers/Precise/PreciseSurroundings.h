@@ -124,7 +124,7 @@ public:
 
   /** Makes a part of a motion, or less if the material there allows no more. */
   Arrival Arrive(
-    const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
+    const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;
 
 private:
   /** The largest distance (voxels) from a proxy to its level. */
@@ -173,18 +173,18 @@ private:
   void LeaveMedium(
     const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
   /** The change of V over the kernel radius, by the gradient. */
-  double FindRise(const Law::Slope& slope) const noexcept;
+  double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
    * The rise that the gradient predicts for an edge: over the kernel radius or, if the estimator is
    * a spline, over one voxel: a spline is as wide as the Gaussian of radius 1, for any radius.
    */
-  double FindPromise(const Law::Slope& slope) const noexcept;
+  double ComputePromise(const Law::Slope& slope) const noexcept;
   /**
-   * The values that give the material of a surface, by MaterialPlacement; the kernel's for a share
-   * of 0. Writes the walk of a point if there is one.
+   * The values that give the material of a surface, by MaterialPlacement; the kernel's for a
+   * fraction of 0. Writes the walk of a point if there is one.
    */
-  ValuePair FindValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
-    double share, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
+  ValuePair ComputeValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
+    double fraction, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
 
   const HapticModel& Model;
   const FieldAtTime Field;

@@ -5,8 +5,8 @@
 namespace VolumeHaptics
 {
 
-Vector3 ProxyDisplacement::FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore,
-  const Vector3& lag, double parts) noexcept
+Vector3 ProxyDisplacement::ComputeInParts(const PrecisePoint& here, double k,
+  const Vector3& lagBefore, const Vector3& lag, double parts) noexcept
 {
   const double compliance = 1.0 / k;
   const Vector3 step = lag - lagBefore;
@@ -16,7 +16,7 @@ Vector3 ProxyDisplacement::FindInParts(const PrecisePoint& here, double k, const
     const Vector3 from = lagBefore + ((part - 1.0) / parts) * step - displacement;
     const Vector3 to = lagBefore + (part / parts) * step - displacement;
     const SplitLag split = Law::Split(to, here.Normal);
-    displacement += FindPart(here, compliance, from, Law::Split(from, here.Normal), to, split,
+    displacement += ComputePart(here, compliance, from, Law::Split(from, here.Normal), to, split,
       [&] { return Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}); });
   }
   return displacement;

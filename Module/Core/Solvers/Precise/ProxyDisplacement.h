@@ -42,7 +42,7 @@ struct UnheldSpring
   bool IsCircle; ///< false if friction and drag hold some directions more than others
 };
 
-VOLUME_HAPTICS_INLINE UnheldSpring FindUnheldSpring(
+VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
   const PrecisePoint& here, double compliance, const Vector3& lag, const SplitLag& split) noexcept
 {
   const double most = split.Push > 0.0 ? here.SurfaceStrength * compliance : 0.0;
@@ -60,16 +60,16 @@ VOLUME_HAPTICS_INLINE UnheldSpring FindUnheldSpring(
 
 /** One part of a step: in the mean direction if there is one, else `plain()`. */
 template <typename Plain>
-VOLUME_HAPTICS_INLINE Vector3 FindPart(const PrecisePoint& here, double compliance,
+VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compliance,
   const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag, const SplitLag& split,
   const Plain& plain) noexcept
 {
-  const UnheldSpring now = FindUnheldSpring(here, compliance, lag, split);
+  const UnheldSpring now = ComputeUnheldSpring(here, compliance, lag, split);
   if (!now.IsCircle || !(now.Length > now.Radius))
   {
     return plain();
   }
-  const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore, splitBefore);
+  const UnheldSpring before = ComputeUnheldSpring(here, compliance, lagBefore, splitBefore);
   if (!(before.Length > OnCircle * before.Radius))
   {
     return plain(); // no direction yet
@@ -88,7 +88,7 @@ VOLUME_HAPTICS_INLINE Vector3 FindPart(const PrecisePoint& here, double complian
 }
 
 /** A step in more than one part. */
-Vector3 FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore,
+Vector3 ComputeInParts(const PrecisePoint& here, double k, const Vector3& lagBefore,
   const Vector3& lag, double parts) noexcept;
 
 /**
@@ -99,7 +99,7 @@ Vector3 FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore
  * displacement by the law at the last lag alone, for steps without a mean direction.
  */
 template <typename Plain>
-VOLUME_HAPTICS_INLINE Vector3 Find(const PrecisePoint& here, double k, const Vector3& lagBefore,
+VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, const Vector3& lagBefore,
   const Vector3& lag, const SplitLag& split, const Plain& plain) noexcept
 {
   const SplitLag before = Law::Split(lagBefore, here.Normal);
@@ -107,11 +107,12 @@ VOLUME_HAPTICS_INLINE Vector3 Find(const PrecisePoint& here, double k, const Vec
   // No circle either if the tip leaves or meets the surface.
   const bool isCircle =
     here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
-  const double share = isCircle ? CirclePart : FreePart;
+  const double fraction = isCircle ? CirclePart : FreePart;
   const Vector3 step = lag - lagBefore;
-  const double ratio = std::sqrt(Dot(step, step) / Dot(lag, lag)) / share;
-  return ratio <= 1.0 ? FindPart(here, 1.0 / k, lagBefore, before, lag, split, plain)
-                      : FindInParts(here, k, lagBefore, lag, std::min(std::ceil(ratio), MostParts));
+  const double ratio = std::sqrt(Dot(step, step) / Dot(lag, lag)) / fraction;
+  return ratio <= 1.0
+    ? ComputePart(here, 1.0 / k, lagBefore, before, lag, split, plain)
+    : ComputeInParts(here, k, lagBefore, lag, std::min(std::ceil(ratio), MostParts));
 }
 } // namespace ProxyDisplacement
 

@@ -25,20 +25,20 @@ FollowedShapes::FollowedShapes(const HapticModel& model)
 {
 }
 
-std::vector<FollowedShape> FollowedShapes::Find(const Vector3& place)
+std::vector<FollowedShape> FollowedShapes::Collect(const Vector3& place)
 {
   std::vector<FollowedShape> shapes;
   if (this->Model.Baked->Settings.Method == HapticMethod::Primitives && IsFinite(place))
   {
     for (int mode = 0; mode < this->Modes.GetCount(); ++mode)
     {
-      this->FindOf(mode, place, shapes);
+      this->CollectOf(mode, place, shapes);
     }
   }
   return shapes;
 }
 
-void FollowedShapes::FindOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes)
+void FollowedShapes::CollectOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes)
 {
   const ModeKind kind = this->KindOf(mode);
   const ModeFacts facts = FactsOf(kind);
@@ -68,7 +68,7 @@ void FollowedShapes::AddTensor(
   const bool isTensor = this->KindOf(mode) == ModeKind::TensorFollow &&
     this->Model.Baked->Modes[static_cast<std::size_t>(mode)].Field.ReadTensor(
       this->Model.DeviceToIndex(place), tensor);
-  const double first = isTensor ? FindEigen(tensor).Value[0] : 0.0;
+  const double first = isTensor ? ComputeEigen(tensor).Value[0] : 0.0;
   if (first > 0.0)
   {
     shapes.push_back({ FollowedForm::Tensor, mode, place, {}, (1.0 / first) * tensor });

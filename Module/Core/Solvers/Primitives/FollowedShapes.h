@@ -62,7 +62,7 @@ public:
    * The shapes at a place (m). None for modes that hold nothing there, and for other methods than
    * Primitives.
    */
-  std::vector<FollowedShape> Find(const Vector3& place);
+  std::vector<FollowedShape> Collect(const Vector3& place);
 
   /**
    * Replaces `direction` by the unit vector along a mode's line at a place, in the sense that is
@@ -76,7 +76,7 @@ public:
   bool Return(int mode, Vector3& place);
 
 private:
-  void FindOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
+  void CollectOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
   void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
   ModeKind KindOf(int mode) const;
   /** Reads the primitives of a mode; false if no primitive holds. */

@@ -93,7 +93,7 @@ private:
     const auto strengths = this->StrengthsAt(magnitude);
     const double strength = strengths[0];
     Vector3 toCore;
-    const double atCore = this->FindCore(v, j, (1.0 / magnitude) * curl, toCore);
+    const double atCore = this->ComputeCore(v, j, (1.0 / magnitude) * curl, toCore);
     const Vector3 core = this->Place + this->ToDevice(toCore);
     this->Add(PrimitiveKind::Plane, Cross(curl, v), (1.0 - atCore) * strength);
     this->Add(PrimitiveKind::Line, curl, atCore > 0.0 ? atCore * strength : 0.0, core);
@@ -101,10 +101,10 @@ private:
   }
 
   /**
-   * Writes the displacement (world) to the core; returns the share of the strength with which the
-   * core holds: 0 if it is far.
+   * Writes the displacement (world) to the core; returns the fraction of the strength with which
+   * the core holds: 0 if it is far.
    */
-  double FindCore(
+  double ComputeCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
     // Newton's step is at least as long as the vector across the axis divided by the norm of the
@@ -137,8 +137,8 @@ private:
     const double vb = Dot(b, v);
     toCore = (-(bb * va - ab * vb) / determinant) * a + (-(aa * vb - ba * va) / determinant) * b;
     const double away = this->VoxelsOf(toCore);
-    const double share = std::clamp(2.0 - away / ModeField::CoreReach, 0.0, 1.0);
-    return std::isfinite(away) ? share : 0.0;
+    const double fraction = std::clamp(2.0 - away / ModeField::CoreReach, 0.0, 1.0);
+    return std::isfinite(away) ? fraction : 0.0;
   }
 
   void ReadShear() noexcept
@@ -147,9 +147,9 @@ private:
     Vector3 v;
     Matrix3 j;
     const bool isThere = this->Mode.Field.Read(this->Index, v, j);
-    const SymmetricEigen rates = FindEigen(SymmetricPart(j));
+    const SymmetricEigen rates = ComputeEigen(SymmetricPart(j));
     // A pure rotation has no direction of stretch, apart from rounding.
-    const double least = LeastShare * (Norm(j.Row[0]) + Norm(j.Row[1]) + Norm(j.Row[2]));
+    const double least = LeastFraction * (Norm(j.Row[0]) + Norm(j.Row[1]) + Norm(j.Row[2]));
     const bool stretches = isThere && rates.Value[0] > least;
     const double strength = stretches ? this->StrengthAt(0, rates.Value[0]) : 0.0;
     this->Add(PrimitiveKind::Line, rates.Direction[0], strength);
@@ -160,15 +160,15 @@ private:
     this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Matrix3 tensor;
     this->Mode.Field.ReadTensor(this->Index, tensor);
-    const SymmetricEigen eigen = FindEigen(tensor);
+    const SymmetricEigen eigen = ComputeEigen(tensor);
     const double l1 = eigen.Value[0];
     const double l2 = std::max(eigen.Value[1], 0.0);
     const double l3 = std::max(eigen.Value[2], 0.0);
     const double linear = (l1 - l2) / l1;
     const double planar = (l2 - l3) / l1;
     const bool isThere = l1 > 0.0;
-    const double fibre = isThere && linear > LeastShare ? this->StrengthAt(0, linear) : 0.0;
-    const double sheet = isThere && planar > LeastShare ? this->StrengthAt(1, planar) : 0.0;
+    const double fibre = isThere && linear > LeastFraction ? this->StrengthAt(0, linear) : 0.0;
+    const double sheet = isThere && planar > LeastFraction ? this->StrengthAt(1, planar) : 0.0;
     this->Add(PrimitiveKind::Line, eigen.Direction[0], fibre);
     this->Add(PrimitiveKind::Plane, eigen.Direction[2], sheet);
     this->Add(PrimitiveKind::Plane, -eigen.Direction[2], sheet);
@@ -184,13 +184,13 @@ private:
     double strength = 0.0;
     if (this->Fade > 0.0)
     {
-      strength = this->FindRidge(scalars, along, toRidge);
+      strength = this->ComputeRidge(scalars, along, toRidge);
     }
     this->Add(PrimitiveKind::Line, along, strength, this->Place + this->ToDevice(toRidge));
   }
 
   /** The strength (N), the direction, and the displacement (world) to the ridge. */
-  double FindRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
+  double ComputeRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
   {
     constexpr double half = 0.5; // voxels
     const auto slope = [&](double x, double y, double z)
@@ -206,7 +206,7 @@ private:
       Matrix3::FromColumns(slope(half, 0.0, 0.0), slope(0.0, half, 0.0), slope(0.0, 0.0, half));
     const Vector3 gradient = sign * (turned * scalars.Gradient(this->Index).Gradient);
     const SymmetricEigen eigen =
-      FindEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
+      ComputeEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
     // For a bright line: two negative eigenvalues, and one of smaller magnitude.
     const double h1 = eigen.Value[0];
     const double h2 = eigen.Value[1];
@@ -221,8 +221,8 @@ private:
     const Vector3& third = eigen.Direction[2];
     toRidge = (-Dot(second, gradient) / h2) * second + (-Dot(third, gradient) / h3) * third;
     const double away = this->VoxelsOf(toRidge);
-    const double share = std::clamp(2.0 - away / this->Mode.SnapDistance, 0.0, 1.0);
-    return std::isfinite(away) ? share * this->StrengthAt(0, measure) : 0.0;
+    const double fraction = std::clamp(2.0 - away / this->Mode.SnapDistance, 0.0, 1.0);
+    return std::isfinite(away) ? fraction * this->StrengthAt(0, measure) : 0.0;
   }
 
   void ReadGuide() noexcept
@@ -240,7 +240,7 @@ private:
   {
     const GuideSurfacePlace found =
       this->Mode.GuideSurface->Find(this->Modes.DeviceToWorld(this->Place));
-    const double strength = found.Share * this->StrengthAt(0, found.Distance);
+    const double strength = found.Fraction * this->StrengthAt(0, found.Distance);
     const Vector3 anchor = this->Modes.WorldToDevice(found.Anchor);
     const GuideSide side = this->Mode.Side;
     const bool holdsOut = side != GuideSide::Inside;
@@ -254,7 +254,7 @@ private:
     const HapticModel& model = *this->Modes.Model;
     const FieldAtTime field(model.Baked->Field);
     const Vector3 lag = this->Modes.Tip - this->Place;
-    Surface surface = Law::FindSurface(model, field, this->Index, *this->Modes.Memory);
+    Surface surface = Law::ComputeSurface(model, field, this->Index, *this->Modes.Memory);
     Law::Orient(model, lag, surface);
     MaterialPoint point;
     Law::ReadMaterials(model, field, this->Index, surface, *this->Modes.Memory, point);
@@ -266,7 +266,7 @@ private:
   }
 
   /** Eigenvalues whose relative difference is smaller than this give no direction. */
-  static constexpr double LeastShare = 1e-9;
+  static constexpr double LeastFraction = 1e-9;
 
   static Matrix3 SymmetricPart(const Matrix3& m) noexcept
   {
@@ -279,7 +279,7 @@ private:
   {
     const HapticModel* const model = this->Modes.Model;
     this->Fade = std::clamp(voxels / ModeField::FadeDistance, 0.0, 1.0) *
-      (model ? model->Baked->KeptShare(this->Index) : 1.0);
+      (model ? model->Baked->KeptFraction(this->Index) : 1.0);
   }
 
   PiecewiseTable<2>::Values StrengthsAt(double x) const noexcept
@@ -386,7 +386,7 @@ void ModeField::Read(int mode, const Vector3& place, PrimitiveSet& set) const no
   }
 }
 
-void ModeField::Find(const void* context, const Vector3& place, PrimitiveSet& set) noexcept
+void ModeField::Collect(const void* context, const Vector3& place, PrimitiveSet& set) noexcept
 {
   const auto& field = *static_cast<const ModeField*>(context);
   const Vector3 index = field.DeviceToIndex(place);

@@ -79,7 +79,7 @@ public:
   bool Add(const BakedMode& mode) noexcept;
 
   /** Borrows this. */
-  PrimitiveField GetField() const noexcept { return { &ModeField::Find, this }; }
+  PrimitiveField GetField() const noexcept { return { &ModeField::Collect, this }; }
 
   int GetCount() const noexcept { return this->Count; }
   /** Adds the primitives of one mode at a place (m); none if it is not felt. */
@@ -90,7 +90,7 @@ public:
 private:
   friend class ModeReader;
 
-  static void Find(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
+  static void Collect(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
 
   const BakedMode* Modes[Most] = {};
   int First[Most + 1] = {}; ///< the number of the first primitive of a mode

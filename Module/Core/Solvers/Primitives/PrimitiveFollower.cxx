@@ -20,7 +20,7 @@ constexpr double Farthest = 0.1;
  * The end of the way, as a fraction of a step: the zero of the quadratic through the remaining
  * lengths at 0, 1/2 and 3/4 of it.
  */
-double FindEnd(double atBegin, double atMiddle, double late) noexcept
+double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
 {
   const double early = 2.0 * (atMiddle - atBegin);
   const double bend = (4.0 / 3.0) * (4.0 * (late - atMiddle) - early);
@@ -53,10 +53,10 @@ public:
   /** Makes one step; returns the rate that it has met. */
   double Step(double rate, double longest) noexcept
   {
-    const double across = this->FindRateAcross();
+    const double across = this->ComputeRateAcross();
     this->Shown = {};
     return across > 0.0 ? this->StepAcross(across)
-      : this->Length < PrimitiveFollower::ShortShare * rate * longest
+      : this->Length < PrimitiveFollower::ShortFraction * rate * longest
       ? this->StepShortly(rate)
       : this->StepFar(rate, longest);
   }
@@ -76,29 +76,31 @@ private:
     const double before = this->Length;
     const Vector3 first = (1.0 / before) * this->Rest;
     double length = std::min(before / rate, longest);
-    const Vector3 middle = this->FindMiddle(first, rate, length);
+    const Vector3 middle = this->ComputeMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
     const Vector3 late =
-      this->FindRest(from + (0.75 * length) * second, 1.5 * second - 0.5 * first);
+      this->SolveRest(from + (0.75 * length) * second, 1.5 * second - 0.5 * first);
     const Vector3 third = Along(late, second);
     const double most = longest / length;
-    const double share = std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), most);
+    const double fraction =
+      std::min(ComputeEnd(before, Dot(middle, second), Dot(late, third)), most);
     // The direction, at the end of the step, of the quadratic through the stages; and its
     // integrals.
     const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
-    const double square = share * share;
-    const double ofFirst = share + square * (8.0 / 9.0 * share - 5.0 / 3.0);
-    const double ofSecond = square * (3.0 - 8.0 / 3.0 * share);
-    const double ofThird = square * (16.0 / 9.0 * share - 4.0 / 3.0);
+    const double square = fraction * fraction;
+    const double ofFirst = fraction + square * (8.0 / 9.0 * fraction - 5.0 / 3.0);
+    const double ofSecond = square * (3.0 - 8.0 / 3.0 * fraction);
+    const double ofThird = square * (16.0 / 9.0 * fraction - 4.0 / 3.0);
     this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third), last);
     this->Memory.Towards = last;
-    if (share < most)
+    if (fraction < most)
     {
-      this->Shown = before * (1.0 + share * (8.0 / 3.0 * share - 10.0 / 3.0)) * first +
-        share * (6.0 - 8.0 * share) * middle + share * (16.0 / 3.0 * share - 8.0 / 3.0) * late;
-      this->EndRate = before / (share * length);
+      this->Shown = before * (1.0 + fraction * (8.0 / 3.0 * fraction - 10.0 / 3.0)) * first +
+        fraction * (6.0 - 8.0 * fraction) * middle +
+        fraction * (16.0 / 3.0 * fraction - 8.0 / 3.0) * late;
+      this->EndRate = before / (fraction * length);
     }
-    return Rate((before - Dot(this->Rest, third)) / (share * length));
+    return Rate((before - Dot(this->Rest, third)) / (fraction * length));
   }
 
   /**
@@ -107,7 +109,7 @@ private:
    * fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic through the stages
    * shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both gives m.
    */
-  double FindRateAcross() const noexcept
+  double ComputeRateAcross() const noexcept
   {
     const double shown = Dot(this->Shown, this->Shown);
     const double ratio = Dot(this->Rest, this->Shown) / shown;
@@ -139,7 +141,7 @@ private:
     const double before = this->Length;
     const Vector3 first = (1.0 / before) * this->Rest;
     double length = before / rate;
-    const Vector3 middle = this->FindMiddle(first, rate, length);
+    const Vector3 middle = this->ComputeMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
     // At most as far as the middle is valid: a hold would keep the proxy where it went too far.
     const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
@@ -150,17 +152,17 @@ private:
   }
 
   /** The rest in the middle of a step from the place. Shortens a step that is too long. */
-  Vector3 FindMiddle(const Vector3& first, double rate, double& length) noexcept
+  Vector3 ComputeMiddle(const Vector3& first, double rate, double& length) noexcept
   {
     const double before = this->Length;
-    const Vector3 middle = this->FindRest(this->Place + (0.5 * length) * first, first);
+    const Vector3 middle = this->SolveRest(this->Place + (0.5 * length) * first, first);
     const double met = (before - Dot(middle, first)) / (0.5 * length);
     const double shorter = before / std::min(met, MostRate);
     // Also false for NaN.
     if (met > RateExcess * rate && shorter < length)
     {
       length = shorter;
-      return this->FindRest(this->Place + (0.5 * length) * first, first);
+      return this->SolveRest(this->Place + (0.5 * length) * first, first);
     }
     return middle;
   }
@@ -179,10 +181,10 @@ private:
   }
 
   /** @param towards the expected direction of the rest */
-  Vector3 FindRest(const Vector3& place, const Vector3& towards) noexcept
+  Vector3 SolveRest(const Vector3& place, const Vector3& towards) noexcept
   {
     PrimitiveSet set;
-    this->Field.Find(this->Field.Context, place, set);
+    this->Field.Collect(this->Field.Context, place, set);
     this->Balance = Minimise(
       set, this->Stiffness, this->Tip, this->Memory.Forces, std::max(this->SweepsLeft, 1), towards);
     this->SweepsLeft -= this->Balance.Sweeps;
@@ -192,7 +194,7 @@ private:
   void Arrive(const Vector3& place, const Vector3& towards) noexcept
   {
     this->Place = place;
-    this->Rest = this->FindRest(place, towards);
+    this->Rest = this->SolveRest(place, towards);
     this->Length = Norm(this->Rest);
   }
 
@@ -211,7 +213,7 @@ private:
 
 } // namespace
 
-PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double longestStep,
+PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double longestStep,
   const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept
 {
   // Also false for NaN.
@@ -224,9 +226,9 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
-  const double finished = PrimitiveFollower::FinishedShare * longestStep;
+  const double finished = PrimitiveFollower::FinishedFraction * longestStep;
   // The next tick goes about the same way as this one, not as its last corrections.
-  const double told = PrimitiveFollower::ShortShare * way.GetLength();
+  const double told = PrimitiveFollower::ShortFraction * way.GetLength();
   double rate = memory.Rate;
   while (
     way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())

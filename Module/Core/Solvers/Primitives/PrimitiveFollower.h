@@ -23,7 +23,7 @@
  * one step a tick is mostly enough. Where primitives yield, the rest across the way after such a
  * step follows a known rule, which gives its rate: one more evaluation ends it. Other corrections
  * are short, and use the midpoint method, with the same limit. Steps end when D is less than
- * FinishedShare of a step. After MostSteps, or if the sweeps of a tick are spent, the next tick
+ * FinishedFraction of a step. After MostSteps, or if the sweeps of a tick are spent, the next tick
  * goes on; the force then belongs to the balance at the reached place, so it never exceeds the
  * strengths.
  */
@@ -40,7 +40,7 @@ struct PrimitiveField
 {
   /** Adds the primitives at a place (m) to an empty set, mostly with that place as their anchor. */
   using Function = void (*)(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
-  Function Find = nullptr;
+  Function Collect = nullptr;
   const void* Context = nullptr;
 };
 
@@ -56,9 +56,9 @@ namespace PrimitiveFollower
 {
 constexpr int MostSteps = 32;
 /** Steps shorter than this fraction of the longest one use the midpoint method. */
-constexpr double ShortShare = 0.1;
+constexpr double ShortFraction = 0.1;
 /** A last step this short needs no stages. */
-constexpr double FinishedShare = 1e-3;
+constexpr double FinishedFraction = 1e-3;
 } // namespace PrimitiveFollower
 
 /** How far (voxels) a mode's push, or a line that bends, leads out of the box of proxy and tip. */
@@ -70,7 +70,7 @@ constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
  * @param longestStep m; a quarter voxel
  * If the tip is not finite, or k or the step is not a positive number, the proxy is the tip.
  */
-PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double longestStep,
+PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double longestStep,
   const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept;
 
 } // namespace VolumeHaptics

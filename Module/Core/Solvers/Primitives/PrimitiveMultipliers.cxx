@@ -52,7 +52,7 @@ public:
     {
       return false;
     }
-    const Vector3 step = -(Inverse(this->FindCurvature()) * slope);
+    const Vector3 step = -(Inverse(this->ComputeCurvature()) * slope);
     const double promised = Dot(slope, step);
     const double before = this->Value;
     const Vector3 from = this->Sum;
@@ -65,19 +65,19 @@ public:
     // by less than its value.
     double least = 0.0;
     double most = 1.0;
-    double share = 1.0;
+    double fraction = 1.0;
     for (int i = 0; i < MostHalvings && !this->IsSpent(); ++i)
     {
-      this->Look(from + share * step);
+      this->Look(from + fraction * step);
       const double rise = Dot(this->Slope, step);
-      const bool isPast = rise > 0.0 && this->Value > before + LeastFall * share * promised;
-      const bool isShort = share < 1.0 && rise < 0.5 * promised;
+      const bool isPast = rise > 0.0 && this->Value > before + LeastFall * fraction * promised;
+      const bool isShort = fraction < 1.0 && rise < 0.5 * promised;
       if (!isPast && !isShort)
       {
         return true;
       }
-      (isPast ? most : least) = share;
-      share = 0.5 * (least + most);
+      (isPast ? most : least) = fraction;
+      fraction = 0.5 * (least + most);
     }
     // As near as rounding allows.
     if (Dot(this->Slope, this->Slope) < Dot(slope, slope))
@@ -89,7 +89,7 @@ public:
   }
 
   /** Takes the forces of this place; returns the largest change of one. */
-  double Take() noexcept
+  double Apply() noexcept
   {
     double square = 0.0;
     for (int at = 0; at < this->Held.Count; ++at)
@@ -128,14 +128,14 @@ private:
     }
   }
 
-  Matrix3 FindCurvature() const noexcept
+  Matrix3 ComputeCurvature() const noexcept
   {
     Matrix3 all{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
-    const auto add = [&all](double share, const Vector3& v)
+    const auto add = [&all](double fraction, const Vector3& v)
     {
-      all.Row[0] += (share * v.X) * v;
-      all.Row[1] += (share * v.Y) * v;
-      all.Row[2] += (share * v.Z) * v;
+      all.Row[0] += (fraction * v.X) * v;
+      all.Row[1] += (fraction * v.Y) * v;
+      all.Row[2] += (fraction * v.Z) * v;
     };
     for (int at = 0; at < this->Held.Count; ++at)
     {
@@ -151,17 +151,17 @@ private:
       const Vector3 turning = isLine ? this->Wish[at] - along * q : this->Wish[at];
       const double size = Norm(turning);
       const bool isFull = size > p.Strength;
-      const double share = Penalty * (isFull ? p.Strength / size : 1.0);
-      all.Row[0].X += share;
-      all.Row[1].Y += share;
-      all.Row[2].Z += share;
+      const double fraction = Penalty * (isFull ? p.Strength / size : 1.0);
+      all.Row[0].X += fraction;
+      all.Row[1].Y += fraction;
+      all.Row[2].Z += fraction;
       if (isLine)
       {
-        add(-share, q);
+        add(-fraction, q);
       }
       if (isFull)
       {
-        add(-share / (size * size), turning);
+        add(-fraction / (size * size), turning);
       }
     }
     return all;
@@ -180,7 +180,7 @@ private:
 
 } // namespace
 
-int FindBalanceByMultipliers(
+int SolveBalanceByMultipliers(
   const HeldPrimitives& held, int mostLooks, PrimitiveForces& forces, bool& isSettled) noexcept
 {
   MultiplierRound round(held, mostLooks, forces);
@@ -191,7 +191,7 @@ int FindBalanceByMultipliers(
     while (!round.IsSpent() && round.Step(rounding))
     {
     }
-    isSettled = round.Take() <= SettledRound + 10.0 * rounding;
+    isSettled = round.Apply() <= SettledRound + 10.0 * rounding;
   }
   return round.GetLooks();
 }

@@ -34,7 +34,7 @@ namespace VolumeHaptics
  * @param isSettled whether they are the forces of a balance, apart from rounding
  * @return the number of evaluated places, each of which takes about as long as a sweep
  */
-int FindBalanceByMultipliers(
+int SolveBalanceByMultipliers(
   const HeldPrimitives& held, int mostLooks, PrimitiveForces& forces, bool& isSettled) noexcept;
 
 } // namespace VolumeHaptics

@@ -23,18 +23,18 @@ Vector3 AcrossOf(const Vector3& v, const Vector3& q) noexcept
   return v - Dot(v, q) * q;
 }
 
-void AddDiagonal(double share, Matrix3& to) noexcept
+void AddDiagonal(double fraction, Matrix3& to) noexcept
 {
-  to.Row[0].X += share;
-  to.Row[1].Y += share;
-  to.Row[2].Z += share;
+  to.Row[0].X += fraction;
+  to.Row[1].Y += fraction;
+  to.Row[2].Z += fraction;
 }
 
-void AddOuter(double share, const Vector3& a, Matrix3& to) noexcept
+void AddOuter(double fraction, const Vector3& a, Matrix3& to) noexcept
 {
-  to.Row[0] += (share * a.X) * a;
-  to.Row[1] += (share * a.Y) * a;
-  to.Row[2] += (share * a.Z) * a;
+  to.Row[0] += (fraction * a.X) * a;
+  to.Row[1] += (fraction * a.Y) * a;
+  to.Row[2] += (fraction * a.Z) * a;
 }
 
 class ExactBalance
@@ -66,7 +66,7 @@ public:
       this->Conditions = 0;
       this->IsOff = false;
       // More conditions can only be met at a common anchor.
-      if (this->CollectConditions() ? this->Step() : this->Share())
+      if (this->CollectConditions() ? this->Step() : this->Fraction())
       {
         return true;
       }
@@ -138,7 +138,7 @@ private:
    * of these forces. The force of a line or point that yields turns with its place. Both are
    * unknowns: so steps are good even if it yields by little, where its force turns fast.
    */
-  void FindYielding(Matrix3& slope) noexcept
+  void ComputeYielding(Matrix3& slope) noexcept
   {
     slope = Matrix3{};
     this->Yielding = {};
@@ -207,7 +207,7 @@ private:
     for (int step = 0; step < MostBalanceSteps; ++step)
     {
       Matrix3 slope;
-      this->FindYielding(slope);
+      this->ComputeYielding(slope);
       const Matrix3 inverse = this->IsCurved ? Inverse(slope) : slope;
       Vector3 change = inverse * (this->Yielding - this->Sum);
       if (this->Conditions > 0 && !this->MeetConditions(inverse, change))
@@ -331,7 +331,7 @@ private:
   }
 
   /** Computes the forces of all holding primitives at their common anchor. */
-  bool Share() noexcept
+  bool Fraction() noexcept
   {
     const Vector3* const anchor = this->Held.Spring;
     this->Yielding = {};
@@ -378,7 +378,7 @@ private:
     {
       return false;
     }
-    const Vector3 share = Inverse(all) * (this->Sum - this->Yielding);
+    const Vector3 fraction = Inverse(all) * (this->Sum - this->Yielding);
     Vector3 sum = this->Yielding;
     for (int at = 0; at < this->Held.Count; ++at)
     {
@@ -387,9 +387,9 @@ private:
       {
         const Vector3& q = p.Direction;
         this->Force[at] = p.Strength *
-          (p.Kind == PrimitiveKind::Plane     ? Dot(share, q) * q
-              : p.Kind == PrimitiveKind::Line ? AcrossOf(share, q)
-                                              : share);
+          (p.Kind == PrimitiveKind::Plane     ? Dot(fraction, q) * q
+              : p.Kind == PrimitiveKind::Line ? AcrossOf(fraction, q)
+                                              : fraction);
         sum += this->Force[at];
       }
       this->Correct(at);
@@ -424,7 +424,7 @@ private:
 
 } // namespace
 
-bool FindExactBalance(
+bool SolveExactBalance(
   const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept
 {
   ExactBalance balance(held, forces, isOld);

@@ -47,7 +47,7 @@ struct HeldPrimitives
  *
  * @param isOld the forces are those of another tick: almost a whole strength counts as one
  */
-bool FindExactBalance(
+bool SolveExactBalance(
   const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept;
 
 } // namespace VolumeHaptics

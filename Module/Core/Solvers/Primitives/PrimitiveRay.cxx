@@ -137,7 +137,7 @@ private:
   }
 
   /** Directions across the ray in which it can turn; returns their number. */
-  int FindTurns(Vector3 turns[2]) const noexcept
+  int ComputeTurns(Vector3 turns[2]) const noexcept
   {
     if (this->Along >= 0 || this->Slides == 2)
     {
@@ -163,22 +163,22 @@ private:
     for (int i = 0; i < MostRayTurns; ++i)
     {
       Vector3 turns[2];
-      const int count = this->FindTurns(turns);
+      const int count = this->ComputeTurns(turns);
       Slope slope;
-      if (!this->FindYielding(turns, slope))
+      if (!this->ComputeYielding(turns, slope))
       {
         return false;
       }
-      const Vector3 rest = this->Spring + this->Share * this->Yielding;
+      const Vector3 rest = this->Spring + this->Fraction * this->Yielding;
       const double first = count > 0 ? Dot(rest, turns[0]) : 0.0;
       const double second = count > 1 ? Dot(rest, turns[1]) : 0.0;
       if (first * first + second * second <= 0.25 * this->Settled * this->Settled)
       {
         return true;
       }
-      const double aa = this->Share * slope.AA + this->Distance;
-      const double ab = this->Share * slope.AB;
-      const double bb = count > 1 ? this->Share * slope.BB + this->Distance : 1.0;
+      const double aa = this->Fraction * slope.AA + this->Distance;
+      const double ab = this->Fraction * slope.AB;
+      const double bb = count > 1 ? this->Fraction * slope.BB + this->Distance : 1.0;
       const double determinant = aa * bb - (count > 1 ? ab * ab : 0.0);
       const double inverse = 1.0 / determinant;
       double a = inverse * (bb * first - ab * second);
@@ -207,7 +207,7 @@ private:
   };
 
   /** The forces of primitives that yield on the ray, how they turn with it, and where it ends. */
-  bool FindYielding(const Vector3 turns[2], Slope& slope) noexcept
+  bool ComputeYielding(const Vector3 turns[2], Slope& slope) noexcept
   {
     this->Yielding = {};
     for (int at = 0; at < this->Held.Count; ++at)
@@ -249,7 +249,7 @@ private:
     const double ofForces = Dot(this->Yielding, this->Ray);
     const double distance = ofSpring + ofForces;
     this->Distance = std::max(distance, 0.0);
-    this->Share = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
+    this->Fraction = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
     // All hold if the spring pulls along the ray, but less strongly than they can. Also false for
     // NaN.
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
@@ -258,11 +258,11 @@ private:
   /** Computes the forces of the holding primitives; returns whether all are those of a balance. */
   bool Check() noexcept
   {
-    const Vector3 rest = this->Spring + this->Share * this->Yielding;
+    const Vector3 rest = this->Spring + this->Fraction * this->Yielding;
     for (int at = 0; at < this->Held.Count; ++at)
     {
       this->Force[at] =
-        this->State[at] == HoldState::Yields ? this->Share * this->Force[at] : Vector3{};
+        this->State[at] == HoldState::Yields ? this->Fraction * this->Force[at] : Vector3{};
     }
     if (this->Along >= 0)
     {
@@ -324,7 +324,7 @@ private:
   Vector3 Force[PrimitiveSet::Most];
   Vector3 Ray;
   double Distance = 0.0; ///< the proxy's, on the ray (N)
-  double Share = 1.0;    ///< the used fraction of the yielding forces; less than 1 if all hold
+  double Fraction = 1.0; ///< the used fraction of the yielding forces; less than 1 if all hold
   Vector3 Yielding;      ///< the sum of the yielding forces
   Vector3 Sum;
   int Slide[2] = {}; ///< the planes that hold
@@ -343,7 +343,7 @@ bool HaveCommonAnchor(const HeldPrimitives& held) noexcept
 
 } // namespace
 
-bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
+bool SolveBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
   PrimitiveForces& forces, Vector3& sum) noexcept
 {
   if (held.Count == 0 || !HaveCommonAnchor(held))

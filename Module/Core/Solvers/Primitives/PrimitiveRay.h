@@ -29,13 +29,13 @@ namespace VolumeHaptics
 {
 
 /**
- * As FindExactBalance, which it does not replace: also false if the anchors differ or if more holds
- * than a plane or two or a line.
+ * As SolveExactBalance, which it does not replace: also false if the anchors differ or if more
+ * holds than a plane or two or a line.
  *
  * @param towards the expected direction of the proxy, seen from the anchor, of any length; 0 if
  * unknown
  */
-bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
+bool SolveBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
   PrimitiveForces& forces, Vector3& sum) noexcept;
 
 } // namespace VolumeHaptics

@@ -20,7 +20,7 @@ namespace
  * force.
  */
 constexpr double SettledChange = 1e-11;
-constexpr double SettledShare = 4e-16;
+constexpr double SettledFraction = 4e-16;
 /** N/m. */
 constexpr double StiffestSpring = 1e9;
 ///@{
@@ -130,19 +130,19 @@ public:
   }
 
   /** See PrimitiveRay.h and PrimitiveNewton.h. */
-  bool FindExact(bool isOld) noexcept
+  bool SolveExactly(bool isOld) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
-    return FindBalanceOnRay(held, this->Towards, isOld, this->Forces, this->Sum) ||
-      FindExactBalance(held, isOld, this->Forces, this->Sum);
+    return SolveBalanceOnRay(held, this->Towards, isOld, this->Forces, this->Sum) ||
+      SolveExactBalance(held, isOld, this->Forces, this->Sum);
   }
 
   /** See PrimitiveMultipliers.h. Returns the number of evaluations. */
-  int FindByMultipliers(int mostLooks, bool& isFound) noexcept
+  int SolveByMultipliers(int mostLooks, bool& isFound) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
-    const int looks = FindBalanceByMultipliers(held, mostLooks, this->Forces, isFound);
-    isFound = this->FindExact(false) || isFound;
+    const int looks = SolveBalanceByMultipliers(held, mostLooks, this->Forces, isFound);
+    isFound = this->SolveExactly(false) || isFound;
     return looks;
   }
 
@@ -244,17 +244,17 @@ public:
     squares.Row[0].X += Regular;
     squares.Row[1].Y += Regular;
     squares.Row[2].Z += Regular;
-    const Vector3 share = Inverse(squares) * (scale * products);
-    if (!IsFinite(share))
+    const Vector3 fraction = Inverse(squares) * (scale * products);
+    if (!IsFinite(fraction))
     {
       return;
     }
     const double energy = this->Energy();
     for (int at = 0; at < this->Count; ++at)
     {
-      const Vector3 mixed = now.Force[at] - share.X * (now.Force[at] - other[0]->Force[at]) -
-        share.Y * (now.Force[at] - other[1]->Force[at]) -
-        share.Z * (now.Force[at] - other[2]->Force[at]);
+      const Vector3 mixed = now.Force[at] - fraction.X * (now.Force[at] - other[0]->Force[at]) -
+        fraction.Y * (now.Force[at] - other[1]->Force[at]) -
+        fraction.Z * (now.Force[at] - other[2]->Force[at]);
       this->Forces[this->Number[at]] = Nearest(this->Set[this->Number[at]], mixed);
     }
     this->SumUp();
@@ -270,7 +270,7 @@ public:
 
   bool IsSettled(double change) const noexcept
   {
-    return change <= SettledChange + SettledShare * this->Largest;
+    return change <= SettledChange + SettledFraction * this->Largest;
   }
 
 private:
@@ -311,12 +311,12 @@ void DescendBySweeps(const Dual& dual, int mostSweeps, PrimitiveBalance& balance
     const bool looks = balance.Sweeps <= FirstLooks || balance.Sweeps % SweepsOfALook == 0;
     if (balance.IsUnfinished && looks)
     {
-      balance.IsUnfinished = !sweeper.FindExact(false);
+      balance.IsUnfinished = !sweeper.SolveExactly(false);
     }
     if (balance.IsUnfinished && balance.Sweeps == SweepsAlone)
     {
       bool isFound = false;
-      balance.Sweeps += sweeper.FindByMultipliers(mostSweeps - balance.Sweeps, isFound);
+      balance.Sweeps += sweeper.SolveByMultipliers(mostSweeps - balance.Sweeps, isFound);
       balance.IsUnfinished = !isFound;
     }
     else if (balance.IsUnfinished)
@@ -370,7 +370,7 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
   balance = {};
   Dual dual(set, k, tip, towards, forces);
   // The forces of the last tick mostly show which primitives hold and which yield.
-  if (!dual.FindExact(true))
+  if (!dual.SolveExactly(true))
   {
     DescendBySweeps(dual, mostSweeps, balance);
   }

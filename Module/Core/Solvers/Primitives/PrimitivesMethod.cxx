@@ -28,7 +28,7 @@ void StepPrimitives(
   record.Stiffness = k;
   const ModeField modes(model, k, record.Tip, state.Labels);
   constexpr double step = 0.25; // voxels
-  const PrimitiveMotion motion = FollowPrimitives(modes.GetField(), k,
+  const PrimitiveMotion motion = SolvePrimitives(modes.GetField(), k,
     step / model.MostVoxelsPerMeter, state.Proxy, record.Tip, state.Primitives);
   record.Proxy = motion.Proxy;
   record.Force = motion.Force;
@@ -41,7 +41,7 @@ void StepPrimitives(
   }
 }
 
-ModeForces FindModeForces(const HapticModel& model, const ServoState& state) noexcept
+ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) noexcept
 {
   ModeForces forces{};
   if (model.Baked->Settings.Method == HapticMethod::Primitives)

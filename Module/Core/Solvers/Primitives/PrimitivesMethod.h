@@ -34,7 +34,7 @@ Vector3 FindPrimitivesReach(const HapticModel& model) noexcept;
 using ModeForces = std::array<Vector3, ModeField::Most>;
 
 /** The forces of the last tick, by the state after it. Zero for other methods. */
-ModeForces FindModeForces(const HapticModel& model, const ServoState& state) noexcept;
+ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) noexcept;
 
 } // namespace VolumeHaptics
 

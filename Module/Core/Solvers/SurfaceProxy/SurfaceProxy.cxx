@@ -51,12 +51,12 @@ constexpr double Recovery = 0.01;
 class Sphere
 {
 public:
-  /** @param share fraction of the triangles' way to the next frame */
-  Sphere(
-    const HapticModel& model, const SurfaceMesh& mesh, double share, const Vector3& centre) noexcept
+  /** @param fraction fraction of the triangles' way to the next time step */
+  Sphere(const HapticModel& model, const SurfaceMesh& mesh, double fraction,
+    const Vector3& centre) noexcept
     : Model(model)
     , Mesh(mesh)
-    , Share(share)
+    , Fraction(fraction)
     , Radius(model.Baked->Settings.ProxyRadius)
     , IsShaded(model.Baked->Settings.ForceShading && this->Mesh.HasNormals())
     , Centre(centre)
@@ -70,7 +70,7 @@ public:
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
   /** The point nearest to a goal that the touched triangles allow. */
-  Vector3 FindSubgoal(const Vector3& goal) noexcept
+  Vector3 ComputeSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
@@ -93,7 +93,7 @@ public:
       this->Budget,
       [&](std::int32_t i)
       {
-        const Triangle triangle = this->Mesh.GetTriangle(i, this->Share);
+        const Triangle triangle = this->Mesh.GetTriangle(i, this->Fraction);
         const double time = MeetingTime(triangle, this->Centre, displacement, this->Radius, first);
         if (time < first &&
           !this->Model.IsCutAway(
@@ -124,7 +124,7 @@ private:
   void Touch(std::int32_t i) noexcept
   {
     const TrianglePoint nearest =
-      NearestPoint(this->Mesh.GetTriangle(i, this->Share), this->Centre);
+      NearestPoint(this->Mesh.GetTriangle(i, this->Fraction), this->Centre);
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
     // A centre on a triangle is on neither side of it.
@@ -152,7 +152,7 @@ private:
 
   const HapticModel& Model;
   const SurfaceMesh& Mesh;
-  const double Share;
+  const double Fraction;
   double Radius; ///< while the sphere overlaps a triangle, the triangle's distance
   const bool IsShaded;
   int Budget = MaximumVisits;
@@ -233,7 +233,7 @@ void StepSurfaceProxy(
   const double radius = model.Baked->Settings.ProxyRadius;
   const Vector3 goal = model.DeviceToWorld(record.Tip);
   MeshWay ways[BakedVolume::MostMeshWays];
-  const int count = model.Baked->FindMeshWays(state.CarriedTo, state.DataTime, ways);
+  const int count = model.Baked->CollectMeshWays(state.CarriedTo, state.DataTime, ways);
   const MeshWay& last = ways[count - 1];
   if (!last.Mesh)
   {
@@ -256,7 +256,7 @@ void StepSurfaceProxy(
   record.IsUnfinished = true;
   for (int pass = 0; pass < MaximumPasses; ++pass)
   {
-    const Vector3 subgoal = sphere.FindSubgoal(goal);
+    const Vector3 subgoal = sphere.ComputeSubgoal(goal);
     if (sphere.IsSpent())
     {
       break;

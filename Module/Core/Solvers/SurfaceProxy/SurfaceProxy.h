@@ -22,10 +22,10 @@
  * If the sphere overlaps a triangle, because it began there or the mesh is new, its radius shrinks
  * to the triangle's distance: nothing throws it out, and surfaces only keep it from going deeper.
  *
- * If the volume moves, triangles go from each frame to the next one along straight ways
+ * If the volume moves, triangles go from each time step to the next one along straight ways
  * (SurfaceMesh.h), and before a tick the approaching ones push the sphere: each to the sphere's
  * side of it. If displacements are known, the nearest triangle that it touches takes it along
- * sideways, as far as friction then holds it there. In the next frame the surface has other
+ * sideways, as far as friction then holds it there. In the next time step the surface has other
  * triangles, at the same place but for the mesh's own roughness.
  *
  * Stiffness and friction belong to the material at HapticSettings::IsoValue. Surfaces hold without

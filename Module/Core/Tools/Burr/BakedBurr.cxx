@@ -15,7 +15,7 @@ namespace
 
 constexpr double FullTurn = 2.0 * 3.14159265358979323846;
 
-double FindFrequency(double speed)
+double ComputeFrequency(double speed)
 {
   double frequency = speed;
   while (frequency > BakedBurr::MostFrequency && frequency < HUGE_VAL)
@@ -50,7 +50,7 @@ BakedBurr::BakedBurr(BurrDescription description)
   , SpecificEnergyLine(std::move(description.SpecificEnergy))
   , SpecificEnergy({ this->SpecificEnergyLine, ConstantPolyline(0.0) })
   , RimSpeed(FullTurn * this->Settings.Radius * this->Settings.Speed)
-  , Frequency(FindFrequency(this->Settings.Speed))
+  , Frequency(ComputeFrequency(this->Settings.Speed))
 {
 }
 

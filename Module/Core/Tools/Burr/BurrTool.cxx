@@ -54,7 +54,7 @@ public:
   }
 
   /** Carves towards `goal` as far as the energy suffices. */
-  void Follow(const Vector3& goal, double earned) noexcept
+  void Advance(const Vector3& goal, double earned) noexcept
   {
     BurrState& s = this->State;
     s.Unspent += earned;
@@ -133,7 +133,7 @@ private:
       this->Save();
       return false;
     }
-    this->Take(s.Next, 0.0, cost);
+    this->Apply(s.Next, 0.0, cost);
     this->Record.IsUnfinished = s.Part > 0;
     return s.Part == 0;
   }
@@ -159,7 +159,7 @@ private:
     else if (cost.Energy <= s.Unspent)
     {
       s.Unspent = std::min(s.Unspent, std::max(earned, cost.Energy));
-      this->Take(s.Carved, 0.0, cost);
+      this->Apply(s.Carved, 0.0, cost);
       this->Record.IsUnfinished = s.Part > 0;
     }
     else
@@ -207,7 +207,7 @@ private:
       }
       if (cost.Energy <= s.Unspent)
       {
-        this->Take(next, way, cost);
+        this->Apply(next, way, cost);
         this->Record.IsUnfinished = s.Part > 0;
         return s.Part == 0;
       }
@@ -222,7 +222,7 @@ private:
    * Removes the tissue of the last trial; `way` is 0 if the first part of the sphere was removed
    * before.
    */
-  void Take(const Vector3& next, double way, const CarvingCost& cost) noexcept
+  void Apply(const Vector3& next, double way, const CarvingCost& cost) noexcept
   {
     BurrState& s = this->State;
     if (cost.Changes > 0)
@@ -263,7 +263,7 @@ private:
 };
 
 /** The depth of the head's deepest point (m). */
-double FindDepth(ShellMemory& memory) noexcept
+double ComputeDepth(ShellMemory& memory) noexcept
 {
   const ShellContacts& contacts = memory.GetCurrent();
   double depth = 0.0;
@@ -304,7 +304,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
     // Start where the burr touches nothing yet.
-    const double away = FindDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
+    const double away = ComputeDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
     state.IsCarving = true;
     state.IsRemoved = false;
     state.Part = 0;
@@ -316,7 +316,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   // long as it is pressed.
   const double beyond = 0.25 * memory.Carver.GetVoxel();
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
-  removing.Follow(head - (beyond / force) * record.Shell.Force,
+  removing.Advance(head - (beyond / force) * record.Shell.Force,
     burr.Settings.Friction * force * speed * hand.Step);
 }
 
@@ -376,7 +376,7 @@ void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell,
   record = BurrRecord{};
   TissueRemoval* const removal = model.Baked->Removal.get();
   const PointShell& head = *GetBurr(model).Description.Points;
-  const ShellSettings settings = FindShellSettings(model);
+  const ShellSettings settings = ComputeShellSettings(model);
   const ShellState before = shell;
   TickShell(model, head, settings, { hand.Position, {} }, shell, memory.Shell, record.Shell);
   if (!shell.Enabled)

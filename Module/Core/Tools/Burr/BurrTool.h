@@ -24,9 +24,9 @@
  * Removal gives no energy: the contacts follow the receding surface, and lose energy. A cycle of
  * the hand creates none (ShellCoupling.h).
  *
- * A share of the force may vibrate, at the frequency of the rotation or, if that is too fast to be
- * felt, at the first half, quarter ... of it that can be felt. Its mean is zero. It gives the hand
- * at most the work that the hand has lost to the burr before.
+ * A fraction of the force may vibrate, at the frequency of the rotation or, if that is too fast to
+ * be felt, at the first half, quarter ... of it that can be felt. Its mean is zero. It gives the
+ * hand at most the work that the hand has lost to the burr before.
  */
 #ifndef BurrTool_h
 #define BurrTool_h

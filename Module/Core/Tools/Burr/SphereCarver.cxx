@@ -17,18 +17,18 @@ constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
 /**
  * Work (CarvingCost), as measured: of a brick, and of a row in addition to 1 each. It depends only
- * on the shares and the sphere, not on remembered values, so that a replay ends its parts where the
- * recording did.
+ * on the fractions and the sphere, not on remembered values, so that a replay ends its parts where
+ * the recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
 constexpr std::size_t WorkOfSolid = 40;  ///< for a brick that is not in use
 constexpr std::size_t WorkOfEmpty = 100; ///< for such a brick without solid samples
 constexpr std::size_t KnownPart = 5;     ///< for both: they count a fifth after the first sphere
-constexpr std::size_t WorkOfShares = 8;
+constexpr std::size_t WorkOfFractions = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
 static_assert(SphereCarver::MostWorkOfBrick ==
-    WorkOfPlace + WorkOfSolid + CarvedBricks::Rows * (1 + WorkOfShares + WorkOfChange),
+    WorkOfPlace + WorkOfSolid + CarvedBricks::Rows * (1 + WorkOfFractions + WorkOfChange),
   "the sum of all");
 
 /** The reach in index steps along an axis, on either side, of a sphere and its bounding box. */
@@ -37,12 +37,15 @@ double ReachAlong(const Vector3& row, double radius) noexcept
   return radius * Norm(row);
 }
 
-/** Half a step of the shares, as a fraction of the whole. */
-constexpr double HalfShare = 0.5 / CarvedBricks::Whole;
-/** The fraction of a voxel's volume that a share leaves, if `edge` is the share at the surface. */
-double FindLeft(std::int32_t share, double edge) noexcept
+/** Half a step of the fractions, as a fraction of the whole. */
+constexpr double HalfFraction = 0.5 / CarvedBricks::Whole;
+/**
+ * The fraction of a voxel's volume that a fraction leaves, if `edge` is the fraction at the
+ * surface.
+ */
+double ComputeLeft(std::int32_t fraction, double edge) noexcept
 {
-  const double rho = static_cast<double>(share) / CarvedBricks::Whole;
+  const double rho = static_cast<double>(fraction) / CarvedBricks::Whole;
   const double low = std::max(edge - 0.5 * SphereCarver::CountedPart, 0.0);
   const double high = std::min(edge + 0.5 * SphereCarver::CountedPart, 1.0);
   return std::clamp((rho - low) / (high - low), 0.0, 1.0);
@@ -59,7 +62,7 @@ struct SphereCarver::Sphere
   double Width;
   double Outer;       ///< m^2: samples beyond keep everything
   double Ramp;        ///< m^2: samples whose level share r is at least 1/2 remain beyond
-  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep their shares
+  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep their fractions
   Vector3 Way;        ///< m, from From to Centre
   double Middle;      ///< m^2, of the middle between both along Way, from Centre
   double BrickRadius; ///< m, from a brick's middle to its farthest corner
@@ -107,7 +110,7 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
       using Limits = std::numeric_limits<decltype(sample)>;
       return static_cast<double>(tissue.IsBelow ? Limits::lowest() : Limits::max());
     });
-  this->Reach = std::max(0.5, 1.0 - this->FindEdge(strongest));
+  this->Reach = std::max(0.5, 1.0 - this->ComputeEdge(strongest));
   if (!isResident)
   {
     std::fill(this->Empty.begin(), this->Empty.end(), 0);
@@ -263,9 +266,9 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
     {
       ++cost.Work;
       const auto row = static_cast<int>(j - bases[1] + BrickSide * (k - bases[2]));
-      const std::uint64_t shares =
+      const std::uint64_t fractions =
         brick == CarvedBricks::None ? CarvedBricks::WholeRow : bricks.GetRow(brick, row);
-      if (shares == 0)
+      if (fractions == 0)
       {
         continue;
       }
@@ -305,7 +308,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
           continue;
         }
       }
-      cost.Work += WorkOfShares;
+      cost.Work += WorkOfFractions;
       // All at once: the compiler vectorises this loop.
       double ramp[BrickSide]; // from the surface, in widths
       for (int i = 0; i < BrickSide; ++i)
@@ -314,10 +317,10 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         const double distance = std::sqrt(std::max(c + at * (2.0 * b + at * square), 0.0));
         ramp[i] = (distance - sphere.Radius) * perWidth;
       }
-      std::uint64_t left = shares;
+      std::uint64_t left = fractions;
       for (std::int64_t i = low; i <= high; ++i)
       {
-        const auto old = static_cast<std::int32_t>(shares >> (8 * i) & 255);
+        const auto old = static_cast<std::int32_t>(fractions >> (8 * i) & 255);
         if (old == 0 || ramp[i] >= 1.0 ||
           (sphere.HasFrom && side + static_cast<double>(i) * slope < sphere.Middle))
         {
@@ -325,30 +328,31 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         }
         const auto value = static_cast<double>(static_cast<const T*>(
           this->View.Data)[(bases[0] + i) * stride[0] + j * stride[1] + k * stride[2]]);
-        const double edge = this->FindEdge(value);
+        const double edge = this->ComputeEdge(value);
         const double rho = edge + ramp[i];
-        const auto share =
+        const auto fraction =
           static_cast<std::int32_t>(CarvedBricks::Whole * std::min(std::max(rho, 0.0), 1.0) + 0.5);
-        if (share >= old)
+        if (fraction >= old)
         {
           continue;
         }
         left &= ~(std::uint64_t{ 255 } << (8 * i));
-        left |= static_cast<std::uint64_t>(share) << (8 * i);
+        left |= static_cast<std::uint64_t>(fraction) << (8 * i);
         if (sign * (value - this->Tissue.Level) >= 0.0)
         {
-          const double volume = this->Volume * (FindLeft(old, edge) - FindLeft(share, edge));
+          const double volume =
+            this->Volume * (ComputeLeft(old, edge) - ComputeLeft(fraction, edge));
           cost.Volume += volume;
           if (volume > 0.0) // removing nothing takes no energy, even in tissue that can't be
                             // removed
           {
             const Vector3 index{ static_cast<double>(bases[0] + i), static_cast<double>(j),
               static_cast<double>(k) };
-            cost.Energy += volume * this->FindEnergy(value, index);
+            cost.Energy += volume * this->ComputeEnergy(value, index);
           }
         }
       }
-      if (left != shares)
+      if (left != fractions)
       {
         cost.Work += WorkOfChange;
         this->Changes[this->Count++] = { key, left, row };
@@ -358,14 +362,15 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
   return brick == CarvedBricks::None && this->Count > before;
 }
 
-double SphereCarver::FindEdge(double value) const noexcept
+double SphereCarver::ComputeEdge(double value) const noexcept
 {
-  const double share = (this->Tissue.Level - this->Air) / (value - this->Air);
+  const double fraction = (this->Tissue.Level - this->Air) / (value - this->Air);
   // A sample that is not solid has the level with no share: it keeps all but half a step.
-  return share >= 0.0 && share < 1.0 - HalfShare ? std::max(share, HalfShare) : 1.0 - HalfShare;
+  return fraction >= 0.0 && fraction < 1.0 - HalfFraction ? std::max(fraction, HalfFraction)
+                                                          : 1.0 - HalfFraction;
 }
 
-double SphereCarver::FindEnergy(double value, const Vector3& index) const noexcept
+double SphereCarver::ComputeEnergy(double value, const Vector3& index) const noexcept
 {
   if (this->Labels)
   {
@@ -437,7 +442,7 @@ void SphereCarver::Carve(TissueRemoval& removal) const noexcept
     removal.Journal.Keep(brick);
     for (; i < this->Count && this->Changes[i].Key == key; ++i)
     {
-      bricks.SetRow(brick, this->Changes[i].Row, this->Changes[i].Shares);
+      bricks.SetRow(brick, this->Changes[i].Row, this->Changes[i].Fractions);
     }
     bricks.MarkChanged(brick);
   }

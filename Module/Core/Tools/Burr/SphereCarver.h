@@ -4,12 +4,12 @@
  * @file
  * Removes a sphere from a volume, after computing its cost.
  *
- * A sphere of radius a around c leaves at x at most the share
+ * A sphere of radius a around c leaves at x at most the fraction
  *
  *   rho = r + (|x - c| - a)/w,   from 0 to 1,   r = (V_c - V_air)/(V - V_air),
  *
- * with w three voxels, or the length of three where they are longest. With the share r a sample of
- * value V has the level V_c. So the remaining surface lies at |x - c| = a to a small part of a
+ * with w three voxels, or the length of three where they are longest. With the fraction r a sample
+ * of value V has the level V_c. So the remaining surface lies at |x - c| = a to a small part of a
  * voxel, in any tissue, and has smooth normals.
  *
  * The removed volume is the one that the surface, at rho = r, passes: the rest of each voxel falls
@@ -22,8 +22,8 @@
  * If a brick is needed and none is left, the sphere, or the part of it, is not removed at all.
  *
  * A sphere that takes longer than a tick is removed in parts: bricks in the order of their places.
- * Each sample's share depends on the sphere alone, so that the parts leave the same shares as the
- * whole.
+ * Each sample's fraction depends on the sphere alone, so that the parts leave the same shares as
+ * the whole.
  */
 #ifndef SphereCarver_h
 #define SphereCarver_h
@@ -104,7 +104,7 @@ private:
   struct Change
   {
     std::uint64_t Key;
-    std::uint64_t Shares;
+    std::uint64_t Fractions;
     int Row;
   };
   struct Sphere;
@@ -120,9 +120,9 @@ private:
   template <typename T>
   bool IsAnySolid(const BrickPlace& place) noexcept;
   /** The share with which a sample has the level: its rest at the sphere's surface. */
-  double FindEdge(double value) const noexcept;
+  double ComputeEdge(double value) const noexcept;
   /** U, J/mm^3, at the sample of an index. */
-  double FindEnergy(double value, const Vector3& index) const noexcept;
+  double ComputeEnergy(double value, const Vector3& index) const noexcept;
 
   VolumeView View; ///< Data points to the volume's first sample
   Affine3 ToIndex;

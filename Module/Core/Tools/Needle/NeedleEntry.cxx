@@ -15,12 +15,12 @@ namespace
 {
 
 /** If the needle breaks through a surface, the lag falls at least by this fraction. */
-constexpr double BreakShare = 1e-3;
+constexpr double BreakFraction = 1e-3;
 /** Kernel lengths: a surface that still holds is punctured when the proxy was pushed this far. */
 constexpr double MostPushed = 2.0;
 constexpr double SmallestLag = 1e-9; // m
 /** A surface gives way at this fraction of its strength at least. */
-constexpr double WholeShare = 0.99;
+constexpr double WholeFraction = 0.99;
 /** The hand's direction is averaged over this way of its motion (m). */
 constexpr double MotionLength = 1e-3;
 /**
@@ -32,7 +32,7 @@ constexpr double LeastPush = 0.2;
 constexpr double MostBack = 64.0;
 
 /** Adds a step to the hand's motion (m): older motions count less. */
-void FollowMotion(const Vector3& step, Vector3& motion) noexcept
+void UpdateMotion(const Vector3& step, Vector3& motion) noexcept
 {
   const double kept = std::max(0.0, 1.0 - Norm(step) / MotionLength);
   motion = kept * motion + step;
@@ -82,11 +82,11 @@ struct HeldAt
   bool IsWhole() const noexcept
   {
     // With all the strength of the label behind it, independent of W_d.
-    return this->Behind.Puncture > 0.0 && this->Push >= WholeShare * this->Behind.Puncture;
+    return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };
 
-HeldAt FindHeld(const HapticModel& model, const NeedleTissueReader& reader,
+HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   const NeedleState& needle, const FreeTick& before, const TickRecord& record) noexcept
 {
   HeldAt held;
@@ -105,7 +105,7 @@ HeldAt FindHeld(const HapticModel& model, const NeedleTissueReader& reader,
 bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& before,
   const Vector3& axis, const TickRecord& record, double& pushed) noexcept
 {
-  const bool isPressed = held.Push >= WholeShare * before.SurfaceStrength && held.Push > 0.0;
+  const bool isPressed = held.Push >= WholeFraction * before.SurfaceStrength && held.Push > 0.0;
   if (!(Dot(held.Normal, axis) > 0.0) || !isPressed)
   {
     pushed = 0.0;
@@ -115,7 +115,7 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
   const double lagBefore = Dot(before.Tip - before.Proxy, axis);
   const double lag = Dot(record.Tip - record.Proxy, axis);
   const bool isForwards = Dot(record.Tip - before.Tip, axis) >= 0.0;
-  return held.IsWhole() || (isForwards && lag < (1.0 - BreakShare) * lagBefore) ||
+  return held.IsWhole() || (isForwards && lag < (1.0 - BreakFraction) * lagBefore) ||
     pushed > MostPushed * model.KernelLengthAlong(axis);
 }
 
@@ -162,7 +162,7 @@ Vector3 FindFirstResistance(
  */
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {
-  const double step = reader.FindStep(needle.Axis);
+  const double step = reader.ComputeStep(needle.Axis);
   const int most = static_cast<int>(std::min(pushed / step, MostBack));
   const Vector3 tip = needle.Entry;
   int back = 0;
@@ -187,8 +187,8 @@ void EnterNeedle(
   NeedleState& needle = state.Needle;
   const NeedleTissueReader reader(model, state.DataTime, state.Labels);
   needle.IsOutside = needle.IsOutside || !reader.At(before.Proxy).Resists();
-  FollowMotion(record.Tip - before.Tip, needle.Motion);
-  const HeldAt held = FindHeld(model, reader, needle, before, record);
+  UpdateMotion(record.Tip - before.Tip, needle.Motion);
+  const HeldAt held = ComputeHeld(model, reader, needle, before, record);
   const bool isHeld = record.NormalForce > Law::ForceEpsilon;
   needle.Normal = isHeld ? record.Normal : Vector3{};
   if (!needle.IsOutside)

@@ -19,7 +19,7 @@ constexpr int DragChannel = 3;
 constexpr int VisibilityChannel = 4;
 ///@}
 
-constexpr double StepShare = 0.25; // voxels
+constexpr double StepFraction = 0.25; // voxels
 
 } // namespace
 
@@ -46,7 +46,7 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
     return tissue;
   }
   tissue.Value = this->Field.Value(index);
-  const double kept = baked.KeptShare(index);
+  const double kept = baked.KeptFraction(index);
   const MaterialTable::Values material = baked.Materials(tissue.Value);
   const PiecewiseTable<2>::Values own = this->Needle.Forces(tissue.Value);
   tissue.Shaft = own[0];
@@ -75,7 +75,7 @@ double NeedleTissueReader::SurfaceStrength(const Vector3& place, const Vector3& 
     return 0.0;
   }
   const Vector3 index = this->Model.DeviceToIndex(place);
-  Surface surface = Law::FindSurface(this->Model, this->Field, index, this->Memory);
+  Surface surface = Law::ComputeSurface(this->Model, this->Field, index, this->Memory);
   Law::Orient(this->Model, axis, surface);
   if (!(Dot(surface.Normal, axis) > 0.0) || surface.IsForbidden)
   {
@@ -112,18 +112,18 @@ bool NeedleTissueReader::IsForbidden(const Vector3& place) const noexcept
   {
     return false;
   }
-  const ForbiddenPlace at = this->Labels->FindForbidden(this->Model.DeviceToLabel(place));
+  const ForbiddenPlace at = this->Labels->ComputeForbidden(this->Model.DeviceToLabel(place));
   return at.IsNear && at.Distance < zone->GetStandOff();
 }
 
-double NeedleTissueReader::FindStep(const Vector3& axis) const noexcept
+double NeedleTissueReader::ComputeStep(const Vector3& axis) const noexcept
 {
   double steps = Norm(this->Model.DeviceToIndex.Linear * axis);
   if (this->Labels)
   {
     steps = std::max(steps, Norm(this->Model.DeviceToLabel.Linear * axis));
   }
-  return StepShare / steps;
+  return StepFraction / steps;
 }
 
 } // namespace VolumeHaptics

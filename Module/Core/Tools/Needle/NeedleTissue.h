@@ -60,7 +60,7 @@ public:
   bool IsForbidden(const Vector3& place) const noexcept;
 
   /** The length (m) of a quarter voxel of the finer image, along a unit axis. */
-  double FindStep(const Vector3& axis) const noexcept;
+  double ComputeStep(const Vector3& axis) const noexcept;
 
 private:
   const LabelMaterial* FindLabel(std::int64_t label) const noexcept

@@ -21,7 +21,7 @@ constexpr int MostNeedleSteps = 64;
 /** The most further steps in a tick: a thousand voxels, after which the next tick goes on. */
 constexpr int MostSkippedSteps = 4096;
 /** The accuracy of boundaries, as a fraction of a step: a millionth of a voxel. */
-constexpr double BoundaryShare = 4e-6;
+constexpr double BoundaryFraction = 4e-6;
 /** The depth (m) from which on the lateral hold is complete. */
 constexpr double HoldDepth = 1e-3;
 
@@ -40,13 +40,13 @@ public:
     , KernelLength(model.KernelLengthAlong(this->Axis))
   {
     this->Needle.Axis = this->Axis;
-    this->Step = this->Reader.FindStep(this->Axis);
+    this->Step = this->Reader.ComputeStep(this->Axis);
     this->Here = this->Reader.At(this->Proxy);
   }
 
-  void Follow() noexcept
+  void Update() noexcept
   {
-    const double along = this->FindRest();
+    const double along = this->ComputeRest();
     const double depth = this->Needle.Depth;
     if (along > 0.0)
     {
@@ -86,7 +86,7 @@ public:
 
 private:
   /** How far the tip is ahead of the proxy (m). */
-  double FindRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
+  double ComputeRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
 
@@ -110,7 +110,7 @@ private:
     }
     this->Needle.Puncture = this->Strength = 0.0;
     this->Needle.PuncturedAt = this->Needle.Depth;
-    const double gap = BoundaryShare * this->Step;
+    const double gap = BoundaryFraction * this->Step;
     this->MoveBy(gap, this->Reader.At(this->Ahead(gap)));
     return false;
   }
@@ -118,7 +118,7 @@ private:
   /** Moves to the boundary that lies within a length, or through it if that costs nothing. */
   void MeetBoundary(double length) noexcept
   {
-    const double gap = BoundaryShare * this->Step;
+    const double gap = BoundaryFraction * this->Step;
     double before = 0.0;
     double behind = length;
     NeedleTissue next = this->Reader.At(this->Ahead(behind));
@@ -153,7 +153,7 @@ private:
     this->IsStopped = true;
     double before = 0.0;
     double behind = length;
-    while (behind - before > BoundaryShare * this->Step)
+    while (behind - before > BoundaryFraction * this->Step)
     {
       const double middle = 0.5 * (before + behind);
       (this->Reader.IsForbidden(this->Ahead(middle)) ? behind : before) = middle;
@@ -162,7 +162,7 @@ private:
   }
 
   /** Counts how often a forbidden label stops the needle. */
-  void NoteTouch() noexcept
+  void CountTouch() noexcept
   {
     this->Needle.Touches += this->IsStopped && !this->Needle.IsTouching ? 1 : 0;
     this->Needle.IsTouching = this->IsStopped;
@@ -176,13 +176,13 @@ private:
     double held = 0.0; // N, by the tissue here
     for (int i = 0; i < MostNeedleSteps; ++i)
     {
-      const double pull = k * this->FindRest();
+      const double pull = k * this->ComputeRest();
       const double shaft = this->Needle.Track.Sum(this->Needle.Depth);
       if (this->Needle.Puncture > 0.0)
       {
         if (this->IsHeldAtBoundary(pull, shaft))
         {
-          this->NoteTouch();
+          this->CountTouch();
           return;
         }
         continue;
@@ -191,7 +191,7 @@ private:
       held = this->Here.Cutting + shaft + this->Strength;
       if (pull <= held + Law::ForceEpsilon)
       {
-        this->NoteTouch();
+        this->CountTouch();
         return;
       }
       const double wanted = std::min(this->Step, (pull - held) / (k + this->Here.Shaft));
@@ -207,12 +207,12 @@ private:
       }
       if (this->IsStopped)
       {
-        this->NoteTouch();
+        this->CountTouch();
         return;
       }
     }
     this->IsUnfinished = true;
-    this->Skip(std::max(0.0, k * this->FindRest() - held) / k);
+    this->Skip(std::max(0.0, k * this->ComputeRest() - held) / k);
   }
 
   /**
@@ -228,17 +228,17 @@ private:
       this->MoveBy(this->StopAtForbidden(wanted), this->Here);
       length -= wanted;
     }
-    this->NoteTouch();
+    this->CountTouch();
   }
 
   void Withdraw() noexcept
   {
-    this->NoteTouch();
+    this->CountTouch();
     const double k = this->Stiffness;
     NeedleTrack& track = this->Needle.Track;
     for (int i = 0; i <= NeedleTrack::Most; ++i)
     {
-      const double pull = -k * this->FindRest();
+      const double pull = -k * this->ComputeRest();
       const double shaft = track.Sum(this->Needle.Depth);
       if (pull <= shaft + Law::ForceEpsilon)
       {
@@ -275,10 +275,10 @@ private:
     }
     const Vector3 lag = this->Tip - this->Proxy;
     const Vector3 across = lag - Dot(lag, this->Axis) * this->Axis;
-    const double share =
+    const double fraction =
       this->Needle.Puncture > 0.0 ? 1.0 : std::min(1.0, this->Needle.Depth / HoldDepth);
     const double pull = this->Stiffness * Norm(across);
-    const double strength = share * this->LateralStrength;
+    const double strength = fraction * this->LateralStrength;
     if (pull > strength)
     {
       this->Proxy += (1.0 - strength / pull) * across;
@@ -306,7 +306,7 @@ private:
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
 {
   InsertedNeedle needle(model, state, record.Tip);
-  needle.Follow();
+  needle.Update();
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-ContactState FindContact(const ShellRecord& felt) noexcept
+ContactState ComputeContact(const ShellRecord& felt) noexcept
 {
   if (felt.Contacts == 0)
   {
@@ -100,7 +100,7 @@ void ShapedTool::WriteRecord(const ToolTick& tick, const ShellRecord& felt) noex
   record.Stiffness = felt.Stiffness;
   record.GradientMagnitude = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
   record.SurfaceValue = record.MediumValue = tick.Model.ValueAtDevice(record.Proxy);
-  record.Contact = FindContact(felt);
+  record.Contact = ComputeContact(felt);
   record.IsUnfinished = felt.IsUnfinished;
 }
 
@@ -151,8 +151,8 @@ bool BakedShell::Step(const ToolTick& tick) const noexcept
   const ShellPose hand{ tick.Record.Tip,
     isKnown ? state.Orientation : state.Shell.Hand.Orientation };
   ShellRecord felt;
-  TickShell(tick.Model, *this->Description.Points, FindShellSettings(tick.Model), hand, state.Shell,
-    static_cast<ShapedMemory*>(tick.Memory)->Shell, felt);
+  TickShell(tick.Model, *this->Description.Points, ComputeShellSettings(tick.Model), hand,
+    state.Shell, static_cast<ShapedMemory*>(tick.Memory)->Shell, felt);
   WriteRecord(tick, felt);
   return false;
 }
@@ -164,12 +164,12 @@ const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept
 }
 
 bool RestoreContacts(ToolMemory& memory, const BakedVolume& baked,
-  const std::vector<ShellContact>& contacts, double share)
+  const std::vector<ShellContact>& contacts, double fraction)
 {
   auto* const shaped = dynamic_cast<ShapedMemory*>(&memory);
   const ShapedTool* const tool = ShapedTool::Find(baked);
   if (!shaped || !tool || tool->Description.Points != shaped->Points ||
-    !shaped->Shell.Restore(contacts, share))
+    !shaped->Shell.Restore(contacts, fraction))
   {
     return false;
   }

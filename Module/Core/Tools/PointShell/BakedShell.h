@@ -94,7 +94,7 @@ public:
  */
 const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept;
 bool RestoreContacts(ToolMemory& memory, const BakedVolume& baked,
-  const std::vector<ShellContact>& contacts, double share);
+  const std::vector<ShellContact>& contacts, double fraction);
 ///@}
 
 } // namespace VolumeHaptics

@@ -102,7 +102,7 @@ struct FourCells
   const T* First[4]; ///< the first sample of each
 };
 template <typename T>
-VOLUME_HAPTICS_INLINE FourCells<T> FindCells(
+VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
   const FieldView& view, const Double4& x, const Double4& y, const Double4& z)
 {
   const std::int64_t* const stride = view.Volume.Stride;

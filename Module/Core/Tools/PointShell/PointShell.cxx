@@ -38,7 +38,7 @@ struct ShellBox
 };
 
 /** The box of at least one point. */
-ShellBox FindBox(const ShellPoint* begin, const ShellPoint* end)
+ShellBox ComputeBox(const ShellPoint* begin, const ShellPoint* end)
 {
   ShellBox box{ begin->Position, begin->Position };
   for (const ShellPoint* point = begin; point != end; ++point)
@@ -55,7 +55,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
   {
     return;
   }
-  const ShellBox box = FindBox(points.data(), points.data() + points.size());
+  const ShellBox box = ComputeBox(points.data(), points.data() + points.size());
   const Vector3 size = box.High - box.Low;
   const double largest = std::max(std::max(size.X, size.Y), size.Z);
   constexpr double cells = 0xfffff;
@@ -79,7 +79,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
 /** A sphere around some points, from their box. */
 ShellBlock MakeBlock(const ShellPoint* begin, const ShellPoint* end)
 {
-  const ShellBox box = FindBox(begin, end);
+  const ShellBox box = ComputeBox(begin, end);
   ShellBlock block;
   block.Centre = 0.5 * (box.Low + box.High);
   for (const ShellPoint* point = begin; point != end; ++point)

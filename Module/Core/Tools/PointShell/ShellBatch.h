@@ -122,7 +122,7 @@ struct ShellLaw
   double PerContactArea;   ///< 1/m^2
   double SquareMeters;     ///< of a unit of ShellBatch::Area
   double InverseRadius;    ///< 1/voxels, the kernel's
-  double Share;            ///< the share that the earlier contacts' energies keep
+  double Fraction;         ///< the fraction that the earlier contacts' energies keep
   double FarthestFollowed; ///< m: the limit of ShellBatch::Beyond
   bool IsStart;            ///< no contact has energy
 };

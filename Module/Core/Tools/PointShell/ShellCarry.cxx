@@ -77,9 +77,9 @@ private:
 };
 
 /** Brings the tool towards the hand until the springs have this fraction of their energy. */
-void Relax(ShellState& state, double share) noexcept
+void Relax(ShellState& state, double fraction) noexcept
 {
-  const double nearer = std::sqrt(share);
+  const double nearer = std::sqrt(fraction);
   const ShellPose& hand = state.Hand;
   state.Tool.Position = hand.Position + nearer * (state.Tool.Position - hand.Position);
   // The energy of the turn is proportional to sin^2(theta/2).
@@ -107,7 +107,7 @@ void CarryShell(
   memory->Clearance.Reset();
   state.IsCarried = true;
   const auto energyOf = [&state](const HapticModel& model)
-  { return FindCouplingEnergy(TouchOf(model), model.Caps, state.Tool, state.Hand); };
+  { return ComputeCouplingEnergy(TouchOf(model), model.Caps, state.Tool, state.Hand); };
   double room = std::max(state.Budget - energyOf(from), 0.0);
   if (!IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {

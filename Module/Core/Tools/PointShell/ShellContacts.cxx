@@ -122,7 +122,7 @@ ShellContactFinder::ShellContactFinder(
   }
 }
 
-double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) const noexcept
+double ShellContactFinder::ComputeWay(const ShellPose& from, const ShellPose& to) const noexcept
 {
   // A point at r moves by at most 2 sin(theta/2) |r|.
   const Quaternion turn = to.Orientation * Conjugate(from.Orientation);
@@ -131,10 +131,11 @@ double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) c
     this->Voxel;
 }
 
-double ShellContactFinder::FindPerValue(const Vector3& centre, const Vector3& half) const noexcept
+double ShellContactFinder::ComputePerValue(
+  const Vector3& centre, const Vector3& half) const noexcept
 {
   double slopes[3];
-  if (!this->Reader.FindSlopes(centre, half, slopes))
+  if (!this->Reader.ComputeSlopes(centre, half, slopes))
   {
     return 0.0;
   }
@@ -167,15 +168,16 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   const Vector3 half{ radius * voxels.X + margin, radius * voxels.Y + margin,
     radius * voxels.Z + margin };
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
-  const double perValue = isClear || way > MostWayOfMarks ? 0.0 : this->FindPerValue(centre, half);
+  const double perValue =
+    isClear || way > MostWayOfMarks ? 0.0 : this->ComputePerValue(centre, half);
   // With these slopes, the values at the points reach the level elsewhere. The tool has come from a
   // place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
-  const double share = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
+  const double fraction = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
   for (std::size_t i = 0; i < ShellBlock::Size; ++i)
   {
-    until[i] = share < HUGE_VAL ? from + share * (until[i] - from) : -1.0;
+    until[i] = fraction < HUGE_VAL ? from + fraction * (until[i] - from) : -1.0;
   }
   clearance.IsClear[block] = isClear ? 1 : 0;
   clearance.PerValue[block] = perValue;
@@ -201,13 +203,13 @@ std::uint64_t ShellContactFinder::Mark(
   return this->Reader.Unmark(points, map, marks);
 }
 
-void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
+void ShellContactFinder::Collect(const ShellPose& pose, double way, bool isStart,
   const ShellContacts& from, ShellContacts& to, ShellClearance& clearance,
   ShellSum& sum) const noexcept
 {
   sum = ShellSum{};
   to.Count = 0;
-  to.Share = 1.0;
+  to.Fraction = 1.0;
   const Affine3 toolToDevice{ this->Scale * ToMatrix(pose.Orientation), pose.Position };
   const Affine3 toolToIndex = Compose(this->Model.DeviceToIndex, toolToDevice);
   ShellPlacement placement;
@@ -217,7 +219,7 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
   placement.ToolToIndex[11] = toolToIndex.Offset.Z;
   SetRows(toolToDevice.Linear, placement.ToolToDevice);
   Candidates candidates;
-  candidates.Law = this->MakeLaw(from.Share, isStart);
+  candidates.Law = this->MakeLaw(from.Fraction, isStart);
   ShellBatch& batch = candidates.Batch;
   const ShellContact none{};
   const ShellContact* before = from.List.data();
@@ -271,14 +273,14 @@ void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& pl
   };
   candidates.Pushing += batch.Count;
   this->Reader.Place(this->Frame, placement, batch);
-  std::uint64_t there = this->Reader.FindFeet(this->Frame, batch);
+  std::uint64_t there = this->Reader.ComputeAllFeet(this->Frame, batch);
   if (baked.Cut)
   {
     for (std::uint64_t rest = there; rest != 0; rest &= rest - 1)
     {
       const int i = LowestBit(rest);
       const bool isCutAway =
-        baked.Cut->Find(Get(batch.Index, static_cast<std::size_t>(i))).Depth < 0.0;
+        baked.Cut->Compute(Get(batch.Index, static_cast<std::size_t>(i))).Depth < 0.0;
       there &= ~(std::uint64_t{ isCutAway } << i);
     }
   }
@@ -320,7 +322,7 @@ void ShellContactFinder::MixLabels(Candidates& candidates) const noexcept
   }
 }
 
-ShellLaw ShellContactFinder::MakeLaw(double share, bool isStart) const noexcept
+ShellLaw ShellContactFinder::MakeLaw(double fraction, bool isStart) const noexcept
 {
   const BakedVolume& baked = *this->Model.Baked;
   ShellLaw law;
@@ -332,7 +334,7 @@ ShellLaw ShellContactFinder::MakeLaw(double share, bool isStart) const noexcept
   law.PerContactArea = 1.0 / this->Settings.ContactArea;
   law.SquareMeters = this->Scale * this->Scale;
   law.InverseRadius = this->Model.InverseRadius;
-  law.Share = share;
+  law.Fraction = fraction;
   law.FarthestFollowed = FarthestFollowed * this->Voxel;
   law.IsStart = isStart;
   return law;

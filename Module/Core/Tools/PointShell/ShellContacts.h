@@ -88,7 +88,7 @@ struct ShellContacts
   std::vector<ShellContact> List;
   std::vector<std::uint64_t> Marks; ///< a bit for each point: it is in the list
   std::size_t Count = 0;
-  double Share = 1.0; ///< the share of the energies that counts
+  double Fraction = 1.0; ///< the fraction of the energies that counts
 };
 
 /** Computes the contacts at a pose from those at a pose nearby. Borrows all its arguments. */
@@ -101,12 +101,12 @@ public:
   /** m: the longest motion over which contacts can be followed. */
   double GetFarthestStep() const noexcept { return 0.25 * this->Voxel; }
   /** Voxels: the largest motion of any point from one pose to another. */
-  double FindWay(const ShellPose& from, const ShellPose& to) const noexcept;
+  double ComputeWay(const ShellPose& from, const ShellPose& to) const noexcept;
   /**
    * With isStart, contacts have no energy, whatever their depth. `way` is the way from the pose of
    * ShellClearance::Travelled.
    */
-  void Find(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
+  void Collect(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
     ShellContacts& to, ShellClearance& clearance, ShellSum& sum) const noexcept;
 
 private:
@@ -114,10 +114,10 @@ private:
   void Survey(std::size_t block, const Affine3& toolToIndex, double way,
     ShellClearance& clearance) const noexcept;
   /** The fewest voxels over which the value changes by 1, around a block; 0 if that is unknown. */
-  double FindPerValue(const Vector3& centre, const Vector3& half) const noexcept;
+  double ComputePerValue(const Vector3& centre, const Vector3& half) const noexcept;
   std::uint64_t Mark(
     std::size_t block, const double* map, double way, ShellClearance& clearance) const noexcept;
-  ShellLaw MakeLaw(double share, bool isStart) const noexcept;
+  ShellLaw MakeLaw(double fraction, bool isStart) const noexcept;
   void Append(Candidates& candidates, const ShellPlacement& placement, ShellContacts& to,
     ShellSum& sum) const noexcept;
   /** Reads the materials behind the points of a batch. */

@@ -26,7 +26,7 @@ constexpr std::size_t PointsOfCarved = 5;
  * A tick ends if the next step would change the force by less than the sum of this fraction of it
  * and this (N).
  */
-constexpr double ForceShare = 5e-3;
+constexpr double ForceFraction = 5e-3;
 constexpr double ForceTolerance = 5e-4;
 /** A step may raise the energy by this fraction, as noise in the data does. */
 constexpr double EnergyTolerance = 0.02;
@@ -71,7 +71,7 @@ Coupling MakeCoupling(const ShellSettings& settings, const ForceCaps& caps) noex
 }
 
 /** The Gauss-Newton step from a pose with this pull and these contacts. */
-Step FindStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
+Step ComputeStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
 {
   // Cholesky: A = L L^T, by rows.
   double l[6][6];
@@ -112,11 +112,11 @@ Step FindStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellS
 }
 
 /** The pose after a fraction of a step; its turn is by 2 atan(|Turn|/2) < |Turn|. */
-ShellPose Moved(const ShellPose& pose, const Step& step, double share) noexcept
+ShellPose Moved(const ShellPose& pose, const Step& step, double fraction) noexcept
 {
-  const Vector3 half = (0.5 * share) * step.Turn;
+  const Vector3 half = (0.5 * fraction) * step.Turn;
   const Quaternion turned = Quaternion{ 1.0, half.X, half.Y, half.Z } * pose.Orientation;
-  return { pose.Position + share * step.Move, (1.0 / std::sqrt(SquaredNorm(turned))) * turned };
+  return { pose.Position + fraction * step.Move, (1.0 / std::sqrt(SquaredNorm(turned))) * turned };
 }
 
 bool IsPose(const ShellPose& pose) noexcept
@@ -125,7 +125,7 @@ bool IsPose(const ShellPose& pose) noexcept
   return IsNear(pose.Position, FarthestHand) && MakeUnit(q);
 }
 
-std::size_t FindMostLooks(const HapticModel& model, const PointShell& shell) noexcept
+std::size_t ComputeMostLooks(const HapticModel& model, const PointShell& shell) noexcept
 {
   const bool isCarved = model.Baked->Tool && model.Baked->Tool->RemovesTissue() &&
     model.Baked->Field.GetCarved().HasAny();
@@ -143,7 +143,7 @@ public:
     : Finder(model, shell, settings)
     , Springs(MakeCoupling(settings, model.Caps))
     , Reach(settings.Scale * shell.GetReach())
-    , Most(FindMostLooks(model, shell))
+    , Most(ComputeMostLooks(model, shell))
     , State(state)
     , Memory(memory)
   {
@@ -163,7 +163,7 @@ public:
     this->State.Enabled = true;
   }
 
-  void Follow(const ShellPose& hand) noexcept
+  void Update(const ShellPose& hand) noexcept
   {
     ShellState& s = this->State;
     if (s.IsCarried)
@@ -173,13 +173,13 @@ public:
     s.Budget += this->Springs.At(s.Tool, hand).Energy - this->Springs.At(s.Tool, s.Hand).Energy;
     s.Hand = hand;
     Coupling::Pull pull = this->Springs.At(s.Tool, hand);
-    Step step = FindStep(this->Springs, pull, s.Sum);
+    Step step = ComputeStep(this->Springs, pull, s.Sum);
     this->IsUnfinished = true;
     while (this->Looks < this->Most && this->IsUnfinished)
     {
-      const double share = this->FindShare(step);
-      const bool isFree = share == 1.0 && s.Sum.Contacts == 0;
-      ShellPose next = isFree && this->IsNearlyTurned(hand) ? hand : Moved(s.Tool, step, share);
+      const double fraction = this->ComputeFraction(step);
+      const bool isFree = fraction == 1.0 && s.Sum.Contacts == 0;
+      ShellPose next = isFree && this->IsNearlyTurned(hand) ? hand : Moved(s.Tool, step, fraction);
       const double before = pull.Energy + s.Sum.Energy;
       this->Look(next, false);
       pull = this->Springs.At(next, hand);
@@ -190,18 +190,18 @@ public:
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
       }
-      for (double part = 0.25 * share; this->IsTooMuch(before, pull) && this->Looks < this->Most;
+      for (double part = 0.25 * fraction; this->IsTooMuch(before, pull) && this->Looks < this->Most;
            part *= 0.25)
       {
         next = Moved(s.Tool, step, part);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
       }
-      if (!this->Take(next, pull))
+      if (!this->Apply(next, pull))
       {
         return;
       }
-      step = FindStep(this->Springs, pull, s.Sum);
+      step = ComputeStep(this->Springs, pull, s.Sum);
       this->IsUnfinished = this->IsFar(step, pull);
     }
   }
@@ -235,15 +235,15 @@ private:
     s.IsCarried = false;
     s.Budget = std::max(s.Budget, pull.Energy); // rounding
     this->Look(tool, false);
-    this->Take(tool, pull);
+    this->Apply(tool, pull);
   }
 
   void Look(const ShellPose& pose, bool isStart) noexcept
   {
     ShellMemory& memory = this->Memory;
     this->GoBack();
-    this->Way = this->Finder.FindWay(this->State.Tool, pose);
-    this->Finder.Find(
+    this->Way = this->Finder.ComputeWay(this->State.Tool, pose);
+    this->Finder.Collect(
       pose, this->Way, isStart, memory.GetCurrent(), memory.GetNext(), memory.Clearance, this->Sum);
     memory.Clearance.Travelled += this->Way;
     this->IsAway = true;
@@ -265,7 +265,7 @@ private:
   }
 
   /** The fraction of a step in which no point goes farther than feet can be followed. */
-  double FindShare(const Step& step) const noexcept
+  double ComputeFraction(const Step& step) const noexcept
   {
     const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
     const double farthest = this->Finder.GetFarthestStep();
@@ -278,8 +278,8 @@ private:
    */
   ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
   {
-    const Step step = FindStep(this->Springs, pull, this->Sum);
-    return Moved(from, step, this->FindShare(step));
+    const Step step = ComputeStep(this->Springs, pull, this->Sum);
+    return Moved(from, step, this->ComputeFraction(step));
   }
 
   /** Whether one step turns a free tool to the hand's orientation. */
@@ -291,7 +291,7 @@ private:
   }
 
   /** Takes the pose of the last look, if the budget pays for its pull. */
-  bool Take(const ShellPose& next, const Coupling::Pull& pull) noexcept
+  bool Apply(const ShellPose& next, const Coupling::Pull& pull) noexcept
   {
     ShellState& s = this->State;
     const double room = s.Budget - pull.Energy;
@@ -302,9 +302,9 @@ private:
         this->GoBack();
         return false;
       }
-      const double share = room / this->Sum.Energy;
-      const double force = std::sqrt(share);
-      this->Memory.GetNext().Share = share;
+      const double fraction = room / this->Sum.Energy;
+      const double force = std::sqrt(fraction);
+      this->Memory.GetNext().Fraction = fraction;
       this->Sum.Energy = room;
       for (double& gradient : this->Sum.Gradient)
       {
@@ -326,7 +326,7 @@ private:
 
   bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
   {
-    const double tolerance = ForceTolerance + ForceShare * Norm(pull.Force);
+    const double tolerance = ForceTolerance + ForceFraction * Norm(pull.Force);
     // The torque of this force change at an arm of this length.
     constexpr double leastArm = 1e-3; // m
     const double torque = std::max(this->Reach, leastArm) * tolerance;
@@ -349,7 +349,7 @@ private:
 
 } // namespace
 
-ShellSettings FindShellSettings(const HapticModel& model) noexcept
+ShellSettings ComputeShellSettings(const HapticModel& model) noexcept
 {
   ShellSettings settings = static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
   settings.Scale = 1.0 / model.WorldUnitsPerMeter;
@@ -357,7 +357,7 @@ ShellSettings FindShellSettings(const HapticModel& model) noexcept
   return settings;
 }
 
-double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
+double ComputeCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept
 {
   return MakeCoupling(settings, caps).At(tool, hand).Energy;
@@ -368,10 +368,10 @@ void ShellMemory::Keep() noexcept
   const ShellContacts& current = this->GetCurrent();
   std::copy_n(current.List.begin(), current.Count, this->Kept.List.begin());
   this->Kept.Count = current.Count;
-  this->Kept.Share = current.Share;
+  this->Kept.Fraction = current.Fraction;
 }
 
-bool ShellMemory::Restore(const std::vector<ShellContact>& contacts, double share) noexcept
+bool ShellMemory::Restore(const std::vector<ShellContact>& contacts, double fraction) noexcept
 {
   std::uint64_t next = 0;
   for (const ShellContact& contact : contacts)
@@ -391,7 +391,7 @@ bool ShellMemory::Restore(const std::vector<ShellContact>& contacts, double shar
       << contact.Point % ShellBlock::Size;
   }
   current.Count = contacts.size();
-  current.Share = share;
+  current.Fraction = fraction;
   this->Clearance.Reset();
   return true;
 }
@@ -432,7 +432,7 @@ void TickShell(const HapticModel& model, const PointShell& shell, const ShellSet
   Advance advance(model, shell, settings, state, memory);
   if (state.Enabled)
   {
-    advance.Follow(unit);
+    advance.Update(unit);
   }
   else
   {

@@ -56,7 +56,7 @@ public:
    * Continues with contacts of a copy, in ascending order of their points. If they can't belong to
    * this shell, returns false and changes nothing.
    */
-  bool Restore(const std::vector<ShellContact>& contacts, double share) noexcept;
+  bool Restore(const std::vector<ShellContact>& contacts, double fraction) noexcept;
   /** The memory that a tick writes. */
   void AppendTables(std::vector<MemoryRange>& tables) const;
 
@@ -87,10 +87,10 @@ struct ShellRecord
 };
 
 /** The settings of a model whose tool has a shape, in the device's units of length. */
-ShellSettings FindShellSettings(const HapticModel& model) noexcept;
+ShellSettings ComputeShellSettings(const HapticModel& model) noexcept;
 
 /** J, in the springs between hand and tool. */
-double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
+double ComputeCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**

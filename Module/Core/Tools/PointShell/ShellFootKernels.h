@@ -126,7 +126,7 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
 }
 
 /**
- * Computes the share of one line along x in the sums of ReadFoot, for four cells at a time.
+ * Computes the fraction of one line along x in the sums of ReadFoot, for four cells at a time.
  * isSecondY and isSecondZ choose one of a cell's four lines. IsRow: its samples are adjacent.
  */
 template <typename T, bool IsRow>
@@ -179,7 +179,7 @@ template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
 {
   const FourVectors place = LoadVectors(batch.Place, i);
-  const FourCells<T> at = FindCells<T>(view, place.X, place.Y, place.Z);
+  const FourCells<T> at = ComputeCells<T>(view, place.X, place.Y, place.Z);
   const auto isWithin = [&view](const FourPlaces& p, int axis)
   {
     return NotNegative(p.Cell - Spread(view.First[axis] + 1.0)) &

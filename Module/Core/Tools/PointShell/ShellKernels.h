@@ -91,7 +91,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   return isRising & (isDeep | IsAbove(depth, Spread(frame.Voxel)));
 }
 
-std::uint64_t FindFeet(
+std::uint64_t ComputeAllFeet(
   const ShellReading& reading, const ShellFrame& frame, ShellBatch& batch) noexcept
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
@@ -166,7 +166,7 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {
-  const FourCells<T> at = FindCells<T>(view, indices.X, indices.Y, indices.Z);
+  const FourCells<T> at = ComputeCells<T>(view, indices.X, indices.Y, indices.Z);
   const std::int64_t sy = view.Volume.Stride[1];
   const std::int64_t sz = view.Volume.Stride[2];
   const auto between = [&at](std::int64_t line, std::int64_t beside, const Double4& fraction,
@@ -226,8 +226,9 @@ ShellFunctions SelectFunctionsOfShell(ScalarType type)
     [](auto sample)
     {
       using T = decltype(sample);
-      return ShellFunctions{ MarkPoints<T>, UpdateMarks<T>, IsAnySolid<T>, FindMostSlopes<T>,
-        PlacePoints, ReadOneFoot<T>, ReadFeet<T>, FindFeet, ReadValues<T>, HoldPoints, AddForces };
+      return ShellFunctions{ MarkPoints<T>, UpdateMarks<T>, IsAnySolid<T>, ComputeMostSlopes<T>,
+        PlacePoints, ReadOneFoot<T>, ReadFeet<T>, ComputeAllFeet, ReadValues<T>, HoldPoints,
+        AddForces };
     });
 }
 

@@ -131,7 +131,7 @@ struct FourLaws
       Root(2.0 * energy / this->Stiffness));
   }
 };
-VOLUME_HAPTICS_INLINE FourLaws FindLaws(
+VOLUME_HAPTICS_INLINE FourLaws ComputeLaws(
   const ShellReading& reading, const ShellBatch& batch, std::size_t i, ShellLaw& law)
 {
   Double4 stiffness;
@@ -167,7 +167,7 @@ VOLUME_HAPTICS_INLINE FourLaws FindLaws(
 }
 
 /** The depth u of four points: see ShellContacts.h. */
-VOLUME_HAPTICS_INLINE Double4 FindStretches(const ShellLaw& law, const FourLaws& laws,
+VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLaws& laws,
   const Double4& area, const ShellBatch& batch, std::size_t i)
 {
   const Double4 zero = Spread(0.0);
@@ -181,13 +181,13 @@ VOLUME_HAPTICS_INLINE Double4 FindStretches(const ShellLaw& law, const FourLaws&
   Double4 strength;
   LoadContacts(batch.Before + i, 4, energy, kept, stiffness, strength);
   const Double4 was = LoadDouble4(batch.Was + i);
-  const bool isWhole = law.Share == 1.0;
+  const bool isWhole = law.Fraction == 1.0;
   const bool areSame =
     isWhole && (IsEqual(stiffness, laws.Stiffness) & IsEqual(strength, laws.Strength)) == AllLanes;
   if (!areSame)
   {
     // The energy stays if the material changes.
-    const Double4 other = Smaller(was, laws.DepthOf(law.Share * energy / area));
+    const Double4 other = Smaller(was, laws.DepthOf(law.Fraction * energy / area));
     const Double4 same = ChooseEqual(strength, laws.Strength, kept, other);
     kept = isWhole ? ChooseEqual(stiffness, laws.Stiffness, same, other) : other;
   }
@@ -268,9 +268,9 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
   std::uint64_t all = 0;
   for (std::size_t i = 0; i < batch.Count; i += 4)
   {
-    FourLaws laws = FindLaws(reading, batch, i, law);
+    FourLaws laws = ComputeLaws(reading, batch, i, law);
     const Double4 area = Spread(law.SquareMeters) * LoadDouble4(batch.Area + i);
-    const Double4 stretch = FindStretches(law, laws, area, batch, i);
+    const Double4 stretch = ComputeStretches(law, laws, area, batch, i);
     const Double4 pull = laws.Stiffness * stretch;
     FourHolds holds;
     holds.Yielding = IsAbove(pull, laws.Strength);

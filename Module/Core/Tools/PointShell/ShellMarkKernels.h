@@ -49,7 +49,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
   const FieldView& view = reading.View;
   const std::int64_t sy = view.Volume.Stride[1];
   const std::int64_t sz = view.Volume.Stride[2];
-  const FourCells<T> at = FindCells<T>(view, x, y, z);
+  const FourCells<T> at = ComputeCells<T>(view, x, y, z);
   const auto line = [&](std::int64_t i)
   {
     Double4 first;
@@ -177,7 +177,7 @@ public:
     // No longer 0 if one is not a number.
     this->Odd = this->Odd + (difference - difference);
   }
-  double Find() const
+  double Compute() const
   {
     double most = 0.0;
     for (int lane = 0; lane < 4; ++lane)
@@ -194,7 +194,7 @@ private:
 
 /** For a box with rows, of at least four samples along x. */
 template <typename T>
-VOLUME_HAPTICS_INLINE void FindMostSlopesOfRows(
+VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
   const ShellReading& reading, const std::int64_t* low, const std::int64_t* high, double* most)
 {
   const std::int64_t* const stride = reading.View.Volume.Stride;
@@ -226,17 +226,17 @@ VOLUME_HAPTICS_INLINE void FindMostSlopesOfRows(
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    most[axis] = along[axis].Find();
+    most[axis] = along[axis].Compute();
   }
 }
 
 template <typename T>
-void FindMostSlopes(const ShellReading& reading, const std::int64_t* low, const std::int64_t* high,
-  double* most) noexcept
+void ComputeMostSlopes(const ShellReading& reading, const std::int64_t* low,
+  const std::int64_t* high, double* most) noexcept
 {
   if (HasRows(reading.View) && high[0] - low[0] >= 4)
   {
-    FindMostSlopesOfRows<T>(reading, low, high, most);
+    ComputeMostSlopesOfRows<T>(reading, low, high, most);
     return;
   }
   // Differences of small integers are computed as integers.

@@ -139,7 +139,7 @@ std::uint64_t ShellReader::Remark(
       const double* const row = map + 3 * a;
       at[a] = row[0] * points.X[i] + row[1] * points.Y[i] + row[2] * points.Z[i] + map[9 + a];
     }
-    boxes[count] = FindBox(this->Given, at, 0, 0);
+    boxes[count] = ComputeBox(this->Given, at, 0, 0);
     marked[count++] = i;
   }
   this->ForEachCopy(boxes, count,
@@ -162,13 +162,13 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
   for (std::size_t i = 0; i < batch.Count; ++i)
   {
     const double at[3] = { batch.Place[0][i], batch.Place[1][i], batch.Place[2][i] };
-    boxes[i] = FindBox(this->Given, at, 1, 1);
+    boxes[i] = ComputeBox(this->Given, at, 1, 1);
     const auto isShort = [&](int a) { return boxes[i].Size(a) < 4; };
     if (isFloat || isShort(0) || isShort(1) || isShort(2))
     {
       // At the border, and beside samples that are not numbers, reads at a distance of a sample may
       // be rounded up into the next cell.
-      boxes[i] = FindBox(this->Given, at, 1, 2);
+      boxes[i] = ComputeBox(this->Given, at, 1, 2);
     }
   }
   this->ForEachCopy(boxes, batch.Count,
@@ -197,7 +197,7 @@ void ShellReader::ReadCarved(const ShellNumbers& indices, double* to) const noex
     for (std::size_t i = 0; i < some; ++i)
     {
       const double at[3] = { x[i], y[i], z[i] };
-      boxes[i] = FindBox(this->Given, at, 0, 0);
+      boxes[i] = ComputeBox(this->Given, at, 0, 0);
     }
     this->ForEachCopy(boxes, some,
       [&](const ShellReading& copy, std::size_t i) {
@@ -231,7 +231,7 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
   return samples > mostSamples || this->Functions.Box(this->Reading, low, high);
 }
 
-bool ShellReader::FindSlopes(
+bool ShellReader::ComputeSlopes(
   const Vector3& centre, const Vector3& half, double* slopes) const noexcept
 {
   // More samples take longer than the points of a block that they would save.

@@ -162,13 +162,13 @@ public:
    * samples to check, reaches beyond the resident samples, or has one that is not finite. Ignores
    * removal.
    */
-  bool FindSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
+  bool ComputeSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
     const ShellFrame& frame, const ShellPlacement& placement, ShellBatch& batch) const noexcept
   {
     this->Functions.Place(frame, placement, batch);
   }
-  std::uint64_t FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
+  std::uint64_t ComputeAllFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
   {
     this->Functions.Read(this->Reading, batch);
     if (this->Carved.HasAny())

@@ -18,7 +18,7 @@ std::mutex& GetHidMutex()
   return mutex;
 }
 
-HidClaim::Answer HidClaim::Take(const std::string& path) noexcept
+HidClaim::Answer HidClaim::Own(const std::string& path) noexcept
 {
   this->Release();
 #if defined(__linux__)

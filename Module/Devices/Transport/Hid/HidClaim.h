@@ -20,7 +20,7 @@ namespace VolumeHaptics
 
 /**
  * Guards hidapi's functions that take no device, because they share one error message, and every
- * HidClaim::Take, because testing whether a device is free claims it for a moment.
+ * HidClaim::Own, because testing whether a device is free claims it for a moment.
  */
 std::mutex& GetHidMutex();
 
@@ -41,7 +41,7 @@ public:
   HidClaim(const HidClaim&) = delete;
   HidClaim& operator=(const HidClaim&) = delete;
 
-  Answer Take(const std::string& path) noexcept;
+  Answer Own(const std::string& path) noexcept;
   void Release() noexcept;
 
 private:

@@ -71,7 +71,7 @@ std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
 
 } // namespace
 
-std::vector<HidDeviceInfo> FindHidDevices()
+std::vector<HidDeviceInfo> ListHidDevices()
 {
   const std::lock_guard<std::mutex> lock(GetHidMutex());
   static const int isInitialized = hid_init();
@@ -100,9 +100,9 @@ std::vector<HidDeviceInfo> FindHidDevices()
   return devices;
 }
 
-std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&))
+std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&))
 {
-  std::vector<HidDeviceInfo> devices = FindHidDevices();
+  std::vector<HidDeviceInfo> devices = ListHidDevices();
   devices.erase(std::remove_if(devices.begin(), devices.end(), std::not_fn(isSome)), devices.end());
   return devices;
 }
@@ -147,7 +147,7 @@ std::string HidDeviceInfo::GetState() const
 {
   HidClaim claim;
   const std::lock_guard<std::mutex> lock(GetHidMutex());
-  switch (claim.Take(this->Path))
+  switch (claim.Own(this->Path))
   {
     case HidClaim::Answer::InUse:
       return "in use";

@@ -43,8 +43,8 @@ struct HidDeviceInfo
 
 ///@{
 /** All devices, or some, in the order in which the system numbers them. Any thread. */
-std::vector<HidDeviceInfo> FindHidDevices();
-std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&));
+std::vector<HidDeviceInfo> ListHidDevices();
+std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&));
 ///@}
 
 } // namespace VolumeHaptics

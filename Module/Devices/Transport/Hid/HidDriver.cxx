@@ -65,11 +65,11 @@ void HidDriver::Serve(HardwareExchange& exchange)
     {
       this->Retreat();
     }
-    if (exchange.TakeHomeRequest())
+    if (exchange.DrainHomeRequest())
     {
       if (this->Gone)
       {
-        this->Tell(exchange, DeviceStage::Lost, Unplugged);
+        this->Report(exchange, DeviceStage::Lost, Unplugged);
       }
       else
       {
@@ -107,7 +107,7 @@ void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
   if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
   {
     this->Gone = true;
-    this->Tell(exchange, DeviceStage::Lost, Unplugged);
+    this->Report(exchange, DeviceStage::Lost, Unplugged);
   }
 }
 
@@ -174,11 +174,12 @@ void HidDriver::Retreat() noexcept
 void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
   // Before sending anything, which may take long: notify the servo first.
-  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Report(exchange, DeviceStage::Lost, text);
   this->Retreat();
 }
 
-void HidDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
+void HidDriver::Report(
+  HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
 {
   exchange.SetCondition(stage, this->Label.c_str(), text);
 }

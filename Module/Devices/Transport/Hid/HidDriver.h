@@ -73,7 +73,7 @@ protected:
   /** Stops all work until homing is requested. The text follows the device's name. */
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   bool IsLost() const noexcept { return this->Lost; }
-  void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
+  void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
   ///@}
 
   /** Whether the device has been silent for too long. Call it after every read. */

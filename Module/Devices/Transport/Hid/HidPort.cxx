@@ -46,7 +46,7 @@ bool HidPort::Open(const HidDeviceInfo& info, std::string& error)
       std::this_thread::sleep_for(AttemptPause);
     }
     const std::lock_guard<std::mutex> lock(GetHidMutex());
-    answer = this->Claim.Take(info.Path);
+    answer = this->Claim.Own(info.Path);
   }
   this->InUse = answer == HidClaim::Answer::InUse;
   switch (answer)

@@ -462,7 +462,7 @@ bool HidReportDescriptor::IsWithin(const HidField& field, HidUsage usage) const 
   return false;
 }
 
-bool HidReportDescriptor::FindChoice(
+bool HidReportDescriptor::ReadChoice(
   const HidField& field, HidUsage usage, std::int64_t& value) const noexcept
 {
   std::int64_t before = 0;

@@ -76,7 +76,7 @@ public:
    * The value of an array that selects a usage. False if the field is no array or does not list the
    * usage.
    */
-  bool FindChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
+  bool ReadChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 
 private:
   friend class HidItemReader;

@@ -20,7 +20,7 @@ inline std::vector<DeviceListing> ListNumbered(
   const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
   std::vector<DeviceListing> all;
-  for (const HidDeviceInfo& info : FindHidDevices(isSome))
+  for (const HidDeviceInfo& info : ListHidDevices(isSome))
   {
     all.push_back({ kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState(),
       givesForce && info.KeepsIdentity() ? info.MakeIdentity(kind) : std::string() });

@@ -59,7 +59,7 @@ std::string Explain(int fault)
 
 } // namespace
 
-std::vector<SerialPortInfo> SerialPort::Find(const std::string& word, const std::string& folder)
+std::vector<SerialPortInfo> SerialPort::List(const std::string& word, const std::string& folder)
 {
   namespace fs = std::filesystem;
   std::vector<SerialPortInfo> ports;
@@ -84,7 +84,7 @@ std::string SerialPort::NameOf(const std::string& path, const std::string& folde
 {
   std::error_code error;
   const std::string node = std::filesystem::canonical(path, error).string();
-  for (const SerialPortInfo& port : Find("", folder))
+  for (const SerialPortInfo& port : List("", folder))
   {
     if (!error && port.Path == node)
     {

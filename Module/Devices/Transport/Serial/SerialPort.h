@@ -34,7 +34,7 @@ public:
   SerialPort& operator=(const SerialPort&) = delete;
 
   /** The boards with a word in their names, in the order of the names. */
-  static std::vector<SerialPortInfo> Find(
+  static std::vector<SerialPortInfo> List(
     const std::string& word, const std::string& folder = NamesFolder);
   /** The name of a port's board, by its node or a link to it. */
   static std::string NameOf(const std::string& path, const std::string& folder = NamesFolder);

@@ -64,7 +64,7 @@ struct FtdiPayload
  * Removes the next packet from a bulk IN transfer. Returns the bytes behind its two status bytes;
  * there may be none. Call it until the size is zero.
  */
-constexpr FtdiPayload TakeFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
+constexpr FtdiPayload DrainFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {
   const std::uint8_t* const packet = transfer;
   const std::size_t length = size < FtdiPacketSize ? size : FtdiPacketSize;

@@ -37,7 +37,7 @@ UsbContext MakeUsbContext(std::string& error)
   return UsbContext(context);
 }
 
-std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product)
+std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct& product)
 {
   std::vector<UsbDevice> found;
   libusb_device** list = nullptr;
@@ -154,7 +154,7 @@ bool UsbInterface::Open(const UsbProduct& product, int number, std::string& erro
   {
     return false;
   }
-  const std::vector<UsbDevice> devices = FindUsbDevices(this->Context.get(), product);
+  const std::vector<UsbDevice> devices = ListUsbDevices(this->Context.get(), product);
   const auto place = static_cast<std::size_t>(number);
   if (place >= devices.size())
   {

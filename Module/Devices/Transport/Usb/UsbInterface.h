@@ -44,7 +44,7 @@ struct UsbProduct
 UsbContext MakeUsbContext(std::string& error);
 
 /** The devices of a product, in the order of their bus and of the ports on the way to them. */
-std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product);
+std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct& product);
 
 /** The name that the user sees, such as "Novint Falcon (USB bus 1, port 2.4)". */
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
@@ -73,7 +73,7 @@ public:
   UsbInterface& operator=(const UsbInterface&) = delete;
 
   /**
-   * Opens the device with a number in FindUsbDevices, detaches a kernel driver until Close, and
+   * Opens the device with a number in ListUsbDevices, detaches a kernel driver until Close, and
    * claims interface 0. False, with the reason and the cure.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);

@@ -19,7 +19,7 @@ namespace VolumeHaptics
 {
 
 /** Finds when an algorithm, or one upstream of it, last changed; 0 without one. */
-inline vtkMTimeType FindPipelineTime(vtkAlgorithm* source)
+inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
 {
   auto* const pipeline =
     vtkDemandDrivenPipeline::SafeDownCast(source ? source->GetExecutive() : nullptr);
@@ -32,7 +32,7 @@ inline vtkMTimeType FindPipelineTime(vtkAlgorithm* source)
 }
 
 /** Finds when a filter, or its surface or label image, last changed; 0 without a filter. */
-inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
+inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 {
   vtkMTimeType time = filter ? filter->GetMTime() : 0;
   for (const int port : { 2, 3 }) // the surface, the labels
@@ -49,7 +49,7 @@ inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
  * the time steps of a moving image are requested one after the other, the image's own changes don't
  * count, but the changes of the whole pipeline do.
  */
-inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
+inline vtkMTimeType ComputeChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {
   if (!filter)
   {
@@ -60,8 +60,8 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving
   vtkAlgorithm* const regions = filter->GetRegionSource();
   const bool isStep = isMoving && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
   const vtkMTimeType sourceTime =
-    isStep ? FindPipelineTime(source) : (source ? source->GetMTime() : 0);
-  return std::max({ FindChangeTimeBesideImage(filter), sourceTime,
+    isStep ? ComputePipelineTime(source) : (source ? source->GetMTime() : 0);
+  return std::max({ ComputeChangeTimeBesideImage(filter), sourceTime,
     regions ? regions->GetMTime() : 0, image && !isStep ? image->GetMTime() : 0 });
 }
 

@@ -74,7 +74,8 @@ void RegionMesher::End()
   this->Region = { 0, -1, 0, -1, 0, -1 };
 }
 
-std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+std::optional<SurfaceRegion> RegionMesher::Drain(
+  vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   const Made* const made =
     this->Ordered ? this->Meshing.Find({ *this->Of, *this->Ordered }) : nullptr;
@@ -102,10 +103,11 @@ std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHa
   WholeFields facts;
   image->GetExtent(facts.Extent);
   facts.Noise.resize(component + 1);
-  facts.Noise[component] = FindNoise(image, scalars.Array, volume.View, component).Noise;
+  facts.Noise[component] = EstimateImageNoise(image, scalars.Array, volume.View, component).Noise;
   facts.BorderValues.assign(component + 1, volume.View.BorderValue);
-  facts.Solids.assign(component + 1, FindSolid(image, scalars.Array, volume.View, component));
-  facts.Shifts.assign(component + 1, FindStoredShift(image, scalars.Array, volume.View, component));
+  facts.Solids.assign(component + 1, EstimateSolid(image, scalars.Array, volume.View, component));
+  facts.Shifts.assign(
+    component + 1, EstimateStoredShift(image, scalars.Array, volume.View, component));
   facts.Time = static_cast<double>(scalars.Time);
   WriteWholeFacts(facts, region.Image);
   return region;
@@ -133,7 +135,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   }
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
-  this->Meshing.Follow({ *this->Of, region },
+  this->Meshing.Poll({ *this->Of, region },
     [=](WorkMonitor& monitor) -> std::optional<Made>
     {
       Made made{ CopyTuples(scalars, whole.data(), region.data()), nullptr };
@@ -147,8 +149,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   this->OrderTime = ServoClock::Now();
 }
 
-std::optional<SurfaceRegion> RegionMesher::Follow(
-  vtkVolumeHapticsFilter* filter, const double tip[3])
+std::optional<SurfaceRegion> RegionMesher::Poll(vtkVolumeHapticsFilter* filter, const double tip[3])
 {
   const TouchedArray scalars = filter->GetBaker().GetTouched()[0];
   vtkImageData* const image = filter->GetTouchedImage();
@@ -169,7 +170,7 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
     this->End();
     this->Of = key;
   }
-  std::optional<SurfaceRegion> made = this->Take(image, filter);
+  std::optional<SurfaceRegion> made = this->Drain(image, filter);
   Extent wanted;
   this->Planner->SetWhole(image);
   filter->ConfigurePlanner(this->Planner);

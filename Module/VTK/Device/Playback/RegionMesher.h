@@ -41,7 +41,7 @@ public:
    * region is still being meshed, or the image can't be touched. Call this often, with the tip in
    * the world.
    */
-  std::optional<SurfaceRegion> Follow(vtkVolumeHapticsFilter* filter, const double tip[3]);
+  std::optional<SurfaceRegion> Poll(vtkVolumeHapticsFilter* filter, const double tip[3]);
   /** Ends the work without waiting for it, and discards the last region. */
   void End();
 
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<const SurfaceMesh> Mesh;
   };
 
-  std::optional<SurfaceRegion> Take(vtkImageData* image, vtkVolumeHapticsFilter* filter);
+  std::optional<SurfaceRegion> Drain(vtkImageData* image, vtkVolumeHapticsFilter* filter);
   void Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, const Extent& region);
 
   const vtkNew<vtkHapticRegionPlanner> Planner;

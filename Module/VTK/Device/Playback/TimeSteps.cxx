@@ -7,7 +7,7 @@
 namespace VolumeHaptics
 {
 
-TimeSteps::Need TimeSteps::FindNeed(double time, bool isBackward, Playback mode) const
+TimeSteps::Need TimeSteps::ComputeNeed(double time, bool isBackward, Playback mode) const
 {
   const std::size_t count = this->Times.size();
   const bool isLoop = mode == Playback::Loop;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Data times of the frames of a volume that moves, and which frames the servo needs.
+ * Data times of the time steps of a volume that moves, and which time steps the servo needs.
  */
 #ifndef TimeSteps_h
 #define TimeSteps_h
@@ -19,7 +19,7 @@ struct TimeSteps
 {
   std::vector<double> Times; ///< ascending
   bool AreComponents = false;
-  bool AreInMemory = false; ///< whether all frames are in the source's memory
+  bool AreInMemory = false; ///< whether all time steps are in the source's memory
 
   /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
   struct Need
@@ -28,7 +28,7 @@ struct TimeSteps
     std::size_t Next;
   };
   /** Returns the steps that are needed when time advances from a data time. */
-  Need FindNeed(double time, bool isBackward, Playback mode) const;
+  Need ComputeNeed(double time, bool isBackward, Playback mode) const;
 
   std::size_t After(std::size_t step) const { return (step + 1) % this->Times.size(); }
   std::size_t Before(std::size_t step) const
@@ -36,7 +36,7 @@ struct TimeSteps
     return (step + this->Times.size() - 1) % this->Times.size();
   }
   /** Whether the servo gets all steps at once. */
-  bool AreWindow() const
+  bool AreAllAtOnce() const
   {
     constexpr std::size_t most = 3;
     return this->AreComponents || this->AreInMemory || this->Times.size() <= most;

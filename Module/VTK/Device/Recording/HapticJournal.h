@@ -14,7 +14,7 @@
 #ifndef HapticJournal_h
 #define HapticJournal_h
 
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 #include "Core/State/ServoStateNumbers.h"
 #include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/TraceRow.h"
@@ -71,7 +71,7 @@ constexpr const char* JournalEnding = ".part";
 // - Hashes: the texts of RecordingHashes, each after its length, once they are known;
 // - Begin: a RecordingBegin;
 // - Contacts: ContactRows, after Begin;
-// - Shares: BrickShares of removed tissue, after Begin;
+// - Shares: BrickTissue of removed tissue, after Begin;
 // - Placements: PlacementRows;
 // - Ticks: the number of lost ticks so far (64 bits), the number of these (32 bits), the size of
 //   each column's block (32 bits), and the blocks.
@@ -85,7 +85,7 @@ constexpr std::uint32_t AboutChunk =
 constexpr std::uint32_t HashesChunk = 0x48744856;
 constexpr std::uint32_t BeginChunk = 0x42744856;
 constexpr std::uint32_t ContactsChunk = 0x43744856;
-constexpr std::uint32_t SharesChunk = 0x53744856;
+constexpr std::uint32_t TissueChunk = 0x53744856;
 constexpr std::uint32_t PlacementsChunk = 0x50744856;
 constexpr std::uint32_t TicksChunk = 0x54744856;
 

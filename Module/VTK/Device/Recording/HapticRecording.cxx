@@ -140,7 +140,7 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
     }
     if (removal)
     {
-      this->BeginShares = removal->EndSnapshot();
+      this->BeginTissue = removal->EndSnapshot();
     }
   }
   // Writes a placement for every generation, even an equal one, because the servo carries its state
@@ -203,7 +203,7 @@ bool HapticRecording::WriteGroup(bool isEnd)
   std::vector<PlacementRow> placements;
   std::unique_ptr<RecordingBegin> begin;
   std::vector<ContactRow> contacts;
-  std::vector<BrickShares> shares;
+  std::vector<BrickTissue> shares;
   {
     const std::lock_guard<std::mutex> lock(this->QueueMutex);
     const std::size_t least = isEnd ? 1 : GroupSize;
@@ -217,11 +217,11 @@ bool HapticRecording::WriteGroup(bool isEnd)
     placements.swap(this->NewPlacements);
     begin.swap(this->Begin);
     contacts.swap(this->BeginContacts);
-    shares.swap(this->BeginShares);
+    shares.swap(this->BeginTissue);
   }
   int failure = begin ? this->Writer->WriteBegin(*begin) : 0;
   failure = failure ? failure : this->Writer->WriteContacts(contacts);
-  failure = failure ? failure : this->Writer->WriteShares(shares);
+  failure = failure ? failure : this->Writer->WriteTissue(shares);
   failure = failure ? failure : this->Writer->WritePlacements(placements);
   failure =
     failure ? failure : this->Writer->WriteTicks(rows.data(), rows.size(), this->GetLostTicks());

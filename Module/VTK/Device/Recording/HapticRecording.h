@@ -120,7 +120,7 @@ private:
   std::unique_ptr<RecordingHashes> Hashes; // null once they are written
   std::unique_ptr<RecordingBegin> Begin;   // null once it is written
   std::vector<ContactRow> BeginContacts;   // contacts of Begin
-  std::vector<BrickShares> BeginShares;    // removed tissue of Begin
+  std::vector<BrickTissue> BeginTissue;    // removed tissue of Begin
   std::atomic<std::uint64_t> Missed{ 0 };
   std::atomic<std::uint64_t> Dropped{ 0 };
   std::atomic<bool> StopRequested{ false };

@@ -7,7 +7,7 @@
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Device/Recording/JournalReader.h"
-#include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/TissueArrays.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 #include "VTK/Trace/RecordingNames.h"
@@ -162,14 +162,14 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
     }
     file.Write("]");
   }
-  std::vector<BrickShares> bricks;
-  const bool areSharesRead = journal.ReadShares(bricks);
+  std::vector<BrickTissue> bricks;
+  const bool areSharesRead = journal.ReadTissue(bricks);
   const auto list = [&](const char* name, const auto& getRow)
   {
     key(name);
     file.Write("[");
     NumberList rows(file);
-    for (const BrickShares& brick : bricks)
+    for (const BrickTissue& brick : bricks)
     {
       const auto row = getRow(brick);
       const std::vector<double> asDoubles(row.begin(), row.end());
@@ -179,8 +179,8 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   };
   if (!bricks.empty())
   {
-    list(InitialShareNames.Bricks, PlaceOfBrick);
-    list(InitialShareNames.Shares, SharesAsBytes);
+    list(InitialTissueNames.Bricks, PlaceOfBrick);
+    list(InitialTissueNames.Fractions, TissueAsBytes);
   }
   const auto lost = static_cast<double>(journal.GetLostTicks());
   numbers("LostTicks", &lost, 1);
@@ -375,7 +375,7 @@ private:
     this->WriteNumbers(
       RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
     this->WriteContacts();
-    this->WriteShares();
+    this->WriteTissue();
     if (begin && std::isfinite(begin->AirValue))
     {
       this->WriteNumbers(RecordingNames::AirValue, &begin->AirValue, 1);
@@ -415,26 +415,26 @@ private:
     this->WriteBlock(contacts.data(), contacts.size() * sizeof(ContactRow));
     this->File.Write("\n</DataArray>\n");
   }
-  void WriteShares()
+  void WriteTissue()
   {
     if (this->Journal.GetNumberOfBricks() == 0)
     {
       return;
     }
-    std::vector<BrickShares> bricks;
-    this->Require(this->Journal.ReadShares(bricks));
+    std::vector<BrickTissue> bricks;
+    this->Require(this->Journal.ReadTissue(bricks));
     std::vector<decltype(PlaceOfBrick(bricks[0]))> places;
-    std::vector<decltype(SharesAsBytes(bricks[0]))> shares;
-    for (const BrickShares& brick : bricks)
+    std::vector<decltype(TissueAsBytes(bricks[0]))> shares;
+    for (const BrickTissue& brick : bricks)
     {
       places.push_back(PlaceOfBrick(brick));
-      shares.push_back(SharesAsBytes(brick));
+      shares.push_back(TissueAsBytes(brick));
     }
     const auto count = static_cast<std::int64_t>(bricks.size());
-    this->BeginArray("Int32", InitialShareNames.Bricks, 3, count);
+    this->BeginArray("Int32", InitialTissueNames.Bricks, 3, count);
     this->WriteBlock(places.data(), places.size() * sizeof(places[0]));
     this->File.Write("\n</DataArray>\n");
-    this->BeginArray("UInt8", InitialShareNames.Shares, SharesOfBrick, count);
+    this->BeginArray("UInt8", InitialTissueNames.Fractions, SamplesOfBrick, count);
     this->WriteBlock(shares.data(), shares.size() * sizeof(shares[0]));
     this->File.Write("\n</DataArray>\n");
   }

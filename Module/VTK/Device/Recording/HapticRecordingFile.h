@@ -16,7 +16,7 @@
  * (whether a burr should spin), `RemovalRequest` (1 undo, 2 redo, 3 reset that began) and
  * `RemovedVolume` (mm^3), and the field arrays `DeviceToWorld` (16 for each placement),
  * `InitialState`, `InitialContacts` (for a tool with a shape that began in contact),
- * `InitialBricks` and `InitialShares` (if tissue had been removed: ShareArrays.h), `AirValue` (if
+ * `InitialBricks` and `InitialShares` (if tissue had been removed: TissueArrays.h), `AirValue` (if
  * tissue may be removed), `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`,
  * `Units`, `VolumeHash` and `LostTicks`.
  */

@@ -26,7 +26,7 @@ constexpr std::uint64_t MostPayload = 1 << 24;
 bool IsKind(std::uint32_t kind)
 {
   return kind == AboutChunk || kind == HashesChunk || kind == BeginChunk || kind == ContactsChunk ||
-    kind == SharesChunk || kind == PlacementsChunk || kind == TicksChunk;
+    kind == TissueChunk || kind == PlacementsChunk || kind == TicksChunk;
 }
 
 /** Whether a whole chunk begins somewhere after the first byte. */
@@ -149,7 +149,7 @@ bool JournalReader::Scan(std::string& error)
   {
     payload.resize(chunk.Size);
     if (!this->ReadAt(chunk.Payload, &payload[0], payload.size()) || SumOf(payload) != chunk.Sum ||
-      !this->TakeIn(chunk, payload, error))
+      !this->ApplyChunk(chunk, payload, error))
     {
       break;
     }
@@ -162,12 +162,12 @@ bool JournalReader::Scan(std::string& error)
   }
   if (error.empty())
   {
-    this->FindDamage();
+    this->DetectDamage();
   }
   return error.empty();
 }
 
-void JournalReader::FindDamage()
+void JournalReader::DetectDamage()
 {
   int failure = this->Failure;
   struct stat status;
@@ -226,16 +226,16 @@ bool JournalReader::IsCutOff(std::uint64_t size)
  * Reads a chunk's contents. False if it breaks the order of chunks: the bytes after it are not
  * read.
  */
-bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::string& error)
+bool JournalReader::ApplyChunk(const Chunk& chunk, const std::string& payload, std::string& error)
 {
   std::size_t at = 0;
   if (!this->HasAbout || chunk.Kind == AboutChunk)
   {
-    return !this->HasAbout && chunk.Kind == AboutChunk && this->TakeAbout(payload, error);
+    return !this->HasAbout && chunk.Kind == AboutChunk && this->ReadAbout(payload, error);
   }
   if (chunk.Kind == HashesChunk)
   {
-    return this->TakeHashes(payload);
+    return this->ReadHashes(payload);
   }
   if (chunk.Kind == BeginChunk)
   {
@@ -248,10 +248,10 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
     this->Contacts += payload.size() / sizeof(ContactRow);
     return this->HasBegin && payload.size() % sizeof(ContactRow) == 0;
   }
-  if (chunk.Kind == SharesChunk)
+  if (chunk.Kind == TissueChunk)
   {
-    this->Bricks += payload.size() / sizeof(BrickShares);
-    return this->HasBegin && payload.size() % sizeof(BrickShares) == 0;
+    this->Bricks += payload.size() / sizeof(BrickTissue);
+    return this->HasBegin && payload.size() % sizeof(BrickTissue) == 0;
   }
   if (chunk.Kind == PlacementsChunk)
   {
@@ -285,7 +285,7 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   return true;
 }
 
-bool JournalReader::TakeAbout(const std::string& payload, std::string& error)
+bool JournalReader::ReadAbout(const std::string& payload, std::string& error)
 {
   if (payload.size() < sizeof(JournalMark) ||
     std::memcmp(payload.data(), JournalMark, sizeof(JournalMark) - 1) != 0)
@@ -312,7 +312,7 @@ bool JournalReader::TakeAbout(const std::string& payload, std::string& error)
   return true;
 }
 
-bool JournalReader::TakeHashes(const std::string& payload)
+bool JournalReader::ReadHashes(const std::string& payload)
 {
   std::size_t at = 0;
   RecordingHashes hashes;
@@ -377,9 +377,9 @@ bool JournalReader::ReadContacts(std::vector<ContactRow>& contacts)
   return this->ReadRows(ContactsChunk, contacts);
 }
 
-bool JournalReader::ReadShares(std::vector<BrickShares>& shares)
+bool JournalReader::ReadTissue(std::vector<BrickTissue>& shares)
 {
-  return this->ReadRows(SharesChunk, shares);
+  return this->ReadRows(TissueChunk, shares);
 }
 
 bool JournalReader::ForEachPlacement(const std::function<void(const PlacementRow&)>& visit)

@@ -68,7 +68,7 @@ public:
   ///@{
   /** Read the contacts and the removed tissue of the first state. False if reading failed. */
   bool ReadContacts(std::vector<ContactRow>& contacts);
-  bool ReadShares(std::vector<BrickShares>& shares);
+  bool ReadTissue(std::vector<BrickTissue>& shares);
   ///@}
   ///@{
   /** Visit all placements, blocks or rows in turn; false if reading failed. */
@@ -88,13 +88,13 @@ private:
   };
   bool Scan(std::string& error);
   /** Examines the bytes after the last whole chunk. */
-  void FindDamage();
+  void DetectDamage();
   bool IsCutOff(std::uint64_t size);
   bool ReadAt(std::uint64_t position, void* data, std::size_t size);
   bool ReadHead(std::uint64_t position, Chunk& chunk);
-  bool TakeIn(const Chunk& chunk, const std::string& payload, std::string& error);
-  bool TakeHashes(const std::string& payload);
-  bool TakeAbout(const std::string& payload, std::string& error);
+  bool ApplyChunk(const Chunk& chunk, const std::string& payload, std::string& error);
+  bool ReadHashes(const std::string& payload);
+  bool ReadAbout(const std::string& payload, std::string& error);
   template <typename Row>
   bool ReadRows(std::uint32_t kind, std::vector<Row>& rows);
   bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);

@@ -137,7 +137,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
   }
   if (isOld)
   {
-    (void)TakePermissions(this->Descriptor, status);
+    (void)CopyPermissions(this->Descriptor, status);
   }
   if (place == JournalPlace::Unknown)
   {
@@ -249,9 +249,9 @@ int JournalWriter::WriteContacts(const std::vector<ContactRow>& contacts)
   return this->WriteRows(ContactsChunk, contacts);
 }
 
-int JournalWriter::WriteShares(const std::vector<BrickShares>& shares)
+int JournalWriter::WriteTissue(const std::vector<BrickTissue>& shares)
 {
-  return this->WriteRows(SharesChunk, shares);
+  return this->WriteRows(TissueChunk, shares);
 }
 
 int JournalWriter::WritePlacements(const std::vector<PlacementRow>& placements)

@@ -41,7 +41,7 @@ public:
   int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
   int WriteContacts(const std::vector<ContactRow>& contacts);
-  int WriteShares(const std::vector<BrickShares>& shares);
+  int WriteTissue(const std::vector<BrickTissue>& shares);
   int WritePlacements(const std::vector<PlacementRow>& placements);
   int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);
   ///@}

@@ -110,7 +110,7 @@ void TickCollector::ForgetStates()
   }
 }
 
-std::vector<StateRow> TickCollector::TakeStates(int id)
+std::vector<StateRow> TickCollector::DrainStates(int id)
 {
   if (this->Readers.count(id) == 0)
   {
@@ -178,7 +178,7 @@ void TickCollector::AwaitTick() const
   }
 }
 
-void TickCollector::FollowRecording()
+void TickCollector::PollRecording()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   TissueRemoval* const removal = this->GetLatestRemoval();

@@ -56,7 +56,7 @@ public:
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
   /** Checks whether a recording waits for a copy of the removed tissue; call this now and then. */
-  void FollowRecording();
+  void PollRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
   /** See HapticRecording::SetHashes; a recording is under way. */
   void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
@@ -73,7 +73,7 @@ public:
    * States are kept from the first call on until StopTaking. Each reader gets all states. A reader
    * that takes none for MostStates ticks loses the oldest states.
    */
-  std::vector<StateRow> TakeStates(int reader);
+  std::vector<StateRow> DrainStates(int reader);
   void StopTaking(int reader);
   ///@}
   static constexpr std::size_t MostStates = 86000; // 20 MB

@@ -278,7 +278,7 @@ std::string WriteColor(const std::array<double, 3>& color)
 bool IsCsv(std::string_view text)
 {
   const std::string_view line = FirstLine(text);
-  CsvRows rows(line, FindSeparator(line));
+  CsvRows rows(line, DetectSeparator(line));
   std::vector<std::string> titles;
   return rows.Next(titles) && titles.size() > 1 &&
     std::any_of(titles.begin(), titles.end(),
@@ -287,7 +287,7 @@ bool IsCsv(std::string_view text)
 
 bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error)
 {
-  const char separator = FindSeparator(text);
+  const char separator = DetectSeparator(text);
   CsvRows rows(text, separator);
   std::vector<std::string> cells;
   while (rows.Next(cells) && IsEmptyRow(cells))

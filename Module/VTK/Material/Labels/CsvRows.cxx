@@ -84,7 +84,7 @@ std::string_view FirstLine(std::string_view text)
   return line;
 }
 
-char FindSeparator(std::string_view text)
+char DetectSeparator(std::string_view text)
 {
   const std::string_view line = FirstLine(text);
   char separator = ',';

@@ -49,7 +49,7 @@ private:
  * Returns the comma, semicolon or tab that separates most cells of the first line that is not
  * empty.
  */
-char FindSeparator(std::string_view text);
+char DetectSeparator(std::string_view text);
 
 /** Returns the first line that is not empty. */
 std::string_view FirstLine(std::string_view text);

@@ -45,7 +45,7 @@ Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
 }
 
 /** Returns the version of a file, or nullptr. */
-const Version* FindVersion(std::string_view bytes, bool& isSwapped)
+const Version* ReadVersion(std::string_view bytes, bool& isSwapped)
 {
   for (const Version& version : Versions)
   {
@@ -88,13 +88,13 @@ std::string_view FindXml(std::string_view extensions, bool isSwapped)
 bool IsNifti(std::string_view bytes)
 {
   bool isSwapped = false;
-  return FindVersion(bytes, isSwapped) != nullptr;
+  return ReadVersion(bytes, isSwapped) != nullptr;
 }
 
 std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most)
 {
   bool isSwapped = false;
-  const Version* const version = FindVersion(bytes, isSwapped);
+  const Version* const version = ReadVersion(bytes, isSwapped);
   if (!version)
   {
     return 0;
@@ -119,7 +119,7 @@ NiftiTable FindNiftiTable(std::string_view bytes, std::string_view& table)
 {
   table = {};
   bool isSwapped = false;
-  const Version* const version = FindVersion(bytes, isSwapped);
+  const Version* const version = ReadVersion(bytes, isSwapped);
   bytes = bytes.substr(0, GetNiftiHeadSize(bytes, bytes.size()));
   if (!version || bytes.size() <= version->HeaderSize + ExtenderSize)
   {

@@ -61,7 +61,7 @@ LargeFile OpenLargeFile(const std::string& name)
                           : OpenVtkHdf(name);
 }
 
-int FindScalarType(bool isInteger, bool isSigned, std::size_t size)
+int ChooseScalarType(bool isInteger, bool isSigned, std::size_t size)
 {
   if (!isInteger)
   {

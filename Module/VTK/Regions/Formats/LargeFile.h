@@ -42,7 +42,7 @@ LargeFile OpenLargeFile(const std::string& name);
 /**
  * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Does not throw.
  */
-int FindScalarType(bool isInteger, bool isSigned, std::size_t size);
+int ChooseScalarType(bool isInteger, bool isSigned, std::size_t size);
 
 } // namespace VolumeHaptics
 

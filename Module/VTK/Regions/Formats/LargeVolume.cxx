@@ -62,7 +62,7 @@ double CountSamples(const BoxExtent& extent)
   return count;
 }
 
-BoxExtent FindMiddle(const BoxExtent& whole, int width)
+BoxExtent ComputeMiddle(const BoxExtent& whole, int width)
 {
   BoxExtent box;
   for (int a = 0; a < 6; a += 2)

@@ -53,7 +53,7 @@ struct LargeVolume
 double CountSamples(const BoxExtent& extent);
 
 /** Returns a box of a width (samples) in the middle of an extent, or as much of it as fits. */
-BoxExtent FindMiddle(const BoxExtent& whole, int width);
+BoxExtent ComputeMiddle(const BoxExtent& whole, int width);
 
 /**
  * Reads a box of the volume without throwing. False, with the box and the reason in `error`, on

@@ -83,7 +83,7 @@ bool IsTrue(const std::string& word)
 }
 
 /** Returns the nine numbers of the first three axes, from a matrix of any number of axes. */
-std::vector<double> FindThreeAxes(const std::vector<double>& matrix, std::size_t axes)
+std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::size_t axes)
 {
   if (axes < 3 || matrix.size() != axes * axes)
   {
@@ -104,7 +104,7 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   header.Size = text.Numbers({ "DimSize" });
   header.Spacing = text.Numbers({ "ElementSpacing", "ElementSize" });
   header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
-  header.Axes = FindThreeAxes(
+  header.Axes = ExtractThreeAxes(
     text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
   header.Type = FindMetaType(text.Value({ "ElementType" }));
   header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
@@ -138,7 +138,7 @@ RawHeader ConvertNrrdHeader(const NrrdHeader& nrrd, const std::string& name)
     }
   }
   const NrrdType type = nrrd.GetType();
-  header.Type = FindScalarType(type.IsInteger, type.IsSigned, type.Size);
+  header.Type = ChooseScalarType(type.IsInteger, type.IsSigned, type.Size);
   header.IsBig = nrrd.IsBig();
   const std::string data = nrrd.GetDataFile();
   header.IsPlain = nrrd.GetField("encoding") == "raw" && data.find('%') == std::string::npos &&
@@ -179,7 +179,7 @@ void CheckFurtherAxes(const RawHeader& header)
 }
 
 /** Computes the number of bytes before the samples. Throws if the file is too short. */
-std::int64_t FindSkip(const RawHeader& header)
+std::int64_t ComputeSkip(const RawHeader& header)
 {
   double size = 0.0;
   try
@@ -251,7 +251,7 @@ LargeFile OpenRawHeader(const std::string& name)
   SetAxes(header.Axes, file.Direction);
   file.ScalarType = header.Type;
   const RawVolumeFile samples{ MakeAbsolute(header.Data), file.Extent,
-    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type)), FindSkip(header),
+    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type)), ComputeSkip(header),
     IsOtherByteOrder(header.IsBig) };
   file.Read = [samples](const int box[6], void* to)
   {

@@ -146,7 +146,7 @@ TiffLayout ReadLayout(TIFF* tiff)
   const bool isInteger = format != SAMPLEFORMAT_IEEEFP;
   layout.ScalarType = bits % 8 != 0 || format > SAMPLEFORMAT_IEEEFP
     ? 0
-    : FindScalarType(isInteger, format == SAMPLEFORMAT_INT, bits / 8U);
+    : ChooseScalarType(isInteger, format == SAMPLEFORMAT_INT, bits / 8U);
   if (layout.ScalarType == 0)
   {
     throw std::runtime_error("its samples have " + std::to_string(bits) +

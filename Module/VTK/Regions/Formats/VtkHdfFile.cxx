@@ -23,12 +23,12 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr const char* const Group = "VTKHDF";
+constexpr const char* const RootGroup = "VTKHDF";
 
 template <std::size_t N, typename T>
-bool TakeNumbers(const Hdf5File& file, const std::string& name, std::array<T, N>& numbers)
+bool ReadNumbers(const Hdf5File& file, const std::string& name, std::array<T, N>& numbers)
 {
-  const std::vector<double> values = file.ReadNumbers(Group, name);
+  const std::vector<double> values = file.ReadNumbers(RootGroup, name);
   const auto isUsable = [](double value)
   {
     return std::isfinite(value) &&
@@ -56,7 +56,7 @@ void CheckMember(const Hdf5File& file, const std::string& path)
 /** Returns the path of the active array, or of the first one. */
 std::string FindArray(const Hdf5File& file)
 {
-  const std::string group = std::string(Group) + "/PointData";
+  const std::string group = std::string(RootGroup) + "/PointData";
   CheckMember(file, group);
   const std::string active = file.ReadText(group, "Scalars");
   if (!active.empty())
@@ -237,24 +237,24 @@ BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::s
 LargeFile OpenVtkHdf(const std::string& name)
 {
   const Hdf5File file(name);
-  CheckMember(file, Group);
-  const std::string type = file.ReadText(Group, "Type");
+  CheckMember(file, RootGroup);
+  const std::string type = file.ReadText(RootGroup, "Type");
   if (type != "ImageData")
   {
     throw std::runtime_error("it holds " + (type.empty() ? "something" : Printable(type)) +
       ", not an image (Type ImageData). Give a VTKHDF file of an image.");
   }
   LargeFile large;
-  if (!TakeNumbers(file, "WholeExtent", large.Extent) ||
-    !TakeNumbers(file, "Origin", large.Origin) || !TakeNumbers(file, "Spacing", large.Spacing))
+  if (!ReadNumbers(file, "WholeExtent", large.Extent) ||
+    !ReadNumbers(file, "Origin", large.Origin) || !ReadNumbers(file, "Spacing", large.Spacing))
   {
     throw std::runtime_error("its WholeExtent, Origin or Spacing is missing, or has other numbers "
                              "than an image needs. Write it again.");
   }
-  TakeNumbers(file, "Direction", large.Direction);
+  ReadNumbers(file, "Direction", large.Direction);
   const std::string path = FindArray(file);
   Hdf5Array array = file.ReadArray(path);
-  CheckShape(array, large.Extent, file.Has(std::string(Group) + "/Steps"));
+  CheckShape(array, large.Extent, file.Has(std::string(RootGroup) + "/Steps"));
   large.ScalarType = array.ScalarType;
   if (large.ScalarType == 0)
   {

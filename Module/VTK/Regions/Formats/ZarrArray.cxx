@@ -103,7 +103,7 @@ void SetType(const std::string& name, const Json::Value& fill, ZarrArray& array)
 {
   const NumberType type = ReadType(name, array.IsBig);
   const bool isKnown = type.Kind == 'i' || type.Kind == 'u' || type.Kind == 'f';
-  array.ScalarType = isKnown ? FindScalarType(type.Kind != 'f', type.Kind == 'i', type.Size) : 0;
+  array.ScalarType = isKnown ? ChooseScalarType(type.Kind != 'f', type.Kind == 'i', type.Size) : 0;
   array.SampleSize = type.Size;
   switch (array.ScalarType)
   {

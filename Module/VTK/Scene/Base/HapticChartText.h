@@ -36,11 +36,11 @@ inline void MakePanel(vtkBlockItem* panel)
 }
 
 /** A text such as ", 40 % counted"; empty if all values are counted. */
-inline std::string DescribeShare(double share, const char* done)
+inline std::string DescribeFraction(double fraction, const char* done)
 {
   constexpr double percent = 100.0;
-  return share < 1.0 ? ", " + std::to_string(static_cast<int>(percent * share)) + " % " + done
-                     : std::string();
+  return fraction < 1.0 ? ", " + std::to_string(static_cast<int>(percent * fraction)) + " % " + done
+                        : std::string();
 }
 
 } // namespace VolumeHaptics

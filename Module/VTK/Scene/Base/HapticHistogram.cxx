@@ -259,26 +259,26 @@ void FillHistogram(const ValueCounts& counts, vtkTable* table)
   {
     return;
   }
-  vtkNew<vtkDoubleArray> values, shares;
+  vtkNew<vtkDoubleArray> values, fractions;
   values->SetName("value");
-  shares->SetName("share");
+  fractions->SetName("share");
   double largest = 0.0;
   for (std::size_t i = 0; i < counts.Counts.size(); ++i)
   {
     values->InsertNextValue(counts.Origin + static_cast<double>(i) * counts.Width);
-    const double share = std::log1p(static_cast<double>(counts.Counts[i]));
-    shares->InsertNextValue(share);
-    largest = std::max(largest, share);
+    const double fraction = std::log1p(static_cast<double>(counts.Counts[i]));
+    fractions->InsertNextValue(fraction);
+    largest = std::max(largest, fraction);
   }
-  for (vtkIdType i = 0; i < shares->GetNumberOfValues() && largest > 0.0; ++i)
+  for (vtkIdType i = 0; i < fractions->GetNumberOfValues() && largest > 0.0; ++i)
   {
-    shares->SetValue(i, shares->GetValue(i) / largest);
+    fractions->SetValue(i, fractions->GetValue(i) / largest);
   }
   table->AddColumn(values);
-  table->AddColumn(shares);
+  table->AddColumn(fractions);
 }
 
-std::vector<int> FindSpreadLabels(vtkDataArray* labels)
+std::vector<int> CollectSpreadLabels(vtkDataArray* labels)
 {
   std::vector<int> found;
   VisitSpreadValues(labels, 0,
@@ -294,7 +294,7 @@ std::vector<int> FindSpreadLabels(vtkDataArray* labels)
   return found;
 }
 
-std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress)
+std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress& progress)
 {
   const auto visitAll = [&](double before, auto& visit)
   {

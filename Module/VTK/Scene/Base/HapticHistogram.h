@@ -128,14 +128,14 @@ std::optional<ValueCounts> CountAllValues(
 void FillHistogram(const ValueCounts& counts, vtkTable* table);
 
 /** The labels of some thousand values, spread over the array, in ascending order. */
-std::vector<int> FindSpreadLabels(vtkDataArray* labels);
+std::vector<int> CollectSpreadLabels(vtkDataArray* labels);
 
 /**
  * The labels in an array, in ascending order, without those that no vtkHapticLabelTable can have:
  * numbers beyond int, or not whole. Empty if the search was ended. Another thread than the array
  * owner's may call it.
  */
-std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
+std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 
 } // namespace VolumeHaptics
 

@@ -69,7 +69,7 @@ bool ShowsSomething(vtkRenderer* renderer)
 }
 
 /** False for kinds of actors whose place VTK does not report, and for actors that draw nothing. */
-bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
+bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
 {
   // VTK returns the same array from each call: copy it.
   const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
@@ -226,7 +226,7 @@ bool Overlaps(const ViewportBox& a, const ViewportBox& b)
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
-std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
+std::vector<ViewportBox> CollectActorBoxes(vtkRenderer* renderer)
 {
   std::vector<ViewportBox> found;
   vtkNew<vtkPropCollection> actors;
@@ -246,7 +246,7 @@ std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
   {
     auto* const actor = vtkActor2D::SafeDownCast(prop);
     ViewportBox box;
-    if (actor && actor->GetVisibility() && FindBox(actor, renderer, box))
+    if (actor && actor->GetVisibility() && ComputeBox(actor, renderer, box))
     {
       found.push_back(box);
     }
@@ -259,7 +259,7 @@ std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
   return boxes;
 }
 
-std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
+std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport)
 {
   std::vector<ViewportBox> overlays;
   auto* const own = vtkRenderer::SafeDownCast(viewport);
@@ -286,7 +286,7 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
     }
     else if (other->GetDraw())
     {
-      for (const ViewportBox& box : FindActorBoxes(other))
+      for (const ViewportBox& box : CollectActorBoxes(other))
       {
         overlays.push_back({ left + box[0] - ActorMargin, left + box[1] + ActorMargin,
           bottom + box[2] - ActorMargin, bottom + box[3] + ActorMargin });
@@ -299,7 +299,7 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
 ViewportBox MoveOff(
   vtkViewport* viewport, const ViewportBox& wanted, int across, int up, double margin)
 {
-  const std::vector<ViewportBox> overlays = FindOverlays(viewport);
+  const std::vector<ViewportBox> overlays = CollectOverlays(viewport);
   const int* const view = viewport->GetSize();
   const ViewportBox beside = Avoid(overlays, view[0], wanted, across, up, margin);
   if (beside[2] == wanted[2])
@@ -322,11 +322,11 @@ std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
   return { static_cast<int>(free[0]), static_cast<int>(free[2]) };
 }
 
-double FindTextRight(vtkViewport* viewport)
+double ComputeTextRight(vtkViewport* viewport)
 {
   const int* const size = viewport->GetSize();
   double right = size[0];
-  for (const ViewportBox& overlay : FindOverlays(viewport))
+  for (const ViewportBox& overlay : CollectOverlays(viewport))
   {
     const bool isAbove = overlay[3] > 0.6 * size[1];
     right = isAbove && overlay[0] > 0.5 * size[0] ? std::min(right, overlay[0]) : right;

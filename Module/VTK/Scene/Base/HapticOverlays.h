@@ -25,14 +25,14 @@ using ViewportBox = std::array<double, 4>;
  * actors wider and higher than half of the viewport, labels of points, which are all over it, and
  * VTK's textured buttons, which do not tell their place.
  */
-std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer);
+std::vector<ViewportBox> CollectActorBoxes(vtkRenderer* renderer);
 
 /**
  * The boxes of such 2D actors in all renderers of the same window, and the boxes of smaller
  * renderers, in layers above 0, that show something, such as the orientation axes of VTK and
  * ParaView.
  */
-std::vector<ViewportBox> FindOverlays(vtkViewport* viewport);
+std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport);
 
 /**
  * Moves a box off the overlays: to the right (across is 1) or left (-1) of them. If the room, which
@@ -53,7 +53,7 @@ std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height);
 bool Overlaps(const ViewportBox& a, const ViewportBox& b);
 
 /** The right end (pixels) of the room for a text that begins at the upper left corner. */
-double FindTextRight(vtkViewport* viewport);
+double ComputeTextRight(vtkViewport* viewport);
 
 } // namespace VolumeHaptics
 

@@ -32,14 +32,14 @@ inline int ScalePixels(double scale, int pixels)
 }
 
 /**
- * Size of letters (points) in a layout that grows with its room: one point for each `share` of its
- * pixels. Where a point takes more pixels than 1, the least letters may be smaller.
+ * Size of letters (points) in a layout that grows with its room: one point for each `fraction` of
+ * its pixels. Where a point takes more pixels than 1, the least letters may be smaller.
  */
-inline int FitLetters(int pixels, int share, double scale, int least, int most)
+inline int FitLetters(int pixels, int fraction, double scale, int least, int most)
 {
   const int smallest =
     scale > 1.0 ? std::max(6, static_cast<int>(static_cast<double>(least) / scale)) : least;
-  return std::clamp(static_cast<int>(pixels / (share * scale)), std::min(smallest, most), most);
+  return std::clamp(static_cast<int>(pixels / (fraction * scale)), std::min(smallest, most), most);
 }
 
 } // namespace VolumeHaptics

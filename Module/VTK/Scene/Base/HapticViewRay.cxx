@@ -54,7 +54,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   return [model = std::move(model), state = ServoState(), record = TickRecord()](
            const Vector3& tip, Felt& felt) mutable
   {
-    if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
+    if (ComputeResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
       // A position without data is not felt.
       state.Enabled = false;

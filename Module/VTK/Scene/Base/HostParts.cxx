@@ -63,7 +63,7 @@ bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y)
     const int* const origin = renderer->GetOrigin();
     const ViewportBox pixel{ static_cast<double>(x - origin[0]), static_cast<double>(x - origin[0]),
       static_cast<double>(y - origin[1]), static_cast<double>(y - origin[1]) };
-    const std::vector<ViewportBox> boxes = FindActorBoxes(renderer);
+    const std::vector<ViewportBox> boxes = CollectActorBoxes(renderer);
     if (std::any_of(boxes.begin(), boxes.end(),
           [&pixel](const ViewportBox& box) { return Overlaps(box, pixel); }) ||
       IsOverWidget(renderer, x, y))

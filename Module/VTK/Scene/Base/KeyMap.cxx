@@ -307,7 +307,7 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   {
     list.Add({ { { "l" }, "materials of labels" } });
   }
-  if (parts.HasFrames)
+  if (parts.HasTimeSteps)
   {
     list.Begin("Time");
     list.Add({ { { "space" }, "play; hold" }, { { "Left", "Right" }, "the frame before; after" },

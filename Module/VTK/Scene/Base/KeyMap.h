@@ -65,7 +65,7 @@ private:
 class KeyRepeat
 {
 public:
-  void NoteRelease(const std::string& key)
+  void RecordRelease(const std::string& key)
   {
     this->Released = key;
     this->ReleaseTime = ServoClock::Now();
@@ -103,7 +103,7 @@ struct KeyedParts
   bool HasEditor = false;
   bool HasLabels = false; ///< the editor shows labels
   bool HasModes = false;
-  bool HasFrames = false;
+  bool HasTimeSteps = false;
   bool HasSlices = false;
   bool HasMeasurements = false;
 };

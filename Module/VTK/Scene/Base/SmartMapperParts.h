@@ -18,11 +18,11 @@ namespace VolumeHaptics
 /** Gives access to protected members of vtkSmartVolumeMapper. */
 struct SmartMapperParts : vtkSmartVolumeMapper
 {
-  static vtkFixedPointVolumeRayCastMapper* FindCPUMapper(vtkSmartVolumeMapper* mapper)
+  static vtkFixedPointVolumeRayCastMapper* GetCPUMapper(vtkSmartVolumeMapper* mapper)
   {
     return mapper->*(&SmartMapperParts::RayCastMapper);
   }
-  static vtkGPUVolumeRayCastMapper* FindGPUMapper(vtkSmartVolumeMapper* mapper)
+  static vtkGPUVolumeRayCastMapper* GetGPUMapper(vtkSmartVolumeMapper* mapper)
   {
     return mapper->*(&SmartMapperParts::GPUMapper);
   }

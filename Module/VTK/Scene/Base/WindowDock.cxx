@@ -37,7 +37,7 @@ public:
   vtkRenderWindow* GetWindow() const { return this->Window; }
   /** Docks are told apart by their addresses. */
   void Place(
-    const WindowDock* dock, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
+    const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip);
   void Remove(const WindowDock* dock);
 
 private:
@@ -47,7 +47,7 @@ private:
   {
     const WindowDock* Dock;
     DockEdge Edge;
-    double Share;
+    double Fraction;
     std::vector<vtkWeakPointer<vtkRenderer>> Renderers;
   };
   struct Narrowed
@@ -59,7 +59,7 @@ private:
 
   static Viewport ViewportOf(vtkRenderer* renderer);
   /** Takes a strip away from the remaining part of the window. */
-  static Viewport Take(const Strip& strip, Viewport& left);
+  static Viewport CutOff(const Strip& strip, Viewport& left);
   bool IsInStrip(vtkRenderer* renderer) const;
   void Arrange();
   void Narrow(vtkRenderer* renderer, const Viewport& left);
@@ -91,12 +91,12 @@ std::shared_ptr<DockLayout> DockLayout::Of(vtkRenderWindow* window)
 
 //------------------------------------------------------------------------------
 void DockLayout::Place(
-  const WindowDock* dock, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip)
+  const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip)
 {
   const auto known = std::find_if(this->Strips.begin(), this->Strips.end(),
     [dock](const Strip& one) { return one.Dock == dock; });
   Strip& placed = known != this->Strips.end() ? *known : this->Strips.emplace_back();
-  placed = { dock, edge, share, { strip.begin(), strip.end() } };
+  placed = { dock, edge, fraction, { strip.begin(), strip.end() } };
   this->Arrange();
 }
 
@@ -130,11 +130,11 @@ DockLayout::Viewport DockLayout::ViewportOf(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-DockLayout::Viewport DockLayout::Take(const Strip& strip, Viewport& left)
+DockLayout::Viewport DockLayout::CutOff(const Strip& strip, Viewport& left)
 {
   const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is 2 entries later
   const int high = low + 2;
-  const double size = std::min(strip.Share, MostOfRest * (left[high] - left[low]));
+  const double size = std::min(strip.Fraction, MostOfRest * (left[high] - left[low]));
   Viewport taken = left;
   if (IsLow(strip.Edge))
   {
@@ -170,7 +170,7 @@ void DockLayout::Arrange()
   Viewport left{ { 0.0, 0.0, 1.0, 1.0 } };
   for (const Strip& strip : this->Strips)
   {
-    const Viewport taken = Take(strip, left);
+    const Viewport taken = CutOff(strip, left);
     const auto parts = static_cast<double>(strip.Renderers.size());
     for (std::size_t i = 0; i < strip.Renderers.size(); ++i)
     {
@@ -228,7 +228,7 @@ void DockLayout::Narrow(vtkRenderer* renderer, const Viewport& left)
 }
 
 void WindowDock::Place(
-  vtkRenderWindow* window, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip)
+  vtkRenderWindow* window, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip)
 {
   if (this->Layout && this->Layout->GetWindow() != window)
   {
@@ -238,7 +238,7 @@ void WindowDock::Place(
   {
     this->Layout = DockLayout::Of(window);
   }
-  this->Layout->Place(this, edge, share, strip);
+  this->Layout->Place(this, edge, fraction, strip);
 }
 
 void WindowDock::GiveBack()

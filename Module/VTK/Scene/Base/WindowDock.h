@@ -52,11 +52,11 @@ public:
 
   /**
    * Puts renderers into the strip: at the left and the right below each other, the first one at the
-   * top; else side by side. `share` is the strip's fraction of the window's width or height. Call
-   * it before each frame, since other renderers may come and go.
+   * top; else side by side. `fraction` is the strip's fraction of the window's width or height.
+   * Call it before each frame, since other renderers may come and go.
    */
-  void Place(
-    vtkRenderWindow* window, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
+  void Place(vtkRenderWindow* window, DockEdge edge, double fraction,
+    const std::vector<vtkRenderer*>& strip);
 
   /** Restores the other renderers' viewports, unless they have been changed since. */
   void GiveBack();

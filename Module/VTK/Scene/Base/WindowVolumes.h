@@ -58,7 +58,7 @@ struct DrawnVolume
   vtkVolume* Whole = nullptr;           ///< the prop: the volume, or the vtkMultiVolume around it
 
   /** The mapper's input; null without a mapper or an input. */
-  vtkDataObject* FindData() const
+  vtkDataObject* GetData() const
   {
     return this->Mapper && this->Mapper->GetNumberOfInputConnections(this->Port) > 0
       ? this->Mapper->GetInputDataObject(this->Port, 0)
@@ -111,7 +111,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
 } // namespace Detail
 
 /** Visits visible volumes; a hidden assembly hides its parts. */
-inline std::vector<DrawnVolume> FindDrawnVolumes(vtkRenderer* renderer)
+inline std::vector<DrawnVolume> CollectDrawnVolumes(vtkRenderer* renderer)
 {
   std::vector<DrawnVolume> all;
   vtkPropCollection* const props = renderer->GetViewProps();

@@ -185,7 +185,7 @@ std::string DescribeCut(vtkHapticDevice* device)
                                    : "Cut open, its faces are not felt";
 }
 
-double FindFeltValue(vtkHapticDevice* device)
+double ComputeFeltValue(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   const double scalar = device->GetState()->GetSurfaceValue();
@@ -198,13 +198,13 @@ std::string DescribeDetails(vtkHapticDevice* device)
   text << std::fixed << std::setprecision(0);
   if (!AreModesFelt(device->GetVolumeHaptics()))
   {
-    text << "Value " << FindFeltValue(device) << DescribeShift(device) << ", ";
+    text << "Value " << ComputeFeltValue(device) << DescribeShift(device) << ", ";
   }
   text << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
   return text.str();
 }
 
-vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device)
+vtkVolumeHapticsFilter* GetModesFilter(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
   return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES ? filter : nullptr;
@@ -213,7 +213,7 @@ vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device)
 std::vector<std::string> NameModes(vtkHapticDevice* device)
 {
   std::vector<std::string> names;
-  vtkVolumeHapticsFilter* const filter = FindModes(device);
+  vtkVolumeHapticsFilter* const filter = GetModesFilter(device);
   for (int i = 0; filter && i < filter->GetNumberOfModes(); ++i)
   {
     names.push_back(std::to_string(i + 1) + " " + filter->GetMode(i)->GetText());
@@ -226,7 +226,7 @@ std::vector<std::string> NameActiveModes(vtkHapticDevice* device)
   std::vector<std::string> names = NameModes(device);
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    const bool isActive = FindModes(device)->GetMode(static_cast<int>(i))->GetActive();
+    const bool isActive = GetModesFilter(device)->GetMode(static_cast<int>(i))->GetActive();
     names[i] = isActive ? names[i] : std::string();
   }
   return names;
@@ -238,7 +238,7 @@ std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
   for (const std::string& name : NameModes(device))
   {
     const auto mode = static_cast<int>(lines.size());
-    const bool isActive = FindModes(device)->GetMode(mode)->GetActive();
+    const bool isActive = GetModesFilter(device)->GetMode(mode)->GetActive();
     std::ostringstream text;
     text << name << ": " << std::fixed << std::setprecision(2);
     isActive ? text << vtkMath::Norm(device->GetState()->GetModeForce(mode)) << " N"
@@ -264,14 +264,14 @@ std::string ListMeasurements(vtkHapticMeasurements* measurements)
 
 std::string DescribeTime(vtkHapticDevice* device)
 {
-  if (!device->GetPlayback()->HasFrames())
+  if (!device->GetPlayback()->HasTimeSteps())
   {
     return {};
   }
   static const char* const ends[] = { "once", "in a loop", "to and fro" };
   std::ostringstream text;
   text << "Time " << std::setprecision(4) << device->GetPlayback()->GetDataTime() << ", shown "
-       << device->GetPlayback()->GetFrameTime() << ", ";
+       << device->GetPlayback()->GetTimeStepValue() << ", ";
   if (device->GetPlayback()->IsPlaying())
   {
     text << "played " << ends[device->GetPlayback()->GetMode()];

@@ -61,13 +61,13 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
 std::string DescribeCut(vtkHapticDevice* device);
 
 /** The value in the surface, in the scale of the touched property's functions. */
-double FindFeltValue(vtkHapticDevice* device);
+double ComputeFeltValue(vtkHapticDevice* device);
 
 /** The value in the surface, if there is one, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
 /** The filter whose modes are felt; null for other methods. */
-vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device);
+vtkVolumeHapticsFilter* GetModesFilter(vtkHapticDevice* device);
 /** The names of all modes, each one unique. */
 std::vector<std::string> NameModes(vtkHapticDevice* device);
 /** The names of active modes; the names of inactive modes are empty. */

@@ -21,7 +21,7 @@ namespace
 {
 
 /** Width and height in pixels. */
-std::array<int, 2> Measure(const std::string& text, vtkTextProperty* letters, int dpi)
+std::array<int, 2> MeasureText(const std::string& text, vtkTextProperty* letters, int dpi)
 {
   int box[4] = { 0, -1, 0, -1 };
   vtkTextRenderer* const renderer = vtkTextRenderer::GetInstance();
@@ -49,7 +49,7 @@ std::size_t EndOfLetter(const std::string& text, std::size_t at)
 std::string WrapLines(const std::string& text, vtkTextProperty* letters, int width, int dpi)
 {
   const auto fits = [&](const std::string& line)
-  { return Measure(line, letters, dpi)[0] <= width; };
+  { return MeasureText(line, letters, dpi)[0] <= width; };
   std::string wrapped;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
@@ -89,8 +89,8 @@ HapticWrappedText::Room FindRoom(vtkViewport* viewport, double left, double top,
   const int* const size = viewport->GetSize();
   const int height = static_cast<int>(top * size[1]);
   vtkWindow* const window = viewport->GetVTKWindow();
-  return { static_cast<int>(FindTextRight(viewport) - 2.0 * left * size[0]), height - below, height,
-    window ? window->GetDPI() : 72 };
+  return { static_cast<int>(ComputeTextRight(viewport) - 2.0 * left * size[0]), height - below,
+    height, window ? window->GetDPI() : 72 };
 }
 
 void HapticWrappedText::Fit(vtkTextActor* actor, const std::string& text, const Room& room)
@@ -109,7 +109,7 @@ void HapticWrappedText::Fit(vtkTextActor* actor, const std::string& text, const 
   {
     letters->SetFontSize(size);
     wrapped = WrapLines(text, letters, room.Width, room.DPI);
-    return Measure(wrapped, letters, room.DPI)[1] <= height;
+    return MeasureText(wrapped, letters, room.DPI)[1] <= height;
   };
   for (const int height : { room.Free, room.Height })
   {

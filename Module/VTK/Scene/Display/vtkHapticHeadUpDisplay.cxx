@@ -187,7 +187,7 @@ double GetShownSpan(double span)
   return std::isnan(span) ? 5.0 : span;
 }
 /** The lower left corner (pixels) of a panel with its margins at the left and below. */
-std::array<int, 2> FindPlotCorner(
+std::array<int, 2> ComputePlotCorner(
   int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
 {
   constexpr int scaleHeight = 30; // pixels at the lower right: "1 N = 10 mm"
@@ -231,11 +231,11 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   /** The lower end of the text (pixels). */
-  int FindTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
+  int ComputeTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   /** Whether charts can be drawn; if not, reports one error. */
-  bool FindContext(vtkHapticHeadUpDisplay& self);
+  bool DetectContext(vtkHapticHeadUpDisplay& self);
 };
 
 //------------------------------------------------------------------------------
@@ -449,8 +449,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const std::string label =
     NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
   // Modes have no surface with a value.
-  const bool isByValue = label.empty() && !FindModes(device);
-  const std::string tissue = isByValue ? self.GetTissueName(FindFeltValue(device)) : label;
+  const bool isByValue = label.empty() && !GetModesFilter(device);
+  const std::string tissue = isByValue ? self.GetTissueName(ComputeFeltValue(device)) : label;
   std::string text;
   for (const std::string& line :
     { DescribeStatus(device), DescribeTouch(device, tissue, this->Slide.Is()), DescribeCut(device),
@@ -465,8 +465,9 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
 int vtkHapticHeadUpDisplay::FindMode(int x, int y)
 {
   auto& d = *this->Internals;
-  return this->GetVisibility() && this->TextVisibility && FindModes(d.Device) ? d.Modes.Find(x, y)
-                                                                              : -1;
+  return this->GetVisibility() && this->TextVisibility && GetModesFilter(d.Device)
+    ? d.Modes.Find(x, y)
+    : -1;
 }
 
 //------------------------------------------------------------------------------
@@ -481,13 +482,13 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   d.Covered.clear();
   const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
   // The list of keys replaces the plot, and says more than the hint.
-  if (this->HelpVisibility && !this->HelpText.empty() && d.FindContext(*this))
+  if (this->HelpVisibility && !this->HelpText.empty() && d.DetectContext(*this))
   {
     return drawn + d.RenderHelp(*this, viewport);
   }
   const bool isHintShown = this->HintVisibility && !this->Hint.empty();
   return drawn +
-    (this->PlotVisibility && d.FindContext(*this) ? d.RenderPlot(*this, viewport) : 0) +
+    (this->PlotVisibility && d.DetectContext(*this) ? d.RenderPlot(*this, viewport) : 0) +
     (isHintShown ? d.RenderHint(*this, viewport) : 0);
 }
 
@@ -509,7 +510,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     const std::array<int, 2> panel =
       HapticForceChart::PanelSize(view[0], view[1], PixelsPerPoint(viewport));
     const int plot =
-      self.PlotVisibility ? FindPlotCorner(self.PlotCorner, viewport, panel)[1] + panel[1] : 0;
+      self.PlotVisibility ? ComputePlotCorner(self.PlotCorner, viewport, panel)[1] + panel[1] : 0;
     this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + TextGap));
     this->Text->GetSize(viewport, size);
     const double left = TextLeft * view[0];
@@ -525,11 +526,11 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   this->TextHeight = size[1];
   return drawn +
     this->Modes.Render(
-      DescribeModeForces(this->Device), this->FindTextEnd(self, viewport) - TextGap, viewport);
+      DescribeModeForces(this->Device), this->ComputeTextEnd(self, viewport) - TextGap, viewport);
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticHeadUpDisplay::vtkInternals::FindTextEnd(
+int vtkHapticHeadUpDisplay::vtkInternals::ComputeTextEnd(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const
 {
   const double height = self.TextVisibility ? this->TextHeight : 0.0;
@@ -544,7 +545,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
   // The hint is in the middle, and ends before what other renderers draw beside it.
-  const double room = 2.0 * FindTextRight(viewport) - view[0];
+  const double room = 2.0 * ComputeTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
   double size[2];
@@ -557,7 +558,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
       break;
     }
   }
-  const double end = this->FindTextEnd(self, viewport) - TextGap;
+  const double end = this->ComputeTextEnd(self, viewport) - TextGap;
   const ViewportBox at = MoveOff(viewport,
     { 0.5 * (view[0] - size[0]) - TextGap, 0.5 * (view[0] + size[0]) + TextGap,
       end - size[1] - TextGap, end + TextGap },
@@ -570,7 +571,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticHeadUpDisplay::vtkInternals::FindContext(vtkHapticHeadUpDisplay& self)
+bool vtkHapticHeadUpDisplay::vtkInternals::DetectContext(vtkHapticHeadUpDisplay& self)
 {
   if (this->CanDraw == -1)
   {
@@ -600,7 +601,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const int* const size = viewport->GetSize();
   const double scale = PixelsPerPoint(viewport);
   const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1], scale);
-  const std::array<int, 2> from = FindPlotCorner(self.PlotCorner, viewport, panel);
+  const std::array<int, 2> from = ComputePlotCorner(self.PlotCorner, viewport, panel);
   const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
   const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
@@ -635,7 +636,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
 {
   // Place it below the text, unless less than half of the height is left there.
   const int* const size = viewport->GetSize();
-  const int below = this->FindTextEnd(self, viewport) - TextGap;
+  const int below = this->ComputeTextEnd(self, viewport) - TextGap;
   this->Keys->Show(
     self.HelpText, size[0], 2 * below > size[1] ? below : size[1], PixelsPerPoint(viewport));
   return this->Help->RenderOverlay(viewport);

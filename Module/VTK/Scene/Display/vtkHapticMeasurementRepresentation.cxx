@@ -102,9 +102,9 @@ Box PutBeside(const double at[2], const double size[2], int side, double distanc
   static const double sides[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 0.7, 0.7 },
     { 0.7, -0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 } };
   const double* const to = sides[side];
-  const auto share = [](double way) { return way > 0.0 ? 0.0 : (way < 0.0 ? -1.0 : -0.5); };
-  const double left = at[0] + distance * to[0] + share(to[0]) * size[0];
-  const double bottom = at[1] + distance * to[1] + share(to[1]) * size[1];
+  const auto fraction = [](double way) { return way > 0.0 ? 0.0 : (way < 0.0 ? -1.0 : -0.5); };
+  const double left = at[0] + distance * to[0] + fraction(to[0]) * size[0];
+  const double bottom = at[1] + distance * to[1] + fraction(to[1]) * size[1];
   return { left, left + size[0], bottom, bottom + size[1] };
 }
 
@@ -429,7 +429,7 @@ namespace
 {
 
 /** Position of a label: at a point, between two, at the corner, at the end of a path. */
-Vector3 FindPlace(int kind, vtkPolyData* shape)
+Vector3 ComputePlace(int kind, vtkPolyData* shape)
 {
   const vtkIdType count = shape->GetNumberOfPoints();
   const auto at = [shape](vtkIdType i) { return FromArray(shape->GetPoint(i)); };
@@ -547,7 +547,7 @@ void vtkHapticMeasurementRepresentation::Build()
     const int kind = d.List->GetKind(i);
     d.List->GetShape(i, shape);
     d.Shapes.Add(kind, shape);
-    d.Labels.push_back({ d.List->GetText(i), FindPlace(kind, shape) });
+    d.Labels.push_back({ d.List->GetText(i), ComputePlace(kind, shape) });
   }
   d.List->GetUnfinished(shape);
   d.Unfinished.Add(d.List->GetUnfinishedKind(), shape);

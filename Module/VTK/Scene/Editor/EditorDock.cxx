@@ -55,7 +55,7 @@ EditorDock::EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw)
   this->Renderer->SetBackground(0.93, 0.94, 0.95);
   this->StartObserver->SetClientData(this);
   this->StartObserver->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<EditorDock*>(self)->Follow(); });
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<EditorDock*>(self)->Update(); });
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +150,7 @@ DockEdge EditorDock::GetEdge() const
 }
 
 //------------------------------------------------------------------------------
-void EditorDock::Follow()
+void EditorDock::Update()
 {
   // An editor that was removed from its renderer is not shown any more.
   const bool isShown = this->Editor->GetDocked() && this->Editor->GetVisibility() &&

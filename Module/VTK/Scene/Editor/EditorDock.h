@@ -41,7 +41,7 @@ public:
    * Takes the room, or returns it, as the editor's settings say; call before each frame of the
    * window.
    */
-  void Follow();
+  void Update();
   bool IsTaken() const { return this->HasRoom; }
 
   ///@{

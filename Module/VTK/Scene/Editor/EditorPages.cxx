@@ -67,7 +67,7 @@ double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
 }
 
 /** The nodes of two functions, in ascending order. */
-std::vector<double> FindNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
+std::vector<double> CollectNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
 {
   std::vector<double> places;
   for (vtkPiecewiseFunction* const function : { a, b })
@@ -105,29 +105,29 @@ void HapticLabelList::Count()
   this->Counted = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
   if (this->Counted && IsQuicklySwept(this->Counted))
   {
-    this->Present = FindPresentLabels(this->Counted, [](double) { return true; });
+    this->Present = CollectPresentLabels(this->Counted, [](double) { return true; });
     this->Counted = nullptr;
   }
   else if (this->Counted)
   {
-    this->Present = FindSpreadLabels(this->Counted);
-    this->FollowCount();
+    this->Present = CollectSpreadLabels(this->Counted);
+    this->PollCount();
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelList::FollowCount()
+void HapticLabelList::PollCount()
 {
   if (!this->Counted)
   {
     return;
   }
   const vtkSmartPointer<vtkDataArray> labels = this->Counted;
-  const std::vector<int>* const present = this->Counting.Follow(this->CountTime.GetMTime(),
+  const std::vector<int>* const present = this->Counting.Poll(this->CountTime.GetMTime(),
     [labels](WorkMonitor& monitor) -> std::optional<std::vector<int>>
     {
-      std::vector<int> found =
-        FindPresentLabels(labels, [&monitor](double share) { return monitor.GoesOn(share); });
+      std::vector<int> found = CollectPresentLabels(
+        labels, [&monitor](double fraction) { return monitor.GoesOn(fraction); });
       return monitor.IsCancelled() ? std::nullopt : std::optional(std::move(found));
     });
   if (present)
@@ -153,7 +153,7 @@ void HapticLabelList::EndOtherCount()
 }
 
 //------------------------------------------------------------------------------
-double HapticLabelList::GetCountedShare() const
+double HapticLabelList::GetCountedFraction() const
 {
   return this->Counted ? this->Counting.GetProgress() : 1.0;
 }
@@ -180,8 +180,8 @@ vtkObject* HapticLabelList::GetEdited() const
 std::string HapticLabelList::GetTitle() const
 {
   const vtkIdType labels = this->GetNumberOfRows();
-  return labels > 0
-    ? "Labels (" + std::to_string(labels) + ")" + DescribeShare(this->GetCountedShare(), "counted")
+  return labels > 0 ? "Labels (" + std::to_string(labels) + ")" +
+      DescribeFraction(this->GetCountedFraction(), "counted")
     : this->Table ? "There are no labels to edit"
                   : "There is no label table to edit";
 }
@@ -285,10 +285,10 @@ void HapticProposalView::Show(const EdgeHistogram& edges)
   this->Chart.ShowEdges(edges, this->GetProposed());
 }
 
-FoundFunctions HapticProposalView::FindNow()
+FoundFunctions HapticProposalView::SearchNow()
 {
   this->Search.Drop();
-  FoundFunctions found = FunctionSearch::FindNow(this->GetSearched());
+  FoundFunctions found = FunctionSearch::SearchNow(this->GetSearched());
   this->Show(found);
   return found;
 }
@@ -298,13 +298,13 @@ bool HapticProposalView::Begin(std::string& error)
   return this->IsUnderWay() || this->Search.Begin(this->GetSearched(), error);
 }
 
-std::optional<FoundFunctions> HapticProposalView::Follow()
+std::optional<FoundFunctions> HapticProposalView::Poll()
 {
   if (!this->IsUnderWay())
   {
     return std::nullopt;
   }
-  std::optional<FoundFunctions> found = this->Search.Follow(this->GetSearched());
+  std::optional<FoundFunctions> found = this->Search.Poll(this->GetSearched());
   if (found)
   {
     this->Show(*found);
@@ -312,7 +312,7 @@ std::optional<FoundFunctions> HapticProposalView::Follow()
   return found;
 }
 
-bool HapticProposalView::Take()
+bool HapticProposalView::Apply()
 {
   const auto proposal = std::exchange(this->Proposal, nullptr);
   const bool isTaken = proposal && this->Property;
@@ -341,7 +341,7 @@ bool HapticProposalView::ShowsEdges() const
                   : !this->Chart.ShowsEdges();
 }
 
-void HapticProposalView::FollowEdges()
+void HapticProposalView::PollEdges()
 {
   if (this->ShowsEdges())
   {
@@ -353,7 +353,7 @@ void HapticProposalView::FollowEdges()
     this->Boundaries = nullptr;
     this->Chart.HideEdges();
   }
-  else if (const EdgeHistogram* const edges = this->Search.FollowEdges(this->GetSearched(),
+  else if (const EdgeHistogram* const edges = this->Search.PollEdges(this->GetSearched(),
              proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius()))
   {
     this->Show(*edges);
@@ -362,7 +362,7 @@ void HapticProposalView::FollowEdges()
 
 void HapticProposalView::ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
 {
-  this->Chart.NoteSearch(this->GetProgress());
+  this->Chart.ShowSearch(this->GetProgress());
   this->Chart.ShowProposed(this->Proposal && get ? (this->Proposal.Get()->*get)() : nullptr);
   if (vtkHapticProperty* const felt = this->GetProposed())
   {
@@ -430,7 +430,7 @@ EditedObjects EditorPages::GetEditable() const
 }
 
 //------------------------------------------------------------------------------
-std::string EditorPages::FindWarning() const
+std::string EditorPages::GetWarning() const
 {
   vtkHapticProperty* const property = this->Proposed.Property;
   if (!property || (this->Page != Editor::STIFFNESS && this->Page != Editor::VISCOSITY))
@@ -444,7 +444,7 @@ std::string EditorPages::FindWarning() const
   const auto drag = [&](double x)
   { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
   // Noise can read one end of a ramp in place of the other.
-  const std::vector<double> places = FindNodes(stiffness, viscosity);
+  const std::vector<double> places = CollectNodes(stiffness, viscosity);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const double a = places[i];
@@ -503,17 +503,17 @@ void EditorPages::Count()
   }
 }
 
-void EditorPages::FollowCounts()
+void EditorPages::PollCounts()
 {
-  this->Chart.FollowCount();
-  this->LabelList.FollowCount();
+  this->Chart.PollCount();
+  this->LabelList.PollCount();
 }
 
-double EditorPages::GetCountedShare() const
+double EditorPages::GetCountedFraction() const
 {
-  const double counted = this->Page == Editor::LABELS ? this->LabelList.GetCountedShare()
+  const double counted = this->Page == Editor::LABELS ? this->LabelList.GetCountedFraction()
     : this->Page == Editor::TISSUES                   ? 1.0
-                                                      : this->Chart.GetCountedShare();
+                                                      : this->Chart.GetCountedFraction();
   return std::min(counted, this->Proposed.GetProgress());
 }
 
@@ -555,7 +555,7 @@ void EditorPages::Show(const int rectangle[4], bool isDragged, double scale)
   this->Chart.Place(place, scale);
   this->ScaleValues();
   this->Proposed.ShowFunction(Pages[this->Page].Get);
-  this->Chart.NoteWarning(this->FindWarning());
+  this->Chart.ShowWarning(this->GetWarning());
   this->Chart.ShowFunction(function, Pages[this->Page].Quantity, isDragged);
   this->Chart.ShowTissues(this->Proposed.Property);
   if (!function)

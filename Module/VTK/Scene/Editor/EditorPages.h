@@ -48,16 +48,16 @@ public:
   ///@{
   /**
    * Searches the image for labels, and reports whether the list is up to date. A large image gives
-   * the labels of spread samples at first, until FollowCount() finds that all voxels were searched
+   * the labels of spread samples at first, until PollCount() finds that all voxels were searched
    * in the background.
    */
   void Count();
   bool IsCounted() const override;
-  void FollowCount();
+  void PollCount();
   /** Ends the search in an image that is no longer shown; the program may delete it. */
   void EndOtherCount();
   /** The fraction of the image that was searched, 0 to 1. */
-  double GetCountedShare() const;
+  double GetCountedFraction() const;
   ///@}
 
   vtkIdType GetNumberOfRows() const override;
@@ -106,13 +106,13 @@ public:
 
   ///@{
   /**
-   * FindNow() waits for the end of the search. Begin() searches in the background; false, with the
-   * reason and the cure in `error`, if the image can't be looked at. Follow() returns the result
-   * once. Both show a proposal that was found.
+   * SearchNow() waits for the end of the search. Begin() searches in the background; false, with
+   * the reason and the cure in `error`, if the image can't be looked at. Poll() returns the
+   * result once. Both show a proposal that was found.
    */
-  FoundFunctions FindNow();
+  FoundFunctions SearchNow();
   bool Begin(std::string& error);
-  std::optional<FoundFunctions> Follow();
+  std::optional<FoundFunctions> Poll();
   bool IsUnderWay() const { return this->Search.IsUnderWay(); }
   double GetProgress() const { return this->Search.GetProgress(); }
   ///@}
@@ -123,12 +123,12 @@ public:
   ///@{
   /** A proposal that is neither accepted nor dropped. Drop() also ends the search. */
   bool IsThere() const { return this->Proposal != nullptr; }
-  bool Take();
+  bool Apply();
   bool Drop();
   ///@}
 
   /** Shows the edges of the proposal, or of one accepted before, once they are counted. */
-  void FollowEdges();
+  void PollEdges();
 
   /** Draws the proposed function beside the edited one, and the limits of distinctness. */
   void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
@@ -172,7 +172,7 @@ public:
   /** The functions that can be edited on the page. */
   EditedObjects GetEditable() const;
   /** The error in stiffness and viscosity, on their pages; empty if there is none. */
-  std::string FindWarning() const;
+  std::string GetWarning() const;
   /** Gives the axis of values the scale of the page's functions. */
   void ScaleValues();
   /** The time of the last edit. */
@@ -182,8 +182,8 @@ public:
   /** The histogram or the list of the page. */
   bool IsCounted() const;
   void Count();
-  void FollowCounts();
-  double GetCountedShare() const;
+  void PollCounts();
+  double GetCountedFraction() const;
   /** Stops work on an image that was removed. */
   void EndOtherCounts();
   ///@}

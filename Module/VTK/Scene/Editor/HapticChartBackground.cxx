@@ -52,18 +52,18 @@ void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty
   this->Values[1] = histogram.Values[1];
   this->MostSlope = histogram.MostSlope;
   this->Picture->Initialize();
-  if (!histogram.Shares.empty())
+  if (!histogram.Fractions.empty())
   {
     this->Picture->SetDimensions(EdgeHistogram::Columns, EdgeHistogram::Rows, 1);
     this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
     auto* pixel = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
-    for (const double share : histogram.Shares)
+    for (const double fraction : histogram.Fractions)
     {
       for (const unsigned char part : HistogramColour)
       {
         *pixel++ = part;
       }
-      *pixel++ = static_cast<unsigned char>(MostOpacity * share);
+      *pixel++ = static_cast<unsigned char>(MostOpacity * fraction);
     }
   }
   // Kindlmann and Durkin's arc: g_max exp(-x^2 / 2) over V1 + (V2 - V1) Phi(x).
@@ -81,8 +81,8 @@ void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty
     for (int k = 0; k <= steps; ++k)
     {
       const double x = reach * (2.0 * k / steps - 1.0);
-      const double share = 0.5 * std::erfc(-x / std::sqrt(2.0));
-      arc.push_back({ low + share * (high - low), height * std::exp(-0.5 * x * x) });
+      const double fraction = 0.5 * std::erfc(-x / std::sqrt(2.0));
+      arc.push_back({ low + fraction * (high - low), height * std::exp(-0.5 * x * x) });
     }
     this->Arcs.push_back(arc);
   }
@@ -117,7 +117,7 @@ void HapticEdgePlot::DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>
   for (const ArcPoint& point : points)
   {
     corners.push_back(this->Scaled(point.Value));
-    corners.push_back(static_cast<float>(point.Share));
+    corners.push_back(static_cast<float>(point.Fraction));
   }
   painter->DrawPoly(corners.data(), static_cast<int>(points.size()));
 }
@@ -142,10 +142,10 @@ bool HapticEdgePlot::Paint(vtkContext2D* painter)
   pen->SetColor(LevelColour[0], LevelColour[1], LevelColour[2], 255);
   for (const double level : this->Distinctness)
   {
-    const double share = level / this->MostSlope;
-    if (share > 0.0 && share < 1.0)
+    const double fraction = level / this->MostSlope;
+    if (fraction > 0.0 && fraction < 1.0)
     {
-      this->DrawLine(painter, { { this->Values[0], share }, { this->Values[1], share } });
+      this->DrawLine(painter, { { this->Values[0], fraction }, { this->Values[1], fraction } });
     }
   }
   pen->SetLineType(vtkPen::SOLID_LINE);

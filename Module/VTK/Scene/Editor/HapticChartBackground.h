@@ -66,7 +66,7 @@ private:
   struct ArcPoint
   {
     double Value;
-    double Share; // relative to the largest shown gradient magnitude
+    double Fraction; // relative to the largest shown gradient magnitude
   };
   /** A scalar in VTK's scale for single precision. */
   float Scaled(double scalar);

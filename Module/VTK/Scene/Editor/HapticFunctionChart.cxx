@@ -57,7 +57,7 @@ public:
   std::string DescribeCurrentPoint();
 
   /** A function's value divided by the scale, limited to -1 to 1. */
-  static double ToShare(double value, double scale);
+  static double ToFraction(double value, double scale);
 
   vtkIdType AddPoint(double* newPos) override;
 
@@ -114,11 +114,11 @@ void HapticControlPointsItem::GetControlPoint(vtkIdType index, double* point) co
 {
   this->Superclass::GetControlPoint(index, point);
   point[0] = std::isnan(point[0]) ? Farthest : std::clamp(point[0], -Farthest, Farthest);
-  point[1] = ToShare(point[1], this->Scale);
+  point[1] = ToFraction(point[1], this->Scale);
 }
 
 //------------------------------------------------------------------------------
-double HapticControlPointsItem::ToShare(double value, double scale)
+double HapticControlPointsItem::ToFraction(double value, double scale)
 {
   return std::isnan(value) ? 0.0 : std::clamp(value / scale, -1.0, 1.0);
 }
@@ -318,7 +318,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
     this->Data = CountSpreadValues(this->Counted, component);
   }
   this->ShowCounts();
-  this->FollowCount();
+  this->PollCount();
 }
 
 //------------------------------------------------------------------------------
@@ -351,7 +351,7 @@ void HapticFunctionChart::ShowCounts()
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::FollowCount()
+void HapticFunctionChart::PollCount()
 {
   if (!this->Counted)
   {
@@ -359,11 +359,11 @@ void HapticFunctionChart::FollowCount()
   }
   const vtkSmartPointer<vtkDataArray> scalars = this->Counted;
   const int component = this->ShownComponent;
-  const ValueCounts* const counts = this->Counting.Follow(this->DataTime.GetMTime(),
+  const ValueCounts* const counts = this->Counting.Poll(this->DataTime.GetMTime(),
     [scalars, component](WorkMonitor& monitor)
     {
       return CountAllValues(
-        scalars, component, [&monitor](double share) { return monitor.GoesOn(share); });
+        scalars, component, [&monitor](double fraction) { return monitor.GoesOn(fraction); });
     });
   if (counts)
   {
@@ -388,7 +388,7 @@ void HapticFunctionChart::EndCountUnless(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-double HapticFunctionChart::GetCountedShare() const
+double HapticFunctionChart::GetCountedFraction() const
 {
   return this->Counted ? this->Counting.GetProgress() : 1.0;
 }
@@ -429,8 +429,8 @@ void HapticFunctionChart::ShowFunction(
   const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
   const std::string note = (this->Warning.empty() ? "" : ": " + this->Warning) +
     (this->ProposedFunction ? std::string(", dashed: proposed") : "") +
-    DescribeShare(this->GetCountedShare(), "counted") +
-    DescribeShare(this->SearchedShare, "searched");
+    DescribeFraction(this->GetCountedFraction(), "counted") +
+    DescribeFraction(this->SearchedFraction, "searched");
   this->Chart->SetTitle(quantity.Title + (touched.empty() ? note : ": " + touched));
   if (function && !dragged)
   {
@@ -487,9 +487,9 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
     from -= std::max(0.5, least);
     to = from + 2.0 * std::max(0.5, least);
   }
-  const bool share = quantity.Most == 1.0;
+  const bool fraction = quantity.Most == 1.0;
   const double room = 1.1;
-  const double scale = share || !(highest > 1.0 / FarthestShown)
+  const double scale = fraction || !(highest > 1.0 / FarthestShown)
     ? quantity.Usual
     : std::min(RoundUp(room * highest), quantity.Most);
   const auto top = this->ChosenTops.find(&quantity);
@@ -617,10 +617,10 @@ void HapticFunctionChart::Turn(int x, int y, double steps)
   }
   vtkAxis* const bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
   const double pixels = std::max(1.0f, bottom->GetPoint2()[0] - bottom->GetPoint1()[0]);
-  const double share = std::clamp((x - bottom->GetPoint1()[0]) / pixels, 0.0, 1.0);
+  const double fraction = std::clamp((x - bottom->GetPoint1()[0]) / pixels, 0.0, 1.0);
   const double width = this->Range[1] - this->Range[0];
-  const double at = this->Range[0] + share * width;
-  this->ChooseValues(at - share * factor * width, at + (1.0 - share) * factor * width);
+  const double at = this->Range[0] + fraction * width;
+  this->ChooseValues(at - fraction * factor * width, at + (1.0 - fraction) * factor * width);
 }
 
 //------------------------------------------------------------------------------
@@ -652,7 +652,7 @@ void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const Edited
   {
     const double value = function->GetSize() == 0 ? quantity.EmptyValue : function->GetValue(place);
     x->InsertNextValue(place);
-    y->InsertNextValue(HapticControlPointsItem::ToShare(value, this->Scale));
+    y->InsertNextValue(HapticControlPointsItem::ToFraction(value, this->Scale));
   }
   table->Initialize();
   table->AddColumn(x);

@@ -72,16 +72,16 @@ public:
   ///@{
   /**
    * Shows the histogram of a component and the name of its array; an image may be null. The
-   * histogram of a large image shows spread samples at first, until FollowCount() finds that all
+   * histogram of a large image shows spread samples at first, until PollCount() finds that all
    * values were counted in the background.
    */
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
-  void FollowCount();
+  void PollCount();
   /** Ends the count of a previous image, which the program may delete. */
   void EndCountUnless(vtkImageData* image);
   /** The fraction of the values that is counted, 0 to 1. */
-  double GetCountedShare() const;
+  double GetCountedFraction() const;
   ///@}
 
   ///@{
@@ -99,10 +99,10 @@ public:
   void ShowProposed(vtkPiecewiseFunction* proposed) { this->ProposedFunction = proposed; }
 
   /** Shows the finished fraction of a search for functions or edges; 1: no search. */
-  void NoteSearch(double share) { this->SearchedShare = share; }
+  void ShowSearch(double fraction) { this->SearchedFraction = fraction; }
 
   /** Shows an error of the function; empty: no error. */
-  void NoteWarning(const std::string& warning) { this->Warning = warning; }
+  void ShowWarning(const std::string& warning) { this->Warning = warning; }
 
   /** The range of the data (scalar units). */
   const double* GetDataRange() const { return this->Data.Range; }
@@ -176,7 +176,7 @@ private:
   KeyedWork<vtkMTimeType, ValueCounts> Counting;
   bool HasData = false;
   bool HasEdges = false;
-  double SearchedShare = 1.0;
+  double SearchedFraction = 1.0;
   std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
   ValueCounts Data;                   // counts of scalars

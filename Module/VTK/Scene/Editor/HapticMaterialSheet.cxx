@@ -298,9 +298,9 @@ void HapticMaterialItem::PaintSlider(
   const double value = list.GetValue(quantity);
   if (value >= 0.0)
   {
-    const double share = std::min(1.0, value / list.GetEnd(quantity));
+    const double fraction = std::min(1.0, value / list.GetEnd(quantity));
     PaintBox(painter,
-      { bar.GetX(), bar.GetY(), bar.GetWidth() * static_cast<float>(share), bar.GetHeight() },
+      { bar.GetX(), bar.GetY(), bar.GetWidth() * static_cast<float>(fraction), bar.GetHeight() },
       ValueColour);
     PaintText(painter, bar, WriteValue(value), Side::Middle, font - 1, Ink);
   }
@@ -425,9 +425,9 @@ vtkRectf HapticMaterialLayout::GetThumb() const
   const auto room = static_cast<float>(this->Room);
   const float height =
     std::clamp(bar.GetHeight() * room / rows, std::min(least, bar.GetHeight()), bar.GetHeight());
-  const float share =
+  const float fraction =
     rows > room ? static_cast<float>(this->List.GetFirstRow()) / (rows - room) : 0.0f;
-  return { bar.GetLeft(), bar.GetTop() - height - share * (bar.GetHeight() - height),
+  return { bar.GetLeft(), bar.GetTop() - height - fraction * (bar.GetHeight() - height),
     bar.GetWidth(), height };
 }
 
@@ -436,9 +436,9 @@ vtkIdType HapticMaterialLayout::GetFirstRowAt(float y) const
   const vtkRectf bar = this->GetScrollBar();
   const float height = this->GetThumb().GetHeight();
   const double way = std::max(1.0f, bar.GetHeight() - height);
-  const double share = std::clamp((bar.GetTop() - 0.5f * height - y) / way, 0.0, 1.0);
-  return std::llround(
-    share * static_cast<double>(std::max<vtkIdType>(0, this->List.GetNumberOfRows() - this->Room)));
+  const double fraction = std::clamp((bar.GetTop() - 0.5f * height - y) / way, 0.0, 1.0);
+  return std::llround(fraction *
+    static_cast<double>(std::max<vtkIdType>(0, this->List.GetNumberOfRows() - this->Room)));
 }
 
 //------------------------------------------------------------------------------
@@ -541,9 +541,9 @@ void HapticMaterialSheet::Place(const int rectangle[4], double scale)
 void HapticMaterialSheet::Slide(int quantity, float x)
 {
   const vtkRectf bar = this->GetLayout().GetSlider(quantity);
-  const double share = std::clamp<double>((x - bar.GetLeft()) / bar.GetWidth(), 0.0, 1.0);
+  const double fraction = std::clamp<double>((x - bar.GetLeft()) / bar.GetWidth(), 0.0, 1.0);
   this->List.SetValue(
-    quantity, std::round(share * SliderSteps) / SliderSteps * this->List.GetEnd(quantity));
+    quantity, std::round(fraction * SliderSteps) / SliderSteps * this->List.GetEnd(quantity));
 }
 
 //------------------------------------------------------------------------------

@@ -231,7 +231,7 @@ std::string vtkHapticFunctionEditor::GetTitle()
 //------------------------------------------------------------------------------
 std::string vtkHapticFunctionEditor::GetWarning()
 {
-  return this->Internals->Pages.FindWarning();
+  return this->Internals->Pages.GetWarning();
 }
 
 //------------------------------------------------------------------------------
@@ -248,9 +248,9 @@ double vtkHapticFunctionEditor::EstimateUpdateTime()
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticFunctionEditor::GetCountedShare()
+double vtkHapticFunctionEditor::GetCountedFraction()
 {
-  return this->Internals->Pages.GetCountedShare();
+  return this->Internals->Pages.GetCountedFraction();
 }
 
 //------------------------------------------------------------------------------
@@ -279,7 +279,7 @@ bool vtkHapticFunctionEditor::Propose()
   d.DoLongWork(this,
     [&]
     {
-      found = d.Pages.Proposed.FindNow();
+      found = d.Pages.Proposed.SearchNow();
       if (found.Proposal)
       {
         this->Modified();
@@ -318,9 +318,9 @@ bool vtkHapticFunctionEditor::IsProposing()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::FollowProposal()
+void vtkHapticFunctionEditor::PollProposal()
 {
-  if (const auto found = this->Internals->Pages.Proposed.Follow())
+  if (const auto found = this->Internals->Pages.Proposed.Poll())
   {
     this->Modified();
     if (!found->Proposal)
@@ -346,7 +346,7 @@ bool vtkHapticFunctionEditor::TakeProposal()
     d.History.End(d.Pages.GetEdited()); // the drag up to now becomes a step of its own
   }
   d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
-  const bool isTaken = d.Pages.Proposed.Take();
+  const bool isTaken = d.Pages.Proposed.Apply();
   d.History.End(d.Pages.GetEdited());
   if (isDragging)
   {
@@ -379,13 +379,13 @@ void vtkHapticFunctionEditor::Update()
   {
     return;
   }
-  d.Pages.FollowCounts();
+  d.Pages.PollCounts();
   if (!d.Pages.IsCounted())
   {
     d.DoLongWork(this, [&d] { d.Pages.Count(); });
   }
-  this->FollowProposal();
-  d.Pages.Proposed.FollowEdges();
+  this->PollProposal();
+  d.Pages.Proposed.PollEdges();
 }
 
 //------------------------------------------------------------------------------

@@ -302,12 +302,12 @@ public:
    *
    * Histogram and list of a large image (more than 4 million points) are those of spread samples at
    * first. All values are looked at in the background, and so are edges; the next Update() after
-   * that shows them. GetCountedShare returns the share of the work in the background that is done
-   * (0 to 1), and vtkInteractorStyleHaptic draws the editor as long as it grows.
+   * that shows them. GetCountedFraction returns the fraction of the work in the background that is
+   * done (0 to 1), and vtkInteractorStyleHaptic draws the editor as long as it grows.
    */
   void Update();
   double EstimateUpdateTime();
-  double GetCountedShare();
+  double GetCountedFraction();
   ///@}
 
   /** True if the editor is visible and a position on the display (pixels) is within it. */
@@ -382,7 +382,7 @@ private:
 
   void UpdatePage();
   bool CanPropose();
-  void FollowProposal();
+  void PollProposal();
   bool Send(int event, int button, int x, int y);
   bool TakeBack(bool hasChanged);
   int Draw(vtkViewport* viewport);

@@ -33,7 +33,8 @@ namespace
 constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
 constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame and for a whole one
-constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
+// Of the time between frames; events and haptics take the rest.
+constexpr double DrawingFraction = 0.8;
 constexpr double LongestStillFrame = 0.1; // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;       // s, for any one, because a device without news lets go
 constexpr double LongestTry = 1.0;        // s, until a frame at rest is given up
@@ -72,10 +73,10 @@ FrameQuality::FrameQuality(std::function<Touch()> touch)
           quality->IsExposed = true;
           break;
         case vtkCommand::VolumeMapperRenderStartEvent:
-          quality->FollowProgress(caller, 0.0);
+          quality->RecordProgress(caller, 0.0);
           break;
         case vtkCommand::VolumeMapperRenderProgressEvent:
-          quality->FollowProgress(caller, data ? *static_cast<double*>(data) : 0.0);
+          quality->RecordProgress(caller, data ? *static_cast<double*>(data) : 0.0);
           [[fallthrough]];
         default:
           quality->Interrupt();
@@ -128,14 +129,14 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
 }
 
 //------------------------------------------------------------------------------
-vtkRenderWindow* FrameQuality::FindWindow() const
+vtkRenderWindow* FrameQuality::GetWindow() const
 {
   vtkRenderWindow* const window = this->Window;
   return window && (this->OffScreen || !window->GetOffScreenRendering()) ? window : nullptr;
 }
 
 //------------------------------------------------------------------------------
-FrameQuality::Interruption FrameQuality::TakeInterruption()
+FrameQuality::Interruption FrameQuality::DrainInterruption()
 {
   return std::exchange(this->Interrupted, Interruption::None);
 }
@@ -180,7 +181,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   else if (cpu)
   {
-    FollowRays(*caster, cpu, shown);
+    KeepRays(*caster, cpu, shown);
   }
   const double finely =
     own.AutoAdjust && !isInterruptible ? AutomaticDistance(image) : own.SampleDistance;
@@ -212,7 +213,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   {
     const double rate = std::max(AimedRate, this->Window->GetDesiredUpdateRate());
     const double distance = moves
-      ? this->InMotion.Next(DrawingShare / rate)
+      ? this->InMotion.Next(DrawingFraction / rate)
       : this->AtRest.Next(isInterruptible ? LongestRest : LongestStillFrame);
     next.ImageDistance = std::max(own.ImageDistance, distance);
   }
@@ -234,7 +235,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
 }
 
 //------------------------------------------------------------------------------
-void FrameQuality::FollowRays(
+void FrameQuality::KeepRays(
   Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown)
 {
   if (!caster.Rays || !caster.Rays->Follows(shown.Renderer, shown.Volume))
@@ -254,7 +255,7 @@ void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& sh
     return;
   }
   // VTK would leave frames at rest as coarse as the last one in motion.
-  vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::FindCPUMapper(mapper);
+  vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::GetCPUMapper(mapper);
   const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
   if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))
   {
@@ -279,7 +280,7 @@ void FrameQuality::GiveBack(const Smart& smart)
     mapper->SetInteractiveAdjustSampleDistances(smart.IsInteractive);
     mapper->SetAutoAdjustSampleDistances(smart.AutoAdjust);
     mapper->SetSampleDistance(static_cast<float>(smart.SampleDistance));
-    SmartMapperParts::FindCPUMapper(mapper)->LockSampleDistanceToInputSpacingOn();
+    SmartMapperParts::GetCPUMapper(mapper)->LockSampleDistanceToInputSpacingOn();
   }
 }
 
@@ -321,7 +322,7 @@ bool FrameQuality::IsOnProcessor()
 //------------------------------------------------------------------------------
 void FrameQuality::Begin()
 {
-  if (!this->FindWindow())
+  if (!this->GetWindow())
   {
     return;
   }
@@ -369,7 +370,7 @@ double FrameQuality::GetElapsed() const
 //------------------------------------------------------------------------------
 void FrameQuality::End()
 {
-  if (!this->FindWindow())
+  if (!this->GetWindow())
   {
     return;
   }
@@ -381,7 +382,7 @@ void FrameQuality::End()
     const std::optional<double> whole = this->EstimateTime();
     if (!this->Moves && (whole || time > LongestTry))
     {
-      this->AtRest.Note(whole.value_or(time));
+      this->AtRest.Record(whole.value_or(time));
     }
     return;
   }
@@ -395,14 +396,14 @@ void FrameQuality::End()
   {
     if (caster.Frame == this->Frame)
     {
-      castsAll = (caster.Rays && caster.Rays->TakeWhole()) || castsAll;
+      castsAll = (caster.Rays && caster.Rays->DrainWhole()) || castsAll;
       keepsRays = caster.Rays || keepsRays;
       isAdjusted = true;
     }
   }
   if (castsAll || (isAdjusted && !keepsRays))
   {
-    (this->Moves ? this->InMotion : this->AtRest).Note(time);
+    (this->Moves ? this->InMotion : this->AtRest).Record(time);
   }
   if (!this->Moves)
   {
@@ -416,13 +417,13 @@ void FrameQuality::End()
   }
   else if (keepsRays && !castsAll)
   {
-    constexpr double share = 0.2; // weight of the last frame in the mean
-    this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : share) * (time - this->CoarseTime);
+    constexpr double fraction = 0.2; // weight of the last frame in the mean
+    this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : fraction) * (time - this->CoarseTime);
   }
 }
 
 //------------------------------------------------------------------------------
-void FrameQuality::FollowProgress(vtkObject* mapper, double share)
+void FrameQuality::RecordProgress(vtkObject* mapper, double fraction)
 {
   for (Caster& caster : this->Casters)
   {
@@ -430,13 +431,13 @@ void FrameQuality::FollowProgress(vtkObject* mapper, double share)
     {
       continue;
     }
-    if (share == 0.0)
+    if (fraction == 0.0)
     {
       caster.Progress.Begin(this->GetElapsed());
     }
     else if (caster.Rays && caster.Rays->IsCastingAll())
     {
-      caster.Progress.Note(this->GetElapsed(), share);
+      caster.Progress.Record(this->GetElapsed(), fraction);
     }
   }
 }
@@ -458,7 +459,7 @@ std::optional<double> FrameQuality::EstimateTime() const
 //------------------------------------------------------------------------------
 void FrameQuality::Interrupt()
 {
-  if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus())
+  if (this->GetWindow() && !this->Moves && this->Window->CheckInRenderStatus())
   {
     const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
       std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;

@@ -43,7 +43,7 @@ class KeptRays;
 class RayProgress
 {
 public:
-  static constexpr double LeastShare = 0.1;
+  static constexpr double LeastFraction = 0.1;
 
   /** The rays begin. `time`: since the beginning of the frame, s. */
   void Begin(double time)
@@ -52,11 +52,11 @@ public:
     this->Whole.reset();
   }
   /** Records the finished fraction of the rows. `time`: as above. */
-  void Note(double time, double share)
+  void Record(double time, double fraction)
   {
-    if (share >= LeastShare)
+    if (fraction >= LeastFraction)
     {
-      this->Whole = this->Before + (time - this->Before) / share;
+      this->Whole = this->Before + (time - this->Before) / fraction;
     }
   }
   /** Forgets the frame. */
@@ -92,7 +92,7 @@ struct RayPace
     return std::exp2(0.5 * this->Steps);
   }
   /** Records the time of a frame with all its rays, s. */
-  void Note(double time)
+  void Record(double time)
   {
     this->Time = time;
     this->IsKnown = true;
@@ -158,7 +158,7 @@ public:
     Resized ///< the window's size, so that the frame was drawn coarsely first
   };
   /** Why a frame was to be drawn again since the last call. */
-  Interruption TakeInterruption();
+  Interruption DrainInterruption();
 
 private:
   /** A mapper, the settings of its application, and the settings made here. */
@@ -196,7 +196,7 @@ private:
   void End();
   void Interrupt();
   /** Records which fraction of its rows a mapper has cast; 0 when it begins. */
-  void FollowProgress(vtkObject* mapper, double share);
+  void RecordProgress(vtkObject* mapper, double fraction);
   /** The time of the frame with all its rays (s), if known before its end. */
   std::optional<double> EstimateTime() const;
   /** Time since the beginning of the frame, s. */
@@ -209,14 +209,14 @@ private:
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
   static void GiveBack(const Smart& smart);
   /** Makes the object that keeps the rays of this mapper's image. */
-  static void FollowRays(
+  static void KeepRays(
     Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
   /** Whether OpenGL runs on the processor. Asks the window once, because the answer takes long. */
   bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;
   /** The window, if its frames are adjusted now. */
-  vtkRenderWindow* FindWindow() const;
+  vtkRenderWindow* GetWindow() const;
 
   vtkWeakPointer<vtkRenderWindow> Window;
   bool OffScreen = false; ///< adjusts windows off the screen, too

@@ -121,7 +121,7 @@ public:
 
 HapticWindowWatch::HapticWindowWatch(vtkObject* owner, std::function<void()> end)
   : Owner(owner)
-  , TellEnd(std::move(end))
+  , ReportEnd(std::move(end))
   , Events(vtkSmartPointer<Observer>::New())
   , WindowClosing(vtkSmartPointer<Closing>::New())
 {
@@ -269,7 +269,7 @@ void HapticWindowWatch::OnRender()
 void HapticWindowWatch::End()
 {
   const vtkSmartPointer<vtkObject> keep(this->Owner);
-  this->TellEnd();
+  this->ReportEnd();
 }
 
 } // namespace VolumeHaptics

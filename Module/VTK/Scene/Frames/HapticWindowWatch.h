@@ -72,7 +72,7 @@ private:
   void End();
 
   vtkObject* const Owner;
-  std::function<void()> TellEnd;
+  std::function<void()> ReportEnd;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<Observer> Events;
   vtkSmartPointer<Closing> WindowClosing;

@@ -145,7 +145,7 @@ private:
 /** Gives access to protected members of vtkFixedPointVolumeRayCastMapper. */
 struct RayCasterParts : vtkFixedPointVolumeRayCastMapper
 {
-  static vtkDirectionEncoder*& FindDirections(vtkFixedPointVolumeRayCastMapper* mapper)
+  static vtkDirectionEncoder*& GetDirections(vtkFixedPointVolumeRayCastMapper* mapper)
   {
     return mapper->*(&RayCasterParts::DirectionEncoder);
   }
@@ -154,7 +154,7 @@ struct RayCasterParts : vtkFixedPointVolumeRayCastMapper
   {
     (mapper->*(&RayCasterParts::GradientEstimator))->SetDirectionEncoder(directions);
     directions->Register(mapper);
-    std::exchange(FindDirections(mapper), directions)->UnRegister(mapper);
+    std::exchange(GetDirections(mapper), directions)->UnRegister(mapper);
   }
 };
 
@@ -178,7 +178,7 @@ KeptRays::KeptRays(
   mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this->Observer);
 
-  this->OwnDirections = RayCasterParts::FindDirections(mapper);
+  this->OwnDirections = RayCasterParts::GetDirections(mapper);
   if (this->OwnDirections->IsA("vtkSphericalDirectionEncoder"))
   {
     vtkNew<ShadedDirections> directions;
@@ -226,7 +226,7 @@ bool KeptRays::IsCurrent() const
 }
 
 //------------------------------------------------------------------------------
-bool KeptRays::TakeWhole()
+bool KeptRays::DrainWhole()
 {
   return std::exchange(this->IsWhole, false);
 }
@@ -322,7 +322,7 @@ void KeptRays::StoreCoarse()
 }
 
 //------------------------------------------------------------------------------
-bool KeptRays::TakeCoarse(const Words& look, const Words& image)
+bool KeptRays::CopyCoarse(const Words& look, const Words& image)
 {
   if (look != this->Coarse.Look || image != this->Coarse.Image)
   {
@@ -372,7 +372,7 @@ void KeptRays::ReadDepths(std::vector<float>& depths) const
 }
 
 //------------------------------------------------------------------------------
-void KeptRays::FindChanges(const std::vector<float>& depths)
+void KeptRays::CollectChanges(const std::vector<float>& depths)
 {
   const int* const size = this->Mapper->GetRayCastImage()->GetImageInUseSize();
   this->Rows.assign(size[1], {});
@@ -439,10 +439,10 @@ void KeptRays::Begin()
   this->ReadDepths(this->NewDepths);
   const bool isKept =
     (look == this->Now.Look && image == this->Now.Image && storage == this->Storage) ||
-    this->TakeCoarse(look, image);
+    this->CopyCoarse(look, image);
   if (isKept)
   {
-    this->FindChanges(this->NewDepths);
+    this->CollectChanges(this->NewDepths);
     this->SetPass(0);
   }
   else if (isExpected)

@@ -66,7 +66,7 @@ public:
   /** Whether the current frame casts all rays. */
   bool IsCastingAll() const { return this->IsWhole; }
   /** Whether all rays have been cast since the last call. */
-  bool TakeWhole();
+  bool DrainWhole();
 
 private:
   using Words = std::vector<std::uint64_t>;
@@ -98,7 +98,7 @@ private:
   /** Copies the mapper's image to the coarse one, if it is coarse. */
   void StoreCoarse();
   /** Copies the coarse image to the mapper's, if the mapper is to draw it. */
-  bool TakeCoarse(const Words& look, const Words& image);
+  bool CopyCoarse(const Words& look, const Words& image);
   /** The conditions of the mapper's table of shades. */
   Words DescribeShades() const;
   /** Whether the mapper draws this volume in this window now. */
@@ -108,7 +108,7 @@ private:
   /** Depths where the rays of the image in use end, row by row. */
   void ReadDepths(std::vector<float>& depths) const;
   /** Collects the runs of rays whose depth has changed. */
-  void FindChanges(const std::vector<float>& depths);
+  void CollectChanges(const std::vector<float>& depths);
   /** Makes the mapper cast the runs of one pass: in each row, the run of this number. */
   void SetPass(std::size_t pass);
 

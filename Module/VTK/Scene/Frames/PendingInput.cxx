@@ -31,7 +31,7 @@ struct Search
 };
 
 /** Looks at an event. Returning true would take the event out of the queue. */
-Bool Note(Display*, XEvent* event, char* data)
+Bool Record(Display*, XEvent* event, char* data)
 {
   auto* const search = reinterpret_cast<Search*>(data);
   if (event->xany.window == search->Of)
@@ -77,7 +77,7 @@ bool HasEvent(vtkRenderWindow* window)
   }
   Search search{ reinterpret_cast<Window>(window->GetGenericWindowId()), false };
   XEvent event;
-  CheckIfEvent()(static_cast<Display*>(window->GetGenericDisplayId()), &event, Note,
+  CheckIfEvent()(static_cast<Display*>(window->GetGenericDisplayId()), &event, Record,
     reinterpret_cast<XPointer>(&search));
   return search.Found;
 }

@@ -22,7 +22,7 @@ namespace
 constexpr double ShaftRadii = 0.3;
 constexpr double HubRadii = 0.9;
 /** The start of the hub, as a fraction of the shaft's length outside. */
-constexpr double HubShare = 0.7;
+constexpr double HubFraction = 0.7;
 const double Steel[3] = { 0.8, 0.82, 0.85 };
 
 void AddLine(vtkPoints* points, vtkCellArray* lines, const Vector3& from, const Vector3& to)
@@ -103,7 +103,7 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
   drawn->GetCellData()->SetScalars(colors);
   vtkNew<vtkPoints> hubPoints;
   vtkNew<vtkCellArray> hubLines;
-  AddLine(hubPoints, hubLines, entry + HubShare * back, entry + back);
+  AddLine(hubPoints, hubLines, entry + HubFraction * back, entry + back);
   this->HubLine->SetPoints(hubPoints);
   this->HubLine->SetLines(hubLines);
 }

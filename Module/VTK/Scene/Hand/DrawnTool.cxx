@@ -26,7 +26,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double SeenTurns = 1.7;
 
 /** The rotation from the tool to the world's axes; NoOrientation if the tool is not felt. */
-Quaternion FindTurn(
+Quaternion ComputeTurn(
   vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)
 {
   const double* const wxyz = device->GetState()->GetToolOrientation();
@@ -70,10 +70,10 @@ DrawnTool::DrawnTool()
 
 void DrawnTool::Update(vtkHapticDevice* device, const Quaternion& leaning)
 {
-  vtkHapticTool* const tool = FindHeldTool(device);
+  vtkHapticTool* const tool = GetHeldTool(device);
   const ToolKind* const kind = FindToolKind(tool);
   const Quaternion q =
-    kind ? FindTurn(device, *kind, kind->FindReach(tool) > 0.0, leaning) : NoOrientation;
+    kind ? ComputeTurn(device, *kind, kind->ComputeReach(tool) > 0.0, leaning) : NoOrientation;
   this->Shown = !IsIdentical(q, NoOrientation);
   if (!this->Shown)
   {

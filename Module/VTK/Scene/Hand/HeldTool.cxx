@@ -10,7 +10,7 @@
 namespace VolumeHaptics
 {
 
-vtkHapticTool* FindHeldTool(vtkHapticDevice* device)
+vtkHapticTool* GetHeldTool(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
   return filter ? filter->GetTool() : nullptr;
@@ -22,10 +22,10 @@ bool IsTurnable(vtkHapticTool* tool)
   return kind && kind->IsTurnable();
 }
 
-double FindToolReach(vtkHapticTool* tool)
+double ComputeToolReach(vtkHapticTool* tool)
 {
   const ToolKind* const kind = FindToolKind(tool);
-  return kind ? kind->FindReach(tool) : 0.0;
+  return kind ? kind->ComputeReach(tool) : 0.0;
 }
 
 } // namespace VolumeHaptics

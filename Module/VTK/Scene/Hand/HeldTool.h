@@ -14,13 +14,13 @@ namespace VolumeHaptics
 {
 
 /** The tool in the hand of a device; null for a point. */
-vtkHapticTool* FindHeldTool(vtkHapticDevice* device);
+vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
 
 /** Whether a tool looks different when it is turned. */
 bool IsTurnable(vtkHapticTool* tool);
 
 /** World units: from the hand to the farthest touching point of a tool; 0 without a shape. */
-double FindToolReach(vtkHapticTool* tool);
+double ComputeToolReach(vtkHapticTool* tool);
 
 } // namespace VolumeHaptics
 

@@ -60,7 +60,7 @@ void LandingRing::Update(
     {
       const Vector3 proxy = FromArray(device->GetState()->GetProxyPosition());
       const double depth = Dot(FromArray(device->GetState()->GetTipPosition()) - proxy, normal);
-      const double patch = FindPatchRadius(depth, radius);
+      const double patch = ComputePatchRadius(depth, radius);
       this->Ring.Show(true);
       this->Ring.PlaceRing(proxy, normal, patch);
       this->Patch.Show(true);
@@ -78,8 +78,8 @@ void LandingRing::Update(
   }
   const Vector3 sight = LineOfSight(renderer, tip);
   const double distance = Dot(contact - tip, sight);
-  const double share = std::clamp(distance / (FarAway * radius), 0.0, 1.0);
-  const double ring = (ClosedRing + share * (OpenRing - ClosedRing)) * radius;
+  const double fraction = std::clamp(distance / (FarAway * radius), 0.0, 1.0);
+  const double ring = (ClosedRing + fraction * (OpenRing - ClosedRing)) * radius;
   this->Ring.Show(true);
   this->Ring.PlaceRing(contact, Norm(normal) > 0.0 ? normal : sight, ring);
   if (distance >= radius)

@@ -34,7 +34,7 @@ constexpr double OpenRing = 5.0;
  * has this `radius`. Its area grows in proportion to the depth, like the contact of a soft ball of
  * radius R on a plane, pi R d (Hertz), up to the widest ring.
  */
-inline double FindPatchRadius(double depth, double radius)
+inline double ComputePatchRadius(double depth, double radius)
 {
   constexpr double fingertip = 5.0; // R in radii of the proxy
   const double begin = ClosedRing * radius;

@@ -74,9 +74,9 @@ void SpringCoil::Place(const Vector3& proxy, const Vector3& tip, double slack, d
   }
   for (int i = 0; isCoil && i <= Windings * WindingSides; ++i)
   {
-    const double share = static_cast<double>(i) / (Windings * WindingSides);
-    const double angle = FullTurn * Windings * share;
-    add(proxy + (straight + share * stretch) * along +
+    const double fraction = static_cast<double>(i) / (Windings * WindingSides);
+    const double angle = FullTurn * Windings * fraction;
+    add(proxy + (straight + fraction * stretch) * along +
       winding * (std::cos(angle) * side + std::sin(angle) * up));
   }
   add(tip);

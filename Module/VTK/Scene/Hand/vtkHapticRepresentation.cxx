@@ -311,7 +311,7 @@ void vtkHapticRepresentation::UpdateMarkers()
     d.Spheres[Source::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
   }
   d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
-    this->FindStylusLength());
+    this->ComputeStylusLength());
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
     this->FollowedReach, this->Radius);
@@ -335,14 +335,14 @@ void vtkHapticRepresentation::UpdateStylus()
   const bool isMeasured = SquaredNorm(measured) > 0.0;
   const Quaternion orientation = isMeasured || !IsFelt(this->GetDevice()) ? measured : d.Leaning;
   const bool isFitted = !isMeasured && !(this->StylusLength > 0.0);
-  const double whole = this->FindStylusLength();
+  const double whole = this->ComputeStylusLength();
   d.Stylus.Show(SquaredNorm(orientation) > 0.0);
   d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticStateSource::PROXY)), orientation,
     isFitted ? std::min(whole, d.MostLength) : whole);
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticRepresentation::FindStylusLength()
+double vtkHapticRepresentation::ComputeStylusLength()
 {
   return this->StylusLength > 0.0 ? this->StylusLength : StylusRadii * this->Radius;
 }

@@ -222,7 +222,7 @@ private:
   void UpdateMarkers();
   void UpdateStylus();
   void Lean(vtkViewport* viewport);
-  double FindStylusLength();
+  double ComputeStylusLength();
   void UpdateTrail();
 
   struct vtkInternals;

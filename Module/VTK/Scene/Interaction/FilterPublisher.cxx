@@ -16,7 +16,7 @@ namespace VolumeHaptics
 
 vtkMTimeType FilterPublisher::GetChangeTime() const
 {
-  return FindChangeTime(this->Scene.Device->GetVolumeHaptics());
+  return ComputeChangeTime(this->Scene.Device->GetVolumeHaptics());
 }
 
 void FilterPublisher::Reset()
@@ -39,7 +39,7 @@ void FilterPublisher::SetNotice(const std::string& notice)
 
 void FilterPublisher::Update(bool isPlaced)
 {
-  this->FollowAwaited();
+  this->PollAwaited();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkMTimeType time = this->GetChangeTime();
   // The application or another style may have published the change.
@@ -151,7 +151,7 @@ void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter*
   notify(change.Wanted + " can't be felt here: see the messages.\n" + change.Before + " goes on.");
 }
 
-void FilterPublisher::FollowAwaited()
+void FilterPublisher::PollAwaited()
 {
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   if (this->Awaited.Wanted.empty() || !device->IsPublished())
@@ -184,7 +184,7 @@ ComparedSettings::ComparedSettings(TouchedScene& scene, FilterPublisher& publish
 {
 }
 
-vtkVolumeHapticsFilter* ComparedSettings::FindFilter() const
+vtkVolumeHapticsFilter* ComparedSettings::GetFilter() const
 {
   return this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
 }
@@ -194,7 +194,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
 {
   // Keep the device: observers of the following events may remove it.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
-  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->FindFilter();
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->GetFilter();
   if (!filter)
   {
     vtkErrorWithObjectMacro(style,
@@ -206,7 +206,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
     this->Filter = filter;
     this->Other = std::make_shared<const KeptSettings>(filter);
     this->IsB = true;
-    this->Tell();
+    this->Report();
     notify("These settings are A. Change the method or a material for B.");
     return true;
   }
@@ -216,7 +216,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   // Notice this later, too, when the other method was made ready in the background.
   const auto undo = [this, before, tried, wasB]
   {
-    const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->FindFilter();
+    const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->GetFilter();
     if (felt && felt.GetPointer() == this->Filter.GetPointer())
     {
       before->Apply(felt);
@@ -225,7 +225,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
     {
       this->Other = tried;
       this->IsB = wasB;
-      this->Tell();
+      this->Report();
     }
   };
   const bool isFelt =
@@ -234,7 +234,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   {
     this->Other = before;
     this->IsB = !wasB;
-    this->Tell();
+    this->Report();
   }
   return isFelt;
 }
@@ -243,7 +243,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
 std::string ComparedSettings::GetName() const
 {
   const bool isCompared =
-    this->Other && this->Filter && this->Filter.GetPointer() == this->FindFilter();
+    this->Other && this->Filter && this->Filter.GetPointer() == this->GetFilter();
   return !isCompared ? "" : this->IsB ? "B" : "A";
 }
 
@@ -252,11 +252,11 @@ void ComparedSettings::End()
 {
   this->Other.reset();
   this->Filter = nullptr;
-  this->Tell();
+  this->Report();
 }
 
 //------------------------------------------------------------------------------
-void ComparedSettings::Tell()
+void ComparedSettings::Report()
 {
   const std::string name = this->GetName();
   // While nothing is compared, keep a name that the application has set.

@@ -78,7 +78,7 @@ private:
   void GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter, bool wasPublished,
     const Notify& notify);
   /** Finishes an awaited change, if it is ready. */
-  void FollowAwaited();
+  void PollAwaited();
   /** Shows a notice in the head-up display, if there is one. */
   void SetNotice(const std::string& notice);
 
@@ -108,11 +108,11 @@ public:
   void End();
 
   /** Sets the name of the felt settings in the head-up display; call it in each update. */
-  void Tell();
+  void Report();
 
 private:
   /** The filter of the device; null without one. */
-  vtkVolumeHapticsFilter* FindFilter() const;
+  vtkVolumeHapticsFilter* GetFilter() const;
 
   TouchedScene& Scene;
   FilterPublisher& Publisher;

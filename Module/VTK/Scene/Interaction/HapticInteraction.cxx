@@ -69,7 +69,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Touch(Scene, Window, Workspace)
   , Turn(Scene)
   , Displays(Scene, Touch, Turn, Keys)
-  , Touched(Scene, ShownFrames, Carved)
+  , Touched(Scene, ShownTimeSteps, Carved)
   , Publisher(Scene)
   , Compared(Scene, Publisher)
   , Playback(Scene)
@@ -78,7 +78,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Slices(Scene, Touch)
   , Measure(Scene, Frames)
 {
-  this->Touch.BeforeBegin = [this] { this->FollowVolumes(); };
+  this->Touch.BeforeBegin = [this] { this->UpdateVolumes(); };
   this->Touch.BeforeLanding = [this](vtkRenderer* renderer, const Vector3& through)
   { this->Touched.ChooseAt(renderer, through); };
   this->DisarmObserver->SetClientData(this);
@@ -87,7 +87,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   this->WorkObserver->SetClientData(this);
   this->WorkObserver->SetCallback(
     [](vtkObject* worker, unsigned long event, void* self, void*) {
-      static_cast<HapticInteraction*>(self)->FollowWork(worker, event == vtkCommand::StartEvent);
+      static_cast<HapticInteraction*>(self)->HandleWork(worker, event == vtkCommand::StartEvent);
     });
 }
 
@@ -107,7 +107,7 @@ void HapticInteraction::LeaveDevice()
     device->RemoveObserver(this->WorkObserver);
     device->GetState()->RemoveReader(this->Reader);
     this->Workspace.LeaveDevice();
-    this->ShownFrames.Restore();
+    this->ShownTimeSteps.Restore();
     this->Carved.Clear();
   }
 }
@@ -148,7 +148,7 @@ bool HapticInteraction::SetFunctionEditor(vtkHapticFunctionEditor* editor)
   if (this->Scene.Editor)
   {
     this->Scene.Editor->RemoveObserver(this->WorkObserver);
-    this->FollowWork(this->Scene.Editor, false);
+    this->HandleWork(this->Scene.Editor, false);
   }
   this->Scene.Editor = editor;
   if (editor)
@@ -316,7 +316,7 @@ bool HapticInteraction::ReleaseRightButton()
 //------------------------------------------------------------------------------
 bool HapticInteraction::DrawSlices()
 {
-  if (this->Slices.TakeChange())
+  if (this->Slices.DrainChange())
   {
     this->Frames.Draw(true);
   }
@@ -430,7 +430,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
 //------------------------------------------------------------------------------
 bool HapticInteraction::ReleaseKey(const std::string& released)
 {
-  this->Repeat.NoteRelease(released);
+  this->Repeat.RecordRelease(released);
   if (this->Keys.Find(released) != "k")
   {
     return false;
@@ -453,7 +453,7 @@ bool HapticInteraction::TypeKey(const std::string& typed) const
 }
 
 //------------------------------------------------------------------------------
-void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
+void HapticInteraction::HandleWork(vtkObject* worker, bool begins)
 {
   auto& scene = this->Scene;
   if (worker == scene.Editor)
@@ -474,7 +474,7 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
   }
   vtkRenderWindowInteractor* const interactor = scene.Style->GetInteractor();
   vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
-  this->Frames.NoteEvent();
+  this->Frames.RecordEvent();
   if (begins && scene.Display && worker == scene.Device && scene.IsArmed() && window &&
     !window->CheckInRenderStatus())
   {
@@ -502,24 +502,24 @@ bool HapticInteraction::UpdateHaptics()
   // Keep these objects: observers of the following events may remove any of them.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
-  this->Window.LookAt(scene.FindRenderer());
+  this->Window.LookAt(scene.ChooseRenderer());
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
   this->Frames.SetWindow(
     interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr,
     style->GetAutoAdjustOffScreen());
-  this->Editor.FollowProposal();
+  this->Editor.PollProposal();
   this->Displays.UpdateHint();
-  this->Compared.Tell();
-  this->FollowCarving();
+  this->Compared.Report();
+  this->UpdateCarving();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;
   }
   const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
-  const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
+  const vtkSmartPointer<vtkRenderer> renderer = scene.ChooseRenderer();
   // Send changes to the servo first, so that they are felt before they are seen.
   const bool isPlaced =
-    renderer && !this->Workspace.IsClutched() && this->Workspace.Follow(renderer);
+    renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
   if (scene.Device != device)
   {
     return false;
@@ -532,7 +532,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  this->FollowVolumes();
+  this->UpdateVolumes();
   if (scene.Device != device)
   {
     return false;
@@ -546,16 +546,16 @@ bool HapticInteraction::UpdateHaptics()
 
   if (renderer && scene.Device == device)
   {
-    this->ShownFrames.Find(renderer, device);
+    this->ShownTimeSteps.Collect(renderer, device);
   }
   bool isNew = device->UpdateState();
   if (scene.Device != device || !device->IsRunning())
   {
     return false;
   }
-  if (this->ShownFrames.Show(device))
+  if (this->ShownTimeSteps.Show(device))
   {
-    this->Frames.NoteEvent();
+    this->Frames.RecordEvent();
   }
   // Another style with this device may already have fetched the state.
   const double before = std::exchange(this->Updated, device->GetState()->GetTime());
@@ -565,7 +565,7 @@ bool HapticInteraction::UpdateHaptics()
     if (TurnView(renderer, { rate[0], rate[1], rate[2] }, this->Updated - before,
           style->GetAutoAdjustCameraClippingRange() != 0))
     {
-      this->Frames.NoteEvent();
+      this->Frames.RecordEvent();
     }
   }
   if (scene.Device != device)
@@ -583,10 +583,10 @@ bool HapticInteraction::UpdateHaptics()
   {
     scene.Display->AddStates(this->States);
   }
-  this->Measure.Follow(this->States);
+  this->Measure.Update(this->States);
   for (const unsigned long event : this->Watch.Watch(this->States))
   {
-    this->Frames.NoteEvent();
+    this->Frames.RecordEvent();
     style->InvokeEvent(event);
   }
   if (isNew)
@@ -600,9 +600,9 @@ bool HapticInteraction::UpdateHaptics()
 }
 
 //------------------------------------------------------------------------------
-void HapticInteraction::FollowVolumes()
+void HapticInteraction::UpdateVolumes()
 {
-  this->Touched.Follow();
+  this->Touched.Update();
   if (this->Scene.Hidden.empty())
   {
     return;
@@ -622,14 +622,14 @@ void HapticInteraction::FollowVolumes()
 }
 
 //------------------------------------------------------------------------------
-void HapticInteraction::FollowCarving()
+void HapticInteraction::UpdateCarving()
 {
-  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
   if (!renderer || !this->Scene.Device)
   {
     return;
   }
-  const std::vector<CarvedArray> arrays = this->Touched.FindCarved();
+  const std::vector<CarvedArray> arrays = this->Touched.CollectCarved();
   // Slices and regions of large volumes show removed tissue, too.
   std::uint64_t changes = 0;
   for (const CarvedArray& array : arrays)
@@ -639,20 +639,20 @@ void HapticInteraction::FollowCarving()
   const bool isNew = changes != std::exchange(this->CarvedChanges, changes);
   if (this->Carved.Update(renderer, arrays) || isNew)
   {
-    this->Frames.NoteEvent();
+    this->Frames.RecordEvent();
   }
 }
 
 //------------------------------------------------------------------------------
 void HapticInteraction::CheckShownVolumes()
 {
-  vtkRenderer* const renderer = this->Scene.FindRenderer();
-  vtkImageData* const image = this->Scene.FindImage();
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
+  vtkImageData* const image = this->Scene.GetImage();
   if (renderer && image)
   {
     vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
     for (const std::string& warning : this->Volumes.Check(
-           renderer, image, filter, this->ShownFrames, this->Carved, this->Touched.Get()))
+           renderer, image, filter, this->ShownTimeSteps, this->Carved, this->Touched.Get()))
     {
       vtkWarningWithObjectMacro(this->Scene.Style, << warning);
     }

@@ -19,7 +19,7 @@
 #include "VTK/Scene/Interaction/TouchedVolumes.h"
 #include "VTK/Scene/Interaction/WorkspaceControl.h"
 #include "VTK/Scene/Volumes/CarvedPicture.h"
-#include "VTK/Scene/Volumes/HapticShownFrames.h"
+#include "VTK/Scene/Volumes/HapticShownTimeSteps.h"
 #include "VTK/Scene/Volumes/HapticShownVolumes.h"
 
 #include "vtkNew.h"
@@ -126,7 +126,7 @@ public:
   ToolTurn Turn;
   KeyMap Keys;
   DisplayKeys Displays;
-  HapticShownFrames ShownFrames;
+  HapticShownTimeSteps ShownTimeSteps;
   CarvedPictures Carved;
   std::uint64_t CarvedChanges = 0; ///< changes of the removed tissue at the last look
   TouchedVolumes Touched;
@@ -137,12 +137,12 @@ public:
 private:
   void LeaveDevice();
   /** Feels what the touched volumes show, and releases volumes that are no longer shown. */
-  void FollowVolumes();
+  void UpdateVolumes();
   /** Makes volumes show the tissue that a tool has left. */
-  void FollowCarving();
+  void UpdateCarving();
   /** Draws the scene and returns true if the mouse has changed what the slices show. */
   bool DrawSlices();
-  void FollowWork(vtkObject* worker, bool begins);
+  void HandleWork(vtkObject* worker, bool begins);
 
   PlaybackKeys Playback;
   KeyRepeat Repeat;

@@ -30,7 +30,7 @@ constexpr double LeastMeasuredForce = 0.005;
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
 /** Drawing a growing area may take this fraction of the time. */
-constexpr double CutShare = 0.1;
+constexpr double CutFraction = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
 {
@@ -47,12 +47,12 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
   image->TransformPhysicalPointToContinuousIndex(at, index);
   const int* const extent = image->GetExtent();
   int low[3];
-  double share[3];
+  double fraction[3];
   for (int a = 0; a < 3; ++a)
   {
     const double inside = std::clamp<double>(index[a], extent[2 * a], extent[2 * a + 1]);
     low[a] = std::min(static_cast<int>(std::floor(inside)), extent[2 * a + 1] - 1);
-    share[a] = inside - low[a];
+    fraction[a] = inside - low[a];
   }
   double value = 0.0;
   for (int corner = 0; corner < 8; ++corner)
@@ -63,7 +63,7 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
     {
       const bool isHigh = (corner >> a & 1) != 0;
       place[a] = low[a] + (isHigh ? 1 : 0);
-      weight *= isHigh ? share[a] : 1.0 - share[a];
+      weight *= isHigh ? fraction[a] : 1.0 - fraction[a];
     }
     value += weight * array->GetComponent(image->ComputePointId(place), component);
   }
@@ -133,11 +133,11 @@ void MeasureKeys::SetPoint(MeasuredKind kind)
   vtkHapticDevice* const device = this->Scene.Device;
   if (!IsTouching(device))
   {
-    this->Tell(
+    this->Report(
       "Nothing is touched: touch the volume where you want to measure, then press the key");
     return;
   }
-  this->Tell({});
+  this->Report({});
   if (this->IsFollowing)
   {
     this->Finish();
@@ -181,7 +181,7 @@ void MeasureKeys::BeginOrEnd(MeasuredKind kind)
 {
   const bool ends = this->IsFollowing && this->Begun.Kind == kind;
   this->End();
-  this->Tell({});
+  this->Report({});
   if (!ends)
   {
     this->IsFollowing = true;
@@ -189,8 +189,8 @@ void MeasureKeys::BeginOrEnd(MeasuredKind kind)
     this->NextCut = {};
     if (!IsTouching(this->Scene.Device))
     {
-      this->Tell(kind == MeasuredKind::Path ? "The path begins where you touch"
-                                            : "The area begins where you touch");
+      this->Report(kind == MeasuredKind::Path ? "The path begins where you touch"
+                                              : "The area begins where you touch");
     }
   }
 }
@@ -224,8 +224,8 @@ void MeasureKeys::Finish()
   }
   else if (done.Kind == MeasuredKind::Area && brush)
   {
-    this->Tell("Nothing was painted: the values of the image have no edge where you touched. "
-               "Paint where tissues differ, or with the method SURFACE_PROXY");
+    this->Report("Nothing was painted: the values of the image have no edge where you touched. "
+                 "Paint where tissues differ, or with the method SURFACE_PROXY");
   }
 }
 
@@ -233,7 +233,7 @@ void MeasureKeys::Finish()
 std::unique_ptr<PaintedPatch> MeasureKeys::MakeBrush(const Vector3& proxy, double surfaceValue)
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
-  vtkImageData* const image = this->Scene.FindImage();
+  vtkImageData* const image = this->Scene.GetImage();
   vtkDataArray* const array = image ? filter->GetBaker().GetReading().GetArray(image) : nullptr;
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     image->GetDataDimension() != 3)
@@ -271,16 +271,16 @@ void MeasureKeys::PaintTo(const Vector3& proxy, double surfaceValue)
 }
 
 //------------------------------------------------------------------------------
-void MeasureKeys::Follow(vtkTable* states)
+void MeasureKeys::Update(vtkTable* states)
 {
   if (!this->IsFollowing || !this->Scene.Measurements || !this->Scene.Device)
   {
     return;
   }
-  if (this->Brush && !this->Brush->IsOf(this->Scene.FindImage()))
+  if (this->Brush && !this->Brush->IsOf(this->Scene.GetImage()))
   {
     this->Finish();
-    this->Tell("The area ends where other samples were read: begin another one");
+    this->Report("The area ends where other samples were read: begin another one");
     return;
   }
   const double spacing = this->Scene.Measurements->GetPathSpacing();
@@ -312,7 +312,7 @@ void MeasureKeys::Follow(vtkTable* states)
   if (isNew)
   {
     const bool isPaintable = this->Begun.Kind != MeasuredKind::Area || this->Brush;
-    this->Tell(
+    this->Report(
       isPaintable ? "" : "An area can't be painted here: the touched data are no 3D image");
     this->Show();
   }
@@ -338,7 +338,7 @@ void MeasureKeys::Show()
     shape = this->Brush->Cut();
     const Clock::time_point after = Clock::now();
     this->NextCut =
-      after + std::chrono::duration_cast<Clock::duration>((after - before) / CutShare);
+      after + std::chrono::duration_cast<Clock::duration>((after - before) / CutFraction);
   }
   else if (!this->Begun.Points.empty())
   {
@@ -350,7 +350,7 @@ void MeasureKeys::Show()
 }
 
 //------------------------------------------------------------------------------
-void MeasureKeys::Tell(const std::string& notice)
+void MeasureKeys::Report(const std::string& notice)
 {
   // Keep a notice that others have set.
   if (!notice.empty() || !this->Told.empty())

@@ -35,7 +35,7 @@ public:
   /** False if the key is none of them, or without a list of measurements. */
   bool Press(const std::string& key);
   /** Adds an update's states to the path, or to the brushed area. */
-  void Follow(vtkTable* states);
+  void Update(vtkTable* states);
   /** Ends a path or an area, and discards the points of an incomplete distance or angle. */
   void End();
 
@@ -51,7 +51,7 @@ private:
   void PaintTo(const Vector3& proxy, double surfaceValue);
   /** Shows the measurement in progress in displays. */
   void Show();
-  void Tell(const std::string& notice);
+  void Report(const std::string& notice);
 
   TouchedScene& Scene;
   SceneFrames& Frames;

@@ -38,7 +38,7 @@ SceneFrames::SceneFrames(
         const bool isArmed = device && this->Scene.IsArmed();
         // A playing volume is drawn again and again.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
-          (device && device->GetPlayback()->HasFrames() && device->GetPlayback()->IsPlaying());
+          (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
       })
 {
@@ -56,7 +56,7 @@ void SceneFrames::Draw(bool quickly)
     // Do this before the frame: long work draws the head-up display, which is impossible within a
     // frame.
     editor->Update();
-    this->CountedShare = editor->GetCountedShare();
+    this->CountedFraction = editor->GetCountedFraction();
   }
   const double start = vtkTimerLog::GetUniversalTime();
   this->DrawScene(quickly);
@@ -76,24 +76,25 @@ void SceneFrames::Draw(bool quickly)
   }
 }
 
-void SceneFrames::FollowEditor()
+void SceneFrames::PollEditor()
 {
   constexpr double step = 0.05;
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
-  if (editor && editor->GetVisibility() && this->CountedShare < 1.0)
+  if (editor && editor->GetVisibility() && this->CountedFraction < 1.0)
   {
     editor->Update();
-    const double share = editor->GetCountedShare();
-    this->HasHappened = this->HasHappened || share == 1.0 || share > this->CountedShare + step;
+    const double fraction = editor->GetCountedFraction();
+    this->HasHappened =
+      this->HasHappened || fraction == 1.0 || fraction > this->CountedFraction + step;
   }
 }
 
 bool SceneFrames::DrawIfDue(bool isNew)
 {
   using Frame = HapticRenderPace::Frame;
-  this->FollowEditor();
+  this->PollEditor();
   const double now = vtkTimerLog::GetUniversalTime();
-  switch (this->Quality.TakeInterruption())
+  switch (this->Quality.DrainInterruption())
   {
     case FrameQuality::Interruption::Input:
     case FrameQuality::Interruption::Resized:
@@ -140,7 +141,7 @@ bool SceneFrames::AwaitLateMotion(double travel) const
 
 bool SceneFrames::HasMoved() const
 {
-  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
   if (this->HasHappened || !this->Scene.Device || !renderer || !renderer->IsActiveCameraCreated())
   {
     return this->HasHappened;

@@ -49,7 +49,7 @@ public:
    */
   bool AwaitLateMotion(double travel) const;
   /** Records an event that the next frame has to show. */
-  void NoteEvent() { this->HasHappened = true; }
+  void RecordEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */
   void Notify(const std::string& notice);
 
@@ -58,7 +58,7 @@ private:
   /** Whether no input waits, as far as is known. */
   bool IsIdle() const;
   /** Records an event if the editor has counted more than the last frame shows. */
-  void FollowEditor();
+  void PollEditor();
 
   TouchedScene& Scene;
   const HapticWindowWatch& Window;
@@ -67,7 +67,7 @@ private:
   HapticRenderPace Pace;
   Vector3 DrawnTip; ///< world position in the last frame
   Vector3 DrawnProxy;
-  double CountedShare = 1.0; ///< counted fraction of the editor in the last frame
+  double CountedFraction = 1.0; ///< counted fraction of the editor in the last frame
   bool HasHappened = false;
 };
 

@@ -134,18 +134,19 @@ std::string DisplayKeys::ListKeys() const
   parts.HasMeasurements = scene.Measurements != nullptr;
   parts.HasModes = filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
     filter->GetNumberOfModes() > 0;
-  parts.HasFrames = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
-    filter->GetBaker().FindFrameTimes().size() > 1;
+  parts.HasTimeSteps = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
+    filter->GetBaker().GetDataTimes().size() > 1;
   return VolumeHaptics::ListKeys(parts, this->Keys) + this->ApplicationKeys;
 }
 
-std::string DisplayKeys::Tell(const char* before, const char* defaultKey, const char* after) const
+std::string DisplayKeys::DescribeKey(
+  const char* before, const char* defaultKey, const char* after) const
 {
   const std::string key = this->Keys.Name(defaultKey);
   return key.empty() ? "" : before + key + after;
 }
 
-std::string DisplayKeys::FindHint()
+std::string DisplayKeys::ChooseHint()
 {
   vtkHapticDevice* const device = this->Scene.Device;
   if (!device || !device->IsRunning())
@@ -154,7 +155,7 @@ std::string DisplayKeys::FindHint()
   }
   if (device->GetStatus() == vtkHapticDevice::FAULT && (this->Scene.IsReal() || this->Touch.IsOn()))
   {
-    return this->Tell("Press ", "a", " to go on");
+    return this->DescribeKey("Press ", "a", " to go on");
   }
   if (!this->Scene.Hidden.empty())
   {
@@ -170,17 +171,17 @@ std::string DisplayKeys::FindHint()
   if (!isTouching)
   {
     const std::string begin = this->Scene.IsVirtual()
-      ? this->Tell("Put the pointer on the volume and press ", "t", " to touch it")
-      : this->Tell("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
+      ? this->DescribeKey("Put the pointer on the volume and press ", "t", " to touch it")
+      : this->DescribeKey("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
     // Beside another style, all other keys belong to the host until the touch mode begins.
-    return Join(
-      begin, this->Scene.TurnsView ? this->Tell("", "question", " shows all keys") : std::string());
+    return Join(begin,
+      this->Scene.TurnsView ? this->DescribeKey("", "question", " shows all keys") : std::string());
   }
   if (this->HasTouched || !this->Scene.IsVirtual())
   {
     return "";
   }
-  std::string end = this->Tell("", "Escape", "");
+  std::string end = this->DescribeKey("", "Escape", "");
   if (!this->Scene.TurnsView)
   {
     // Leave out keys that a host keeps to itself.
@@ -202,7 +203,7 @@ void DisplayKeys::UpdateHint()
     return;
   }
   // A hint that the application has set stays until there is a new hint to show.
-  const std::string hint = this->FindHint();
+  const std::string hint = this->ChooseHint();
   if (hint != this->Shown)
   {
     this->Shown = hint;
@@ -234,12 +235,12 @@ bool EditorKeys::Press(const std::string& key)
   }
   else if (key == "R")
   {
-    this->Tell(editor->Reset(), "There are no edits to take back");
+    this->Report(editor->Reset(), "There are no edits to take back");
   }
   else if ((key == "Z" || key == "Y") && this->HasPointer())
   {
-    key == "Z" ? this->Tell(editor->Undo(), "There is no edit to undo")
-               : this->Tell(editor->Redo(), "There is no edit to redo");
+    key == "Z" ? this->Report(editor->Undo(), "There is no edit to undo")
+               : this->Report(editor->Redo(), "There is no edit to redo");
   }
   else if (key == "l")
   {
@@ -269,7 +270,7 @@ bool EditorKeys::HasPointer() const
 }
 
 //------------------------------------------------------------------------------
-void EditorKeys::Tell(bool isDone, const char* notice)
+void EditorKeys::Report(bool isDone, const char* notice)
 {
   if (!isDone)
   {
@@ -309,7 +310,7 @@ void EditorKeys::Propose()
 }
 
 //------------------------------------------------------------------------------
-void EditorKeys::FollowProposal()
+void EditorKeys::PollProposal()
 {
   const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
   if (!this->IsProposing)
@@ -338,7 +339,7 @@ void EditorKeys::EndProposing(const char* notice)
     display->SetNotice(notice);
   }
   this->ProposingEditor = nullptr;
-  this->Frames.NoteEvent();
+  this->Frames.RecordEvent();
 }
 
 //------------------------------------------------------------------------------
@@ -371,7 +372,7 @@ void EditorKeys::ToggleLabels()
   }
 }
 
-vtkVolumeHapticsFilter* ModeKeys::FindFilter() const
+vtkVolumeHapticsFilter* ModeKeys::GetFilter() const
 {
   vtkVolumeHapticsFilter* const filter =
     this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
@@ -408,7 +409,7 @@ void ModeKeys::Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& acti
 
 bool ModeKeys::Next()
 {
-  vtkVolumeHapticsFilter* const filter = this->FindFilter();
+  vtkVolumeHapticsFilter* const filter = this->GetFilter();
   if (!filter)
   {
     return false;
@@ -433,7 +434,7 @@ bool ModeKeys::Next()
 
 bool ModeKeys::Click(int x, int y)
 {
-  vtkVolumeHapticsFilter* const filter = this->FindFilter();
+  vtkVolumeHapticsFilter* const filter = this->GetFilter();
   const int mode = filter && this->Scene.Display ? this->Scene.Display->FindMode(x, y) : -1;
   if (mode < 0 || mode >= filter->GetNumberOfModes())
   {
@@ -457,7 +458,7 @@ bool PlaybackKeys::Press(const std::string& key)
   {
     return false;
   }
-  const std::vector<double> times = filter->GetBaker().FindFrameTimes();
+  const std::vector<double> times = filter->GetBaker().GetDataTimes();
   if (times.size() < 2)
   {
     return false;
@@ -474,7 +475,7 @@ bool PlaybackKeys::Press(const std::string& key)
   }
   else if (isPlace)
   {
-    const bool isMoving = device->GetPlayback()->HasFrames();
+    const bool isMoving = device->GetPlayback()->HasTimeSteps();
     device->GetPlayback()->Hold();
     const double time = isMoving ? device->GetPlayback()->GetDataTime() : times.front();
     device->GetPlayback()->SetDataTime(FindNeighbour(times, time, key == "Right"));

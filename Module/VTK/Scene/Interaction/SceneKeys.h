@@ -45,9 +45,9 @@ public:
   std::string ApplicationKeys; ///< listed after the style's keys
 
 private:
-  std::string FindHint();
+  std::string ChooseHint();
   /** A line about the key of an action, by its default key; empty if it has none. */
-  std::string Tell(const char* before, const char* defaultKey, const char* after) const;
+  std::string DescribeKey(const char* before, const char* defaultKey, const char* after) const;
 
   TouchedScene& Scene;
   const TouchMode& Touch;
@@ -71,7 +71,7 @@ public:
   /** False if the key is none of them, or without an editor. */
   bool Press(const std::string& key);
   /** Reports the end of the search for functions; call it in each update. */
-  void FollowProposal();
+  void PollProposal();
 
 private:
   /**
@@ -80,7 +80,7 @@ private:
    */
   bool HasPointer() const;
   /** Shows a notice if nothing was done. */
-  void Tell(bool isDone, const char* notice);
+  void Report(bool isDone, const char* notice);
   /** Searches for a proposal in the editor, or accepts the proposal that it shows. */
   void Propose();
   /** Replaces the notice about the search by another notice, or by none. */
@@ -115,7 +115,7 @@ public:
   bool Click(int x, int y);
 
 private:
-  vtkVolumeHapticsFilter* FindFilter() const;
+  vtkVolumeHapticsFilter* GetFilter() const;
   /** Undoes all changes, with a notice, if they can't be felt. */
   void Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active);
 

@@ -24,7 +24,7 @@ namespace
 
 constexpr double RadiansPerPixel = 0.01;
 constexpr double RadiansPerStep = 0.1; ///< for a step of the wheel
-constexpr double FineShare = 0.2;      ///< with Shift
+constexpr double FineFraction = 0.2;   ///< with Shift
 constexpr double SameMotion = 0.5;     ///< s, the longest time between two events of one motion
 
 } // namespace
@@ -119,7 +119,7 @@ bool SliceMouse::TurnWheel(double steps, int x, int y)
   return true;
 }
 
-bool SliceMouse::TakeChange()
+bool SliceMouse::DrainChange()
 {
   return std::exchange(this->HasChanged, false);
 }
@@ -174,7 +174,7 @@ bool ToolTurn::HasTool() const
 {
   vtkHapticDevice* const device = this->Scene.Device;
   return device && device->IsRunning() && !device->GetState()->IsTipOrientationMeasured() &&
-    IsTurnable(FindHeldTool(device)) && this->Scene.FindRenderer();
+    IsTurnable(GetHeldTool(device)) && this->Scene.ChooseRenderer();
 }
 
 bool ToolTurn::IsOn() const
@@ -221,13 +221,13 @@ Quaternion ToolTurn::FindStart()
 
 void ToolTurn::TurnBy(const Vector3& angles)
 {
-  vtkCamera* const camera = this->Scene.FindRenderer()->GetActiveCamera();
+  vtkCamera* const camera = this->Scene.ChooseRenderer()->GetActiveCamera();
   const bool isFine = this->Scene.Style->GetInteractor()->GetShiftKey() != 0;
   const Vector3 back = -FromArray(camera->GetDirectionOfProjection());
   const Vector3 across = Cross(FromArray(camera->GetViewUp()), back);
   const Vector3 right = (1.0 / Norm(across)) * across;
   const Vector3 axis = angles.X * right + angles.Y * Cross(back, right) + angles.Z * back;
-  const Vector3 half = (isFine ? 0.5 * FineShare : 0.5) * axis;
+  const Vector3 half = (isFine ? 0.5 * FineFraction : 0.5) * axis;
   const Quaternion turned = Quaternion{ 1.0, half.X, half.Y, half.Z } * this->FindStart();
   this->Wish = (1.0 / std::sqrt(SquaredNorm(turned))) * turned;
   this->Scene.Device->GetVirtualHand()->SetToolOrientation(

@@ -38,7 +38,7 @@ public:
   bool TurnWheel(double steps, int x, int y);
 
   /** Whether events have changed what the slices show, without a motion of the tip. */
-  bool TakeChange();
+  bool DrainChange();
 
 private:
   enum class Drag

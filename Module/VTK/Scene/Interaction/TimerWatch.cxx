@@ -65,7 +65,7 @@ void TimerWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
 }
 
 //------------------------------------------------------------------------------
-void TimerWatch::NoteUpdate()
+void TimerWatch::RecordUpdate()
 {
   if (!this->IsUpdating)
   {

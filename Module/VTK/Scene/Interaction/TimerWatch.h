@@ -39,7 +39,7 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /** Records an update of the haptics, by a timer or by the program. */
-  void NoteUpdate();
+  void RecordUpdate();
 
 private:
   void OnInput();

@@ -83,7 +83,7 @@ void TouchMode::Begin(const Vector3* at)
   // Each of these also cancels the beginning; then nothing is armed.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
-  const vtkSmartPointer<vtkRenderer> renderer = this->Scene.FindRenderer();
+  const vtkSmartPointer<vtkRenderer> renderer = this->Scene.ChooseRenderer();
   const bool leadsTip = this->Scene.IsVirtual() && renderer;
   Vector3 start;
   this->IsBeginning = true;
@@ -107,7 +107,7 @@ void TouchMode::Begin(const Vector3* at)
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
       {
-        start = start - FindToolReach(filter->GetTool()) * LineOfSight(renderer, start);
+        start = start - ComputeToolReach(filter->GetTool()) * LineOfSight(renderer, start);
       }
     }
   }
@@ -132,7 +132,7 @@ void TouchMode::Begin(const Vector3* at)
 bool TouchMode::LeadsTip() const
 {
   return this->IsTouching && this->Scene.Style->GetState() == VTKIS_NONE &&
-    this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && this->Scene.FindRenderer();
+    this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && this->Scene.ChooseRenderer();
 }
 
 void TouchMode::PressButton()
@@ -157,7 +157,7 @@ bool TouchMode::ReleaseButton()
 double TouchMode::GetDepthStep() const
 {
   const double wanted = this->Scene.Style->GetDepthStep();
-  vtkImageData* const image = this->Scene.FindImage();
+  vtkImageData* const image = this->Scene.GetImage();
   if (wanted > 0.0 || !image)
   {
     return wanted > 0.0 ? wanted : 1.0;
@@ -180,17 +180,17 @@ void TouchMode::LeadTo(const Vector3& world)
 void TouchMode::MoveInDepth(double steps)
 {
   const double length = this->GetFineness() * steps * this->GetDepthStep();
-  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.FindRenderer(), this->Lead));
+  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.ChooseRenderer(), this->Lead));
 }
 
 void TouchMode::MoveInPlane(const int from[2], const int to[2])
 {
-  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
   const Vector3 motion =
     UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, from, this->Lead);
   const Vector3 target = this->Lead + this->GetFineness() * motion;
   const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
-  this->LeadTo(follows ? this->FollowSurface(renderer, target) : target);
+  this->LeadTo(follows ? this->ProjectOnSurface(renderer, target) : target);
 }
 
 double TouchMode::GetTravelTime() const
@@ -207,7 +207,7 @@ bool TouchMode::HasSurfaces() const
     filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) const
+Vector3 TouchMode::ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const
 {
   /// The steepest slope on which the tip follows a touched surface; steeper is an edge.
   constexpr double steepest = 2.0;
@@ -226,7 +226,7 @@ Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) c
   const double voxel = SmallestSpacing(filter->GetTouchedImage());
   if (this->Scene.Device->GetState()->GetContact() == 0)
   {
-    const double reach = FindToolReach(filter->GetTool());
+    const double reach = ComputeToolReach(filter->GetTool());
     const bool isNear = isOver && depth > -highest * voxel - reach;
     return after + (isNear ? depth : -reach) * sight;
   }

@@ -73,7 +73,7 @@ private:
   /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
   /** The tip's target on the surface, instead of a position in the plane of the view. */
-  Vector3 FollowSurface(vtkRenderer* renderer, const Vector3& target) const;
+  Vector3 ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const;
 
   TouchedScene& Scene;
   HapticWindowWatch& Window;

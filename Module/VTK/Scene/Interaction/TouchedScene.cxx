@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-vtkRenderer* TouchedScene::FindRenderer() const
+vtkRenderer* TouchedScene::ChooseRenderer() const
 {
   vtkRenderer* const current = this->Style->GetCurrentRenderer();
   vtkRenderer* const chosen = current ? current : this->Style->GetDefaultRenderer();
@@ -25,7 +25,7 @@ vtkRenderer* TouchedScene::FindRenderer() const
   return interactor->GetRenderWindow()->GetRenderers()->GetFirstRenderer();
 }
 
-vtkImageData* TouchedScene::FindImage() const
+vtkImageData* TouchedScene::GetImage() const
 {
   vtkVolumeHapticsFilter* const filter = this->Device ? this->Device->GetVolumeHaptics() : nullptr;
   return filter ? filter->GetTouchedImage() : nullptr;

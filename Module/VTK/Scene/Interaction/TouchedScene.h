@@ -50,10 +50,10 @@ public:
    * The renderer of the last button event, or the default one, or the window's first. VTK has no
    * current renderer before the first button event.
    */
-  vtkRenderer* FindRenderer() const;
+  vtkRenderer* ChooseRenderer() const;
 
   /** The image of the device's filter; null without one. */
-  vtkImageData* FindImage() const;
+  vtkImageData* GetImage() const;
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }

@@ -48,7 +48,7 @@ bool IsSameView(vtkRenderer* a, vtkRenderer* b)
  * The volumes that are drawn where a style touches: in its default renderer, or without one in its
  * whole window. False if it has no window.
  */
-bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
+bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 {
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
   vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
@@ -63,7 +63,7 @@ bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
   {
     if (!touched || IsSameView(renderer, touched))
     {
-      const std::vector<DrawnVolume> here = FindDrawnVolumes(renderer);
+      const std::vector<DrawnVolume> here = CollectDrawnVolumes(renderer);
       drawn.insert(drawn.end(), here.begin(), here.end());
     }
   }
@@ -78,7 +78,7 @@ std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
   std::vector<vtkVolume*> volumes;
   for (const DrawnVolume& part : parts)
   {
-    if (part.Volume != multi && part.FindData())
+    if (part.Volume != multi && part.GetData())
     {
       volumes.push_back(part.Volume);
     }
@@ -114,7 +114,7 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   std::vector<DrawnVolume> drawn;
-  FindDrawn(this->Scene.Style, drawn);
+  CollectDrawn(this->Scene.Style, drawn);
   TouchedVolume touched;
   touched.Set(volume);
   touched.FindPlace(drawn);
@@ -147,7 +147,7 @@ bool TouchedVolumes::Set(vtkVolume* volume)
     return true;
   }
   this->Append(this->Multi ? FindPorts(volume).front() : volume, nullptr);
-  this->Follow();
+  this->Update();
   return true;
 }
 
@@ -238,7 +238,7 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
     this->Scene.Device->SetVolumeHaptics(filter);
   }
   this->Append(volume, filter);
-  this->Follow();
+  this->Update();
   return true;
 }
 
@@ -262,7 +262,7 @@ vtkVolume* TouchedVolumes::Get() const
   return felt ? felt->Volume->Get() : nullptr;
 }
 
-std::vector<CarvedArray> TouchedVolumes::FindCarved() const
+std::vector<CarvedArray> TouchedVolumes::CollectCarved() const
 {
   std::vector<vtkVolumeHapticsFilter*> filters{ this->Scene.Device->GetVolumeHaptics() };
   for (const Entry& entry : this->All)
@@ -274,7 +274,7 @@ std::vector<CarvedArray> TouchedVolumes::FindCarved() const
   {
     CarvedArray carved;
     const auto isThere = [&carved](const CarvedArray& one) { return one.IsSame(carved); };
-    if (filter && VolumeHaptics::FindCarved(filter, carved) &&
+    if (filter && VolumeHaptics::CollectCarved(filter, carved) &&
       std::none_of(found.begin(), found.end(), isThere))
     {
       found.push_back(carved);
@@ -283,7 +283,7 @@ std::vector<CarvedArray> TouchedVolumes::FindCarved() const
   return found;
 }
 
-void TouchedVolumes::Follow()
+void TouchedVolumes::Update()
 {
   this->Scene.Hidden.clear();
   if (!this->Scene.Device || this->All.empty())
@@ -291,7 +291,7 @@ void TouchedVolumes::Follow()
     return;
   }
   std::vector<DrawnVolume> drawn;
-  const bool hasWindow = FindDrawn(this->Scene.Style, drawn);
+  const bool hasWindow = CollectDrawn(this->Scene.Style, drawn);
   this->FollowPorts();
   this->CopySettings();
   for (Entry& entry : this->All)
@@ -341,7 +341,7 @@ void TouchedVolumes::Feel(vtkVolumeHapticsFilter* filter)
   }
 }
 
-Press TouchedVolumes::FindPress() const
+Press TouchedVolumes::ComputePress() const
 {
   if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
   {
@@ -365,7 +365,7 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
     return;
   }
   const int choice = this->Scene.Style->GetFeltVolume();
-  const Press wanted = this->FindPress();
+  const Press wanted = this->ComputePress();
   vtkVolumeHapticsFilter* chosen = nullptr;
   SurfaceAhead best;
   for (const Entry& entry : this->All)
@@ -407,7 +407,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   this->ChosenTip = tip;
   this->ChosenTime = now;
   const int choice = this->Scene.Style->GetFeltVolume();
-  const Press wanted = this->FindPress();
+  const Press wanted = this->ComputePress();
   vtkVolumeHapticsFilter* chosen = nullptr;
   SurfaceAhead best;
   SurfaceAhead own;

@@ -35,7 +35,7 @@ class TouchedVolumes
 {
 public:
   TouchedVolumes(
-    TouchedScene& scene, const HapticShownFrames& pictures, const CarvedPictures& carved)
+    TouchedScene& scene, const HapticShownTimeSteps& pictures, const CarvedPictures& carved)
     : Scene(scene)
     , Pictures(pictures)
     , Carved(carved)
@@ -49,7 +49,7 @@ public:
   ///@}
   /**
    * Adds a volume that feels like the first one: its filter takes over the settings of the first
-   * filter whenever that changes. Call Set() before, and Follow() afterwards.
+   * filter whenever that changes. Call Set() before, and Update() afterwards.
    */
   void AddAlike(vtkVolume* volume);
   /** The felt volume; null if there is none. */
@@ -57,12 +57,12 @@ public:
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
   /** The tissue that tools have removed, by the filters of the volumes and the device's filter. */
-  std::vector<CarvedArray> FindCarved() const;
+  std::vector<CarvedArray> CollectCarved() const;
   /**
    * Gives the filters what their volumes show now. Sets TouchedScene::Hidden if the felt volume is
    * not shown.
    */
-  void Follow();
+  void Update();
   /** If the felt volume is not shown, feels the first shown volume, if there is any. */
   void FeelShown();
   /** Chooses among the volumes along the line of sight through a position. */
@@ -87,7 +87,7 @@ private:
   void FollowPorts();
   void CopySettings();
   /** The depth of the press that compares surfaces: four of the smallest voxels. */
-  Press FindPress() const;
+  Press ComputePress() const;
   /** Makes the device feel with this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
@@ -96,7 +96,7 @@ private:
   }
 
   TouchedScene& Scene;
-  const HapticShownFrames& Pictures;
+  const HapticShownTimeSteps& Pictures;
   const CarvedPictures& Carved;
   std::vector<Entry> All;
   vtkSmartPointer<vtkMultiVolume> Multi; ///< whose ports are touched; null for other volumes

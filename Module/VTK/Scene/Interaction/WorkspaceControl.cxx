@@ -93,7 +93,7 @@ void WorkspaceControl::LeaveDevice()
   }
 }
 
-bool WorkspaceControl::Follow(vtkRenderer* renderer)
+bool WorkspaceControl::Update(vtkRenderer* renderer)
 {
   vtkInteractorStyleHaptic* const style = this->Scene.Style;
   vtkCamera* const camera = renderer->GetActiveCamera();
@@ -125,7 +125,7 @@ void WorkspaceControl::Recenter()
 
 void WorkspaceControl::SetClutch(bool on)
 {
-  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkRenderer* const renderer = this->Scene.ChooseRenderer();
   if (on == this->IsOn || !this->Scene.IsReal() || !renderer)
   {
     return;

@@ -69,7 +69,7 @@ public:
    * Places the workspace if it follows the camera, and the camera or a setting has changed. Returns
    * whether it did; if so, publish the device.
    */
-  bool Follow(vtkRenderer* renderer);
+  bool Update(vtkRenderer* renderer);
 
   /** World units per metre of the device. There must be a device. */
   double GetScale() const;

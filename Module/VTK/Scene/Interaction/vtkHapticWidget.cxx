@@ -39,8 +39,8 @@ constexpr float WidgetPriority = 0.9f;
 /// Without a timer event for so long (s), force fades: no frame takes as long.
 constexpr double Attention = 10.0;
 /// Of the proxy, and of the arrow of a newton, in lengths of the volume's diagonal.
-constexpr double ProxyShare = 0.007;
-constexpr double ArrowShare = 0.05;
+constexpr double ProxyFraction = 0.007;
+constexpr double ArrowFraction = 0.05;
 
 /// One significant digit, so that the scale beside the arrows shows a round number.
 double Round(double value)
@@ -114,7 +114,7 @@ public:
   void OnLeftButtonDown() override
   {
     const bool isUsed = this->HasClick() && this->GetInteraction().PressLeftButton();
-    this->Take(Left, isUsed);
+    this->Handle(Left, isUsed);
   }
   void OnLeftButtonUp() override
   {
@@ -133,7 +133,7 @@ public:
   void OnRightButtonDown() override
   {
     const bool isUsed = this->HasClick() && this->GetInteraction().PressRightButton();
-    this->Take(Right, isUsed);
+    this->Handle(Right, isUsed);
   }
   void OnRightButtonUp() override
   {
@@ -142,13 +142,13 @@ public:
       this->GetInteraction().ReleaseRightButton();
     }
   }
-  void OnMiddleButtonDown() override { this->Take(Middle, false); }
+  void OnMiddleButtonDown() override { this->Handle(Middle, false); }
   void OnMiddleButtonUp() override {}
   void OnMouseWheelForward() override { this->TurnWheel(1.0); }
   void OnMouseWheelBackward() override { this->TurnWheel(-1.0); }
   void OnKeyPress() override
   {
-    const std::string name = this->FindKeyName();
+    const std::string name = this->GetKeyName();
     auto& interaction = this->GetInteraction();
     const bool begins = !this->GetTouchMode();
     // A key that has let go and is still held is not the program's either.
@@ -168,7 +168,7 @@ public:
   }
   void OnKeyRelease() override
   {
-    const std::string name = this->FindKeyName();
+    const std::string name = this->GetKeyName();
     this->GetInteraction().ReleaseKey(name);
     if (!this->HeldKey.empty() && this->HeldKey == name)
     {
@@ -178,7 +178,7 @@ public:
   }
   void OnChar() override
   {
-    if (!this->HeldKey.empty() && this->HeldKey == this->FindKeyName())
+    if (!this->HeldKey.empty() && this->HeldKey == this->GetKeyName())
     {
       this->Abort();
     }
@@ -224,7 +224,7 @@ private:
     const int* const at = this->Interactor->GetEventPosition();
     return this->HasMouse() && !IsOverPartOfHost(this->Interactor->GetRenderWindow(), at[0], at[1]);
   }
-  void Take(Button button, bool isUsed)
+  void Handle(Button button, bool isUsed)
   {
     (isUsed ? this->UsedButtons : this->Buttons) |= button;
     if (isUsed)
@@ -263,7 +263,7 @@ vtkStandardNewMacro(StyleBeside);
 /// Whether a filter can feel what is drawn: an image, or data with cells.
 bool IsTouchable(const DrawnVolume& drawn)
 {
-  vtkDataObject* const data = drawn.FindData();
+  vtkDataObject* const data = drawn.GetData();
   return vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
 }
 
@@ -301,10 +301,10 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /** All volumes that can be touched in a renderer; only `Volume`, if there is one. */
-  std::vector<vtkVolume*> FindVolumes(vtkRenderer* renderer) const
+  std::vector<vtkVolume*> CollectVolumes(vtkRenderer* renderer) const
   {
     std::vector<vtkVolume*> found;
-    for (const DrawnVolume& drawn : FindDrawnVolumes(renderer))
+    for (const DrawnVolume& drawn : CollectDrawnVolumes(renderer))
     {
       const bool isWanted = drawn.Volume == this->Volume || drawn.Whole == this->Volume;
       if (this->Volume ? isWanted : IsTouchable(drawn))
@@ -316,7 +316,7 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /** The uppermost renderer with volumes under the pointer; or else the first one with volumes. */
-  vtkRenderer* FindRenderer(vtkRenderWindowInteractor* interactor) const
+  vtkRenderer* ChooseRenderer(vtkRenderWindowInteractor* interactor) const
   {
     vtkRenderWindow* const window = interactor->GetRenderWindow();
     const int* const at = interactor->GetEventPosition();
@@ -330,7 +330,7 @@ struct vtkHapticWidget::vtkInternals
     }
     while (vtkRenderer* const renderer = renderers ? renderers->GetNextRenderer(it) : nullptr)
     {
-      if (this->FindVolumes(renderer).empty())
+      if (this->CollectVolumes(renderer).empty())
       {
         continue;
       }
@@ -360,7 +360,7 @@ struct vtkHapticWidget::vtkInternals
         volumes.begin() + 1, volumes.end(), [&all](vtkVolume* one) { all.AddAlike(one); });
       this->Touched.assign(volumes.begin(), volumes.end());
     }
-    this->Style->GetInteraction().Touched.Follow();
+    this->Style->GetInteraction().Touched.Update();
   }
 
   /** The hand and the display, for what is so long (world units). */
@@ -383,12 +383,12 @@ struct vtkHapticWidget::vtkInternals
     // As long as the application has not chosen other sizes.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
-      this->Radius = ProxyShare * length;
+      this->Radius = ProxyFraction * length;
       this->Hand->SetRadius(this->Radius);
     }
     if (length > 0.0 && this->Hand->GetForceScale() == this->ForceScale)
     {
-      this->ForceScale = 1.0 / Round(ArrowShare * length);
+      this->ForceScale = 1.0 / Round(ArrowFraction * length);
       this->Hand->SetForceScale(this->ForceScale);
     }
   }
@@ -521,9 +521,9 @@ bool vtkHapticWidget::Prepare(bool isNeeded)
     }
     return d.Start();
   }
-  if (vtkRenderer* const renderer = d.FindRenderer(this->Interactor))
+  if (vtkRenderer* const renderer = d.ChooseRenderer(this->Interactor))
   {
-    d.Touch(d.FindVolumes(renderer));
+    d.Touch(d.CollectVolumes(renderer));
     d.Show(renderer, d.Touched.front()->GetLength());
     return d.Start();
   }

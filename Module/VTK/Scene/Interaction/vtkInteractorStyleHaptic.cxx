@@ -309,7 +309,7 @@ void vtkInteractorStyleHaptic::EndComparison()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
-  this->Internals->Loop.NoteUpdate();
+  this->Internals->Loop.RecordUpdate();
   return this->Internals->Interaction.UpdateHaptics();
 }
 
@@ -540,7 +540,7 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkInteractorStyleHaptic::FindKeyName()
+std::string vtkInteractorStyleHaptic::GetKeyName()
 {
   return KeyMap::FindName(this->Interactor->GetKeySym(), this->Interactor->GetKeyCode(),
     this->Interactor->GetShiftKey() != 0);
@@ -549,7 +549,7 @@ std::string vtkInteractorStyleHaptic::FindKeyName()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyPress()
 {
-  if (HasWindow(this->Interactor) && !this->Internals->Interaction.PressKey(this->FindKeyName()))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.PressKey(this->GetKeyName()))
   {
     this->Superclass::OnKeyPress();
   }
@@ -558,7 +558,7 @@ void vtkInteractorStyleHaptic::OnKeyPress()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyRelease()
 {
-  if (HasWindow(this->Interactor) && !this->Internals->Interaction.ReleaseKey(this->FindKeyName()))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.ReleaseKey(this->GetKeyName()))
   {
     this->Superclass::OnKeyRelease();
   }
@@ -567,7 +567,7 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
-  if (HasWindow(this->Interactor) && !this->Internals->Interaction.TypeKey(this->FindKeyName()))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.TypeKey(this->GetKeyName()))
   {
     this->Superclass::OnChar();
   }

@@ -503,7 +503,7 @@ protected:
   VolumeHaptics::HapticInteraction& GetInteraction();
   bool IsOwnTimer() const;
   bool UseMouseMove();
-  std::string FindKeyName();
+  std::string GetKeyName();
   ///@}
 
   double DepthStep = 0.0;

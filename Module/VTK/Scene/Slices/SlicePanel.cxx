@@ -74,7 +74,7 @@ struct FeltSamples
   vtkDataArray* Array = nullptr;
 };
 
-FeltSamples FindSliceSamples(vtkHapticDevice* device)
+FeltSamples GetSliceSamples(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
   if (!filter || filter->GetNumberOfInputConnections(0) == 0)
@@ -82,7 +82,7 @@ FeltSamples FindSliceSamples(vtkHapticDevice* device)
     return {};
   }
   vtkImageData* image =
-    device->GetPlayback()->HasFrames() ? device->GetPlayback()->GetFrameImage() : nullptr;
+    device->GetPlayback()->HasTimeSteps() ? device->GetPlayback()->GetTimeStepImage() : nullptr;
   if (auto* const large = vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)))
   {
     image = large->GetCoarseImage();
@@ -142,7 +142,7 @@ void ShowSliceText(vtkTextActor* actor, const std::string& text)
 
 } // namespace
 
-std::array<SliceAxes, 3> FindSliceAxes(vtkImageData* image, bool anatomical)
+std::array<SliceAxes, 3> ComputeSliceAxes(vtkImageData* image, bool anatomical)
 {
   if (!anatomical)
   {
@@ -158,10 +158,10 @@ std::array<SliceAxes, 3> FindSliceAxes(vtkImageData* image, bool anatomical)
 }
 
 //------------------------------------------------------------------------------
-bool SliceImage::Follow(vtkHapticDevice* device, vtkImageData* chosen)
+bool SliceImage::Update(vtkHapticDevice* device, vtkImageData* chosen)
 {
   FeltSamples felt =
-    chosen ? FeltSamples{ chosen, chosen->GetPointData()->GetScalars() } : FindSliceSamples(device);
+    chosen ? FeltSamples{ chosen, chosen->GetPointData()->GetScalars() } : GetSliceSamples(device);
   if (!felt.Image || !felt.Array || felt.Array->GetNumberOfTuples() == 0 ||
     felt.Array->GetNumberOfTuples() != felt.Image->GetNumberOfPoints())
   {
@@ -197,7 +197,7 @@ bool SliceImage::Follow(vtkHapticDevice* device, vtkImageData* chosen)
 }
 
 //------------------------------------------------------------------------------
-bool SliceImage::FollowRemoval(vtkHapticDevice* device)
+bool SliceImage::PollRemoval(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
   auto* const large = filter && filter->GetNumberOfInputConnections(0) > 0
@@ -205,9 +205,9 @@ bool SliceImage::FollowRemoval(vtkHapticDevice* device)
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
   // While the data time runs, all tissue is felt.
-  const bool isFelt = filter && !device->GetPlayback()->HasFrames() && this->Samples && !large &&
+  const bool isFelt = filter && !device->GetPlayback()->HasTimeSteps() && this->Samples && !large &&
     filter->GetTouchedImage() && this->Samples == filter->GetBaker().GetTouched()[0].Array;
-  RemovedTissue removed = isCoarse || isFelt ? FindRemoved(filter) : RemovedTissue();
+  RemovedTissue removed = isCoarse || isFelt ? GetRemoved(filter) : RemovedTissue();
   if (removed.IsSame(this->Removed))
   {
     return false;
@@ -271,7 +271,7 @@ std::array<double, 3> SliceImage::Clamp(std::array<double, 3> index) const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> SliceImage::FindIndex(const double world[3]) const
+std::array<double, 3> SliceImage::ComputeIndex(const double world[3]) const
 {
   std::array<double, 3> index;
   this->Image->TransformPhysicalPointToContinuousIndex(world, index.data());
@@ -279,7 +279,7 @@ std::array<double, 3> SliceImage::FindIndex(const double world[3]) const
 }
 
 //------------------------------------------------------------------------------
-void SliceImage::FindWorld(const std::array<double, 3>& index, double world[3]) const
+void SliceImage::ComputeWorld(const std::array<double, 3>& index, double world[3]) const
 {
   this->Image->TransformContinuousIndexToPhysicalPoint(index.data(), world);
 }
@@ -340,7 +340,7 @@ std::string SliceImage::DescribeComponents() const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 2> SliceImage::FindUsualValues() const
+std::array<double, 2> SliceImage::EstimateUsualValues() const
 {
   constexpr vtkIdType most = 20000;
   constexpr double below = 0.01;
@@ -603,7 +603,7 @@ bool SlicePanel::Contains(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> SlicePanel::FindIndex(int x, int y) const
+std::array<double, 3> SlicePanel::ComputeIndex(int x, int y) const
 {
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();

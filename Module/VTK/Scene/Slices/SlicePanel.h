@@ -53,7 +53,7 @@ struct SliceAxes
  * left, back and head: the axial, coronal and sagittal slice as radiologists look at them, each
  * along the index axis nearest to the world's axis.
  */
-std::array<SliceAxes, 3> FindSliceAxes(vtkImageData* image, bool anatomical);
+std::array<SliceAxes, 3> ComputeSliceAxes(vtkImageData* image, bool anatomical);
 
 /** The image whose slices are shown: the data that a device feels now. */
 class SliceImage
@@ -64,13 +64,13 @@ public:
    * the frame at the data time, or the coarse level of a volume larger than memory. Returns whether
    * the samples or their geometry have changed. Does not copy samples.
    */
-  bool Follow(vtkHapticDevice* device, vtkImageData* chosen);
+  bool Update(vtkHapticDevice* device, vtkImageData* chosen);
 
   /**
    * Checks how much tissue a tool of the device's filter has removed from the shown image. Returns
    * whether this has changed.
    */
-  bool FollowRemoval(vtkHapticDevice* device);
+  bool PollRemoval(vtkHapticDevice* device);
 
   /** Whether there is an image to show. */
   bool HasSamples() const { return this->Samples != nullptr; }
@@ -87,16 +87,16 @@ public:
    */
   vtkImageData* GetLayer(int axis, int number);
 
-  /** See FindSliceAxes. */
-  std::array<SliceAxes, 3> FindAxes(bool anatomical) const
+  /** See ComputeSliceAxes. */
+  std::array<SliceAxes, 3> ComputeAxes(bool anatomical) const
   {
-    return FindSliceAxes(this->Image, anatomical);
+    return ComputeSliceAxes(this->Image, anatomical);
   }
 
   ///@{
   /** Convert from the world to continuous indices, within the image, and back. */
-  std::array<double, 3> FindIndex(const double world[3]) const;
-  void FindWorld(const std::array<double, 3>& index, double world[3]) const;
+  std::array<double, 3> ComputeIndex(const double world[3]) const;
+  void ComputeWorld(const std::array<double, 3>& index, double world[3]) const;
   ///@}
   std::array<double, 3> Clamp(std::array<double, 3> index) const;
   std::array<double, 3> GetCentre() const;
@@ -112,7 +112,7 @@ public:
   int GetComponent() const { return this->Component; }
 
   /** The values below which 1 %, and above which 0.5 % of some samples are, with all tissue. */
-  std::array<double, 2> FindUsualValues() const;
+  std::array<double, 2> EstimateUsualValues() const;
 
 private:
   /** A slice of the remaining tissue. */
@@ -171,7 +171,7 @@ public:
    * The continuous index at a position in the window (pixels), in the shown slice; it may be
    * outside the image.
    */
-  std::array<double, 3> FindIndex(int x, int y) const;
+  std::array<double, 3> ComputeIndex(int x, int y) const;
   bool Contains(int x, int y) const;
 
 private:

@@ -76,8 +76,8 @@ struct vtkHapticSliceView::vtkInternals
       this->Panels[2].GetRenderer() };
   }
   void LeaveWindow();
-  bool FollowImage();
-  bool FollowTip();
+  bool UpdateImage();
+  bool PollTip();
   void ShowPosition(bool isOther, bool anatomical);
   void Show(vtkHapticSliceView* self);
   std::string DescribePosition(vtkHapticSliceView* self);
@@ -220,7 +220,7 @@ void vtkHapticSliceView::SetPosition(const double position[3])
   this->Update();
   if (d.Shown.HasSamples())
   {
-    d.Position = d.Shown.FindIndex(position);
+    d.Position = d.Shown.ComputeIndex(position);
     this->Modified();
   }
 }
@@ -233,7 +233,7 @@ void vtkHapticSliceView::GetPosition(double position[3])
   std::fill_n(position, 3, 0.0);
   if (d.Shown.HasSamples())
   {
-    d.Shown.FindWorld(d.Position, position);
+    d.Shown.ComputeWorld(d.Position, position);
   }
 }
 
@@ -260,7 +260,7 @@ bool vtkHapticSliceView::FindPosition(int slice, int x, int y, double position[3
     return false;
   }
   d.Panels[slice].Fit();
-  d.Shown.FindWorld(d.Shown.Clamp(d.Panels[slice].FindIndex(x, y)), position);
+  d.Shown.ComputeWorld(d.Shown.Clamp(d.Panels[slice].ComputeIndex(x, y)), position);
   return true;
 }
 
@@ -273,9 +273,9 @@ bool vtkHapticSliceView::MoveAcross(int slice, double voxels, double position[3]
     return false;
   }
   const SignedAxis across = d.Panels[slice].GetAxes().Through;
-  SliceIndex index = d.Shown.FindIndex(position);
+  SliceIndex index = d.Shown.ComputeIndex(position);
   index[across.Axis] += across.Sign * voxels;
-  d.Shown.FindWorld(d.Shown.Clamp(index), position);
+  d.Shown.ComputeWorld(d.Shown.Clamp(index), position);
   return true;
 }
 
@@ -316,7 +316,7 @@ std::string vtkHapticSliceView::vtkInternals::NameSlice(int slice) const
 std::string vtkHapticSliceView::vtkInternals::DescribePosition(vtkHapticSliceView* self)
 {
   double world[3];
-  this->Shown.FindWorld(this->Position, world);
+  this->Shown.ComputeWorld(this->Position, world);
   const double value = this->Shown.GetValue(this->Position);
   std::string text = this->Shown.DescribeComponents() + WriteSliceValue(value);
   text += self->Unit.empty() ? "" : " " + self->Unit;
@@ -342,7 +342,7 @@ std::string vtkHapticSliceView::vtkInternals::DescribeLook(vtkHapticSliceView* s
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticSliceView::vtkInternals::FollowTip()
+bool vtkHapticSliceView::vtkInternals::PollTip()
 {
   vtkHapticDevice* const device = this->Device;
   if (!device || !device->IsRunning() || !this->Shown.HasSamples())
@@ -350,7 +350,7 @@ bool vtkHapticSliceView::vtkInternals::FollowTip()
     this->HasTip = false;
     return false;
   }
-  const SliceIndex tip = this->Shown.FindIndex(device->GetState()->GetTipPosition());
+  const SliceIndex tip = this->Shown.ComputeIndex(device->GetState()->GetTipPosition());
   double motion = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -373,15 +373,15 @@ bool vtkHapticSliceView::vtkInternals::FollowTip()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticSliceView::vtkInternals::FollowImage()
+bool vtkHapticSliceView::vtkInternals::UpdateImage()
 {
   const bool hadSamples = this->Shown.HasSamples();
   double world[3] = {};
   if (hadSamples)
   {
-    this->Shown.FindWorld(this->Position, world);
+    this->Shown.ComputeWorld(this->Position, world);
   }
-  if (!this->Shown.Follow(this->Device, this->Image))
+  if (!this->Shown.Update(this->Device, this->Image))
   {
     return false;
   }
@@ -390,8 +390,8 @@ bool vtkHapticSliceView::vtkInternals::FollowImage()
     return true;
   }
   const bool stays = hadSamples && this->HasUsual;
-  this->Position = stays ? this->Shown.FindIndex(world) : this->Shown.GetCentre();
-  const std::array<double, 2> usual = this->Shown.FindUsualValues();
+  this->Position = stays ? this->Shown.ComputeIndex(world) : this->Shown.GetCentre();
+  const std::array<double, 2> usual = this->Shown.EstimateUsualValues();
   // Frames of a moving volume, and regions of a large volume, do not choose window and level anew.
   this->Usual[0] = this->HasUsual ? std::min(this->Usual[0], usual[0]) : usual[0];
   this->Usual[1] = this->HasUsual ? std::max(this->Usual[1], usual[1]) : usual[1];
@@ -404,7 +404,7 @@ void vtkHapticSliceView::vtkInternals::ShowPosition(bool isOther, bool anatomica
 {
   if (isOther)
   {
-    const auto all = this->Shown.FindAxes(anatomical);
+    const auto all = this->Shown.ComputeAxes(anatomical);
     this->Shown.UsesMagnitude() ? this->Grey->SetVectorModeToMagnitude()
                                 : this->Grey->SetVectorModeToComponent();
     this->Grey->SetVectorComponent(this->Shown.GetComponent());
@@ -455,9 +455,9 @@ bool vtkHapticSliceView::Update()
 {
   auto& d = *this->Internals;
   const bool isSet = this->GetMTime() > d.Updated;
-  const bool isOther = d.FollowImage();
-  const bool isCarved = d.Shown.FollowRemoval(d.Device);
-  const bool hasMoved = d.FollowTip();
+  const bool isOther = d.UpdateImage();
+  const bool isCarved = d.Shown.PollRemoval(d.Device);
+  const bool hasMoved = d.PollTip();
   d.Updated = this->GetMTime();
   const bool hasSamples = d.Shown.HasSamples();
   if (hasSamples && (isSet || isOther || isCarved || hasMoved))

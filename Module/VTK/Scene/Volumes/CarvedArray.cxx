@@ -32,19 +32,19 @@ void ForEachLeft(
     {
       const std::int64_t y = (carved.First[1] + j) & mask;
       const std::int64_t z = (carved.First[2] + k) & mask;
-      std::uint64_t shares = content == BrickContent::Whole
+      std::uint64_t fractions = content == BrickContent::Whole
         ? CarvedBricks::WholeRow
         : bricks.GetRow(brick, static_cast<int>(y + CarvedBricks::Side * z)) >> (8 * (x & mask));
       const std::int64_t tuple = box.Low[0] + carved.Dimensions[0] * (j + carved.Dimensions[1] * k);
-      for (std::int64_t i = 0; i < box.Size[0]; ++i, shares >>= 8)
+      for (std::int64_t i = 0; i < box.Size[0]; ++i, fractions >>= 8)
       {
-        const auto share = static_cast<std::uint8_t>(shares);
+        const auto fraction = static_cast<std::uint8_t>(fractions);
         for (int c = 0; c < components; ++c)
         {
           const T value = values ? values[(tuple + i) * components + c]
                                  : static_cast<T>(array->GetComponent(tuple + i, c));
-          const bool isLess = c == carved.Component && share != CarvedBricks::Whole;
-          f(isLess ? NearestOf<T>(view.Left(static_cast<double>(value), share)) : value, c);
+          const bool isLess = c == carved.Component && fraction != CarvedBricks::Whole;
+          f(isLess ? NearestOf<T>(view.Left(static_cast<double>(value), fraction)) : value, c);
         }
       }
     }
@@ -79,7 +79,7 @@ void CopyFloats(const CarvedArray& carved, std::uint32_t brick, BrickContent con
 
 } // namespace
 
-bool FindBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box)
+bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box)
 {
   const BrickPlace place = CarvedBricks::PlaceOf(carved.Removal->Bricks.GetKey(brick));
   const std::int64_t places[3] = { place.X, place.Y, place.Z };

@@ -75,7 +75,7 @@ struct ArrayBox
   std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
-/** What to read of a brick: its shares, or all tissue as if nothing was removed. */
+/** What to read of a brick: its fractions, or all tissue as if nothing was removed. */
 enum class BrickContent : std::uint8_t
 {
   Left,
@@ -83,7 +83,7 @@ enum class BrickContent : std::uint8_t
 };
 
 /** The samples of a brick; false if none of them is in the array. */
-bool FindBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
+bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
 
 /**
  * Writes the tuples of a brick, x first, in the array's own type: integers are rounded, and values
@@ -120,7 +120,7 @@ public:
    * Checks for changes; returns whether there are any. If there are more followers than the bricks
    * support, any change marks all bricks.
    */
-  bool Follow()
+  bool Poll()
   {
     CarvedBricks& bricks = this->Removal->Bricks;
     if (this->Follower < 0)
@@ -139,7 +139,7 @@ public:
     };
     if (this->Follower >= 0)
     {
-      bricks.TakeChanged(this->Follower, note);
+      bricks.DrainChanged(this->Follower, note);
       return isAny;
     }
     const std::uint64_t changes = bricks.GetChanges();
@@ -153,7 +153,7 @@ public:
   }
   /** Calls f(brick) for each waiting brick, and forgets them. */
   template <typename F>
-  void Take(F&& f)
+  void Drain(F&& f)
   {
     for (const std::uint32_t brick : this->Waiting)
     {
@@ -164,9 +164,9 @@ public:
   }
   /** Calls f(brick) for all existing bricks, and forgets the waiting ones. */
   template <typename F>
-  void TakeAll(F&& f)
+  void DrainAll(F&& f)
   {
-    this->Take([](std::uint32_t) {});
+    this->Drain([](std::uint32_t) {});
     const std::uint32_t count = this->Removal->Bricks.GetCount();
     for (std::uint32_t brick = 0; brick < count; ++brick)
     {

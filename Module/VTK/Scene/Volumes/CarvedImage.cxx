@@ -35,18 +35,18 @@ bool IsPartOf(vtkImageData* image, vtkImageData* volume)
 }
 
 /** A range of shares along an axis, without End. */
-struct ShareRange
+struct SampleSpan
 {
   std::int64_t Begin;
   std::int64_t End;
 };
 
 /** The shares that belong to the samples of a part of an image, by axis. */
-class ShareRaster
+class TissueRaster
 {
 public:
   /** False if the axes are not parallel. */
-  bool Find(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
+  bool Compute(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
   {
     const double first[3] = { static_cast<double>(part[0]), static_cast<double>(part[2]),
       static_cast<double>(part[4]) };
@@ -75,21 +75,22 @@ public:
     return true;
   }
   /** The samples to which a range of shares belongs, along an axis. */
-  ShareRange FindSamples(int axis, std::int64_t begin, std::int64_t end) const
+  SampleSpan ComputeSamples(int axis, std::int64_t begin, std::int64_t end) const
   {
-    const std::vector<ShareRange>& all = this->Axes[axis];
+    const std::vector<SampleSpan>& all = this->Axes[axis];
     const auto first = std::partition_point(
-      all.begin(), all.end(), [begin](const ShareRange& one) { return one.End <= begin; });
+      all.begin(), all.end(), [begin](const SampleSpan& one) { return one.End <= begin; });
     const auto last = std::partition_point(
-      first, all.end(), [end](const ShareRange& one) { return one.Begin < end; });
+      first, all.end(), [end](const SampleSpan& one) { return one.Begin < end; });
     return { first - all.begin(), last - all.begin() };
   }
-  /** The mean share of a sample, in bytes. */
-  double FindShare(const CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k) const
+  /** The mean fraction of a sample, in bytes. */
+  double ComputeFraction(
+    const CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k) const
   {
-    const ShareRange& x = this->Axes[0][static_cast<std::size_t>(i)];
-    const ShareRange& y = this->Axes[1][static_cast<std::size_t>(j)];
-    const ShareRange& z = this->Axes[2][static_cast<std::size_t>(k)];
+    const SampleSpan& x = this->Axes[0][static_cast<std::size_t>(i)];
+    const SampleSpan& y = this->Axes[1][static_cast<std::size_t>(j)];
+    const SampleSpan& z = this->Axes[2][static_cast<std::size_t>(k)];
     double sum = 0.0;
     double count = 0.0;
     for (std::int64_t c = z.Begin; c < z.End; ++c)
@@ -98,7 +99,7 @@ public:
       {
         for (std::int64_t a = x.Begin; a < x.End; ++a, ++count)
         {
-          sum += bricks.GetShare(a, b, c);
+          sum += bricks.GetFraction(a, b, c);
         }
       }
     }
@@ -115,25 +116,25 @@ private:
     to->TransformPhysicalPointToContinuousIndex(world, mapped);
   }
   void SetAxis(
-    int axis, double first, double step, int count, std::int64_t shares, CarvedCover cover)
+    int axis, double first, double step, int count, std::int64_t fractions, CarvedCover cover)
   {
     this->Axes[axis].clear();
     for (int n = 0; n < count; ++n)
     {
       const double middle = first + n * step;
-      ShareRange range{ std::llround(middle), std::llround(middle) + 1 };
+      SampleSpan range{ std::llround(middle), std::llround(middle) + 1 };
       if (cover == CarvedCover::Voxel && step > 1.0)
       {
         range = { std::llround(std::ceil(middle - 0.5 * step - Rounding)),
           std::llround(std::ceil(middle + 0.5 * step - Rounding)) };
       }
-      range.Begin = std::clamp<std::int64_t>(range.Begin, 0, shares);
-      range.End = std::clamp<std::int64_t>(range.End, range.Begin, shares);
+      range.Begin = std::clamp<std::int64_t>(range.Begin, 0, fractions);
+      range.End = std::clamp<std::int64_t>(range.End, range.Begin, fractions);
       this->Axes[axis].push_back(range);
     }
   }
 
-  std::vector<ShareRange> Axes[3];
+  std::vector<SampleSpan> Axes[3];
 };
 
 /** Calls f for each row of a part of an image. */
@@ -178,10 +179,10 @@ void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDa
     });
 }
 
-/** Subtracts the removed share of one component from the samples that have lost tissue. */
+/** Subtracts the removed fraction of one component from the samples that have lost tissue. */
 template <typename T>
 void CarvePart(
-  const RemovedTissue& removed, const ShareRaster& raster, const int part[6], vtkDataArray* left)
+  const RemovedTissue& removed, const TissueRaster& raster, const int part[6], vtkDataArray* left)
 {
   const CarvedBricks& bricks = removed.Removal->Bricks;
   const CarvedView view{ &bricks, removed.Air };
@@ -196,11 +197,11 @@ void CarvePart(
   {
     const BrickPlace place = CarvedBricks::PlaceOf(bricks.GetKey(brick));
     const std::int64_t at[3] = { place.X, place.Y, place.Z };
-    ShareRange box[3];
+    SampleSpan box[3];
     for (int a = 0; a < 3; ++a)
     {
       const std::int64_t begin = CarvedBricks::Side * at[a];
-      box[a] = raster.FindSamples(a, begin, begin + CarvedBricks::Side);
+      box[a] = raster.ComputeSamples(a, begin, begin + CarvedBricks::Side);
     }
     for (std::int64_t k = box[2].Begin; k < box[2].End; ++k)
     {
@@ -214,11 +215,11 @@ void CarvePart(
             continue;
           }
           isDone[static_cast<std::size_t>(sample)] = true;
-          const double share = raster.FindShare(bricks, i, j, k);
-          if (share < CarvedBricks::Whole)
+          const double fraction = raster.ComputeFraction(bricks, i, j, k);
+          if (fraction < CarvedBricks::Whole)
           {
             T& value = values[sample * components];
-            value = NearestOf<T>(view.Left(static_cast<double>(value), share));
+            value = NearestOf<T>(view.Left(static_cast<double>(value), fraction));
           }
         }
       }
@@ -228,7 +229,7 @@ void CarvePart(
 
 } // namespace
 
-RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter)
+RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter)
 {
   vtkHapticRemoval* const removal = filter ? filter->GetRemoval() : nullptr;
   RemovedTissue found;
@@ -250,7 +251,7 @@ RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter)
   return found;
 }
 
-bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
+bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
 {
   vtkHapticRemoval* const removal = filter->GetRemoval();
   carved.Removal = GetTissueRemoval(removal);
@@ -283,9 +284,9 @@ void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* pla
   vtkDataArray* whole, const int part[6], vtkDataArray* left)
 {
   CopyPart(whole, place->GetExtent(), part, left);
-  ShareRaster raster;
+  TissueRaster raster;
   if (!removed.Removal || removed.Component >= whole->GetNumberOfComponents() ||
-    !raster.Find(place, removed.Volume, part, cover))
+    !raster.Compute(place, removed.Volume, part, cover))
   {
     return;
   }
@@ -297,7 +298,7 @@ void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* pla
   }
 }
 
-bool CarvedImage::Follow(
+bool CarvedImage::Update(
   vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover)
 {
   const vtkMTimeType time = image ? image->GetMTime() : 0;

@@ -46,10 +46,10 @@ struct RemovedTissue
  * The removed tissue of the whole volume; the samples in memory may be a region of it, or none.
  * Empty while all tissue remains, and for a new volume without a model.
  */
-RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter);
+RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter);
 
 /** Whether tissue was removed from the filter's present volume. Updates nothing. */
-bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
+bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
 /** The tissue of the volume that a sample of an image stands for. */
 enum class CarvedCover : std::uint8_t
@@ -77,7 +77,7 @@ public:
    * Follows an image, which may be null. Returns whether Get() is a new image. An image that is the
    * same object with the same time is not checked again.
    */
-  bool Follow(
+  bool Update(
     vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover);
   /** The image itself while nothing is removed; otherwise a copy, which no longer changes. */
   vtkImageData* Get() const { return this->Left; }

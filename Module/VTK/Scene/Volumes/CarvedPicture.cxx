@@ -37,7 +37,7 @@ namespace VolumeHaptics
 namespace
 {
 
-vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
+vtkImageData* GetImage(vtkVolumeMapper* mapper, int port)
 {
   return mapper->GetNumberOfInputConnections(port) > 0
     ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(port, 0))
@@ -47,7 +47,7 @@ vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
 /** What a mapper shows of the image on a port. */
 vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
 {
-  vtkImageData* const image = FindImage(mapper, port);
+  vtkImageData* const image = GetImage(mapper, port);
   int isCells = 0;
   return image
     ? vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
@@ -149,11 +149,11 @@ CarvedArray WithArray(const CarvedArray& touched, vtkDataArray* shown)
   return carved;
 }
 
-vtkOpenGLGPUVolumeRayCastMapper* FindTextureMapper(vtkVolumeMapper* mapper)
+vtkOpenGLGPUVolumeRayCastMapper* GetTextureMapper(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
   return vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(
-    smart ? static_cast<vtkVolumeMapper*>(SmartMapperParts::FindGPUMapper(smart)) : mapper);
+    smart ? static_cast<vtkVolumeMapper*>(SmartMapperParts::GetGPUMapper(smart)) : mapper);
 }
 
 } // namespace
@@ -170,7 +170,7 @@ int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array)
   return -1;
 }
 
-vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched)
+vtkDataArray* GetShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched)
 {
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
   {
@@ -191,7 +191,7 @@ bool CarvedCopy::Replace()
   {
     return false;
   }
-  this->Image = FindImage(mapper, port);
+  this->Image = GetImage(mapper, port);
   this->Copy.TakeReference(this->Image->NewInstance());
   this->CopyImage();
   this->Input.Put(mapper, port, this->Copy);
@@ -226,7 +226,7 @@ void CarvedCopy::CopyImage()
       to->SetActiveAttribute(attributes[kind], kind);
     }
   }
-  this->Bricks.TakeAll([this](std::uint32_t brick) { this->WriteBrick(brick); });
+  this->Bricks.DrainAll([this](std::uint32_t brick) { this->WriteBrick(brick); });
 }
 
 bool CarvedCopy::Update()
@@ -246,7 +246,7 @@ bool CarvedCopy::Update()
     return true;
   }
   bool isNew = false;
-  this->Bricks.Take(
+  this->Bricks.Drain(
     [this, &isNew](std::uint32_t brick)
     {
       this->WriteBrick(brick);
@@ -263,7 +263,7 @@ bool CarvedCopy::Update()
 void CarvedCopy::WriteBrick(std::uint32_t brick)
 {
   ArrayBox box;
-  if (!FindBrickBox(this->Carved, brick, box))
+  if (!ComputeBrickBox(this->Carved, brick, box))
   {
     return;
   }
@@ -294,7 +294,7 @@ CarvedTexture::CarvedTexture(
   this->Forget();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<CarvedTexture*>(self)->FollowRendering(event); });
+    { static_cast<CarvedTexture*>(self)->HandleRendering(event); });
   for (const unsigned long event : { vtkCommand::VolumeMapperRenderStartEvent,
          vtkCommand::UpdateShaderEvent, vtkCommand::VolumeMapperRenderEndEvent })
   {
@@ -334,7 +334,7 @@ vtkVolumeTexture* CarvedTexture::FindVolume() const
   return nullptr;
 }
 
-bool CarvedTexture::FindUpload()
+bool CarvedTexture::DetectUpload()
 {
   vtkVolumeTexture* const volume = this->FindVolume();
   if (!volume)
@@ -368,7 +368,7 @@ bool CarvedTexture::IsAtHand() const
   return window && texture->GetHandle() != 0 && window->IsCurrent();
 }
 
-void CarvedTexture::FollowRendering(unsigned long event)
+void CarvedTexture::HandleRendering(unsigned long event)
 {
   if (this->HasFailed)
   {
@@ -379,14 +379,14 @@ void CarvedTexture::FollowRendering(unsigned long event)
     this->Begin.Modified();
     if (this->IsAtHand())
     {
-      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.Take(f); });
+      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.Drain(f); });
     }
   }
   else if (event == vtkCommand::UpdateShaderEvent)
   {
-    if (this->FindUpload())
+    if (this->DetectUpload())
     {
-      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
+      this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.DrainAll(f); });
     }
   }
   else
@@ -406,11 +406,11 @@ void CarvedTexture::EndRendering()
   bool isLate = false;
   if (!volume || volume->UploadTime > this->Begin)
   {
-    isLate = this->FindUpload();
+    isLate = this->DetectUpload();
   }
   if (isLate)
   {
-    this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
+    this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.DrainAll(f); });
   }
   // Without a texture, this rendering built the shader, and the next rendering will send the event.
   const bool wasMissed = isLate || !this->Texture;
@@ -436,7 +436,7 @@ void CarvedTexture::Send(BrickContent content, Take&& take)
 void CarvedTexture::SendBrick(vtkVolumeTexture* volume, BrickContent content, std::uint32_t brick)
 {
   ArrayBox box;
-  if (!FindBrickBox(this->Carved, brick, box))
+  if (!ComputeBrickBox(this->Carved, brick, box))
   {
     return;
   }
@@ -469,7 +469,7 @@ void CarvedTexture::Restore()
   window->PushContext();
   if (this->IsAtHand())
   {
-    this->Send(BrickContent::Whole, [this](auto&& f) { this->Bricks.TakeAll(f); });
+    this->Send(BrickContent::Whole, [this](auto&& f) { this->Bricks.DrainAll(f); });
   }
   window->PopContext();
 }
@@ -480,7 +480,7 @@ CarvedPicture::CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDa
   , Carved(WithArray(this->Touched, shown))
   , Bricks(Carved.Removal)
 {
-  if (vtkOpenGLGPUVolumeRayCastMapper* const drawing = FindTextureMapper(mapper))
+  if (vtkOpenGLGPUVolumeRayCastMapper* const drawing = GetTextureMapper(mapper))
   {
     this->Texture = std::make_unique<CarvedTexture>(drawing, this->Carved, this->Bricks);
   }
@@ -496,7 +496,7 @@ CarvedPicture::~CarvedPicture()
 
 bool CarvedPicture::Update()
 {
-  const bool isNew = this->Bricks.Follow();
+  const bool isNew = this->Bricks.Poll();
   vtkVolumeMapper* const mapper = this->Mapper;
   if (!mapper || this->Carved.Removal->Bricks.IsEmpty())
   {
@@ -516,7 +516,7 @@ bool CarvedPicture::Update()
   }
   if (this->Texture && !this->Texture->IsImpossible() && !DrawsOtherwise(mapper))
   {
-    const bool isDue = this->Texture->TakeFrameDue();
+    const bool isDue = this->Texture->DrainFrameDue();
     return isNew || isDue;
   }
   if (this->Texture)
@@ -528,7 +528,7 @@ bool CarvedPicture::Update()
   return this->Copy->Update();
 }
 
-void CarvedPictures::Find(
+void CarvedPictures::Collect(
   vtkRenderer* renderer, const CarvedArray& array, std::vector<std::unique_ptr<CarvedPicture>>& now)
 {
   vtkPropCollection* const props = renderer->GetViewProps();
@@ -539,7 +539,7 @@ void CarvedPictures::Find(
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
     // Null if the mapper has a picture's copy, or shows something else.
-    vtkDataArray* const shown = FindShownArray(mapper, array.Array);
+    vtkDataArray* const shown = GetShownArray(mapper, array.Array);
     const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
     {
       return one && one->GetMapper() == mapper && one->GetArray().IsSame(array) &&
@@ -570,14 +570,14 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
   {
     if (!renderers)
     {
-      this->Find(renderer, array, now);
+      this->Collect(renderer, array, now);
       continue;
     }
     vtkCollectionSimpleIterator it;
     renderers->InitTraversal(it);
     while (vtkRenderer* one = renderers->GetNextRenderer(it))
     {
-      this->Find(one, array, now);
+      this->Collect(one, array, now);
     }
   }
   // The end of a picture changes the shown tissue, too.
@@ -591,7 +591,7 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
   return isNew;
 }
 
-vtkAlgorithmOutput* CarvedPictures::FindInput(vtkVolumeMapper* mapper) const
+vtkAlgorithmOutput* CarvedPictures::GetGivenInput(vtkVolumeMapper* mapper) const
 {
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
   {
@@ -604,9 +604,9 @@ vtkAlgorithmOutput* CarvedPictures::FindInput(vtkVolumeMapper* mapper) const
   return picture == this->All.end() ? mapper->GetInputConnection(0, 0) : (*picture)->GetReplaced();
 }
 
-vtkImageData* CarvedPictures::FindImage(vtkVolumeMapper* mapper) const
+vtkImageData* CarvedPictures::GetImage(vtkVolumeMapper* mapper) const
 {
-  vtkAlgorithmOutput* const input = this->FindInput(mapper);
+  vtkAlgorithmOutput* const input = this->GetGivenInput(mapper);
   return input
     ? vtkImageData::SafeDownCast(input->GetProducer()->GetOutputDataObject(input->GetIndex()))
     : nullptr;

@@ -45,7 +45,7 @@ int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
  * The array that a mapper shows, if it is the touched array or is shown instead of it: see
  * vtkHapticRemoval::TOUCHED_ARRAY(). Null otherwise.
  */
-vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
+vtkDataArray* GetShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
 
 /**
  * Shows what a tool has left of an image by a copy that replaces a mapper's input: for mappers
@@ -112,7 +112,7 @@ public:
   CarvedTexture& operator=(const CarvedTexture&) = delete;
 
   /** Whether the last rendering did not show everything, so that another one is needed. */
-  bool TakeFrameDue() { return std::exchange(this->IsFrameDue, false); }
+  bool DrainFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**
    * Whether bricks can't be written to the texture: the texture is divided into blocks or does not
    * hold the array, it can't show the value of removed tissue, because this is beyond the array's
@@ -125,10 +125,10 @@ public:
   void Restore();
 
 private:
-  void FollowRendering(unsigned long event);
+  void HandleRendering(unsigned long event);
   void EndRendering();
   /** Detects that VTK has uploaded another texture, or the same one anew. */
-  bool FindUpload();
+  bool DetectUpload();
   /** Whether the last texture can be written to now. */
   bool IsAtHand() const;
   template <typename Take>
@@ -201,12 +201,12 @@ public:
 
   ///@{
   /** The first input of a mapper, as the application has set it. Null if there is none. */
-  vtkAlgorithmOutput* FindInput(vtkVolumeMapper* mapper) const;
-  vtkImageData* FindImage(vtkVolumeMapper* mapper) const;
+  vtkAlgorithmOutput* GetGivenInput(vtkVolumeMapper* mapper) const;
+  vtkImageData* GetImage(vtkVolumeMapper* mapper) const;
   ///@}
 
 private:
-  void Find(vtkRenderer* renderer, const CarvedArray& array,
+  void Collect(vtkRenderer* renderer, const CarvedArray& array,
     std::vector<std::unique_ptr<CarvedPicture>>& now);
 
   std::vector<std::unique_ptr<CarvedPicture>> All;

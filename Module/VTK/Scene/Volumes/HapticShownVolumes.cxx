@@ -5,7 +5,7 @@
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
 #include "VTK/Scene/Volumes/CarvedPicture.h"
-#include "VTK/Scene/Volumes/HapticShownFrames.h"
+#include "VTK/Scene/Volumes/HapticShownTimeSteps.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
 #include "vtkContourValues.h"
@@ -207,7 +207,7 @@ bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapp
 /** Whether a filter has a mapper's mask as a label image. */
 bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
-  vtkImageData* const mask = FindBinaryMask(mapper);
+  vtkImageData* const mask = GetBinaryMask(mapper);
   auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
   return mask && labels && HasSamplesOf(mask, labels) && filter->GetLabelTable() &&
     !filter->GetLabelTable()->GetFelt(0);
@@ -276,19 +276,19 @@ bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int f
 } // namespace
 
 std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
-  vtkVolume* followed)
+  vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
+  const CarvedPictures& carved, vtkVolume* followed)
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
-  for (const DrawnVolume& drawn : FindDrawnVolumes(renderer))
+  for (const DrawnVolume& drawn : CollectDrawnVolumes(renderer))
   {
     vtkVolume* const volume = drawn.Volume;
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
     const unsigned int differences =
-      this->FindDifferences(drawn, image, filter, pictures, carved, followed);
+      this->DetectDifferences(drawn, image, filter, pictures, carved, followed);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -305,16 +305,16 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
   return warnings;
 }
 
-unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
-  vtkVolume* followed)
+unsigned int HapticShownVolumes::DetectDifferences(const DrawnVolume& drawn, vtkImageData* image,
+  vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
+  const CarvedPictures& carved, vtkVolume* followed)
 {
   vtkVolume* const volume = drawn.Volume;
   vtkVolumeProperty* const property = volume->GetProperty();
   auto* const mapper = vtkVolumeMapper::SafeDownCast(drawn.Mapper);
   vtkDataObject* const data =
-    mapper && drawn.Port == 0 ? static_cast<vtkDataObject*>(carved.FindImage(mapper)) : nullptr;
-  vtkDataObject* const drawnData = data ? data : drawn.FindData();
+    mapper && drawn.Port == 0 ? static_cast<vtkDataObject*>(carved.GetImage(mapper)) : nullptr;
+  vtkDataObject* const drawnData = data ? data : drawn.GetData();
   auto* const shown = vtkImageData::SafeDownCast(drawnData);
   const bool isPicture = shown && pictures.IsPicture(shown);
   const bool isFollowed = volume == followed;
@@ -325,12 +325,12 @@ unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkIm
     return 0;
   }
   bool areCells = false;
-  vtkDataArray* const array = FindDrawnArray(drawn.Mapper, drawnData, areCells);
+  vtkDataArray* const array = GetDrawnArray(drawn.Mapper, drawnData, areCells);
   const int felt = filter->GetProperty()->GetComponent();
-  const bool hasFrames = isPicture || filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
-  const bool hasComponents = array && array->GetNumberOfComponents() > 1 && !hasFrames;
-  vtkImageData* const binary = FindBinaryMask(drawn.Mapper);
-  vtkImageData* const mask = binary ? binary : FindOpacityMask(drawn.Mapper, property);
+  const bool hasTimeSteps = isPicture || filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  const bool hasComponents = array && array->GetNumberOfComponents() > 1 && !hasTimeSteps;
+  vtkImageData* const binary = GetBinaryMask(drawn.Mapper);
+  vtkImageData* const mask = binary ? binary : GetOpacityMask(drawn.Mapper, property);
   const int blend = mapper ? mapper->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
   const bool isIso = blend == vtkVolumeMapper::ISOSURFACE_BLEND;
   const bool isMagnitude = HasMagnitude(drawn.Mapper) && hasComponents;
@@ -345,7 +345,7 @@ unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkIm
     shown && !isFollowed && !HidesBlanked(drawn.Mapper, areCells) && this->HasBlanks(shown, false),
     array && shown && !isPicture && !areCells && !FeelsArray(filter, array),
     hasComponents && !isMagnitude &&
-      FindDrawnComponent(drawn.Mapper, property, array, felt) != felt,
+      ChooseDrawnComponent(drawn.Mapper, property, array, felt) != felt,
     hasComponents && !isMagnitude && AreSeveralDrawn(drawn.Mapper, property, array), isMagnitude,
     blend != vtkVolumeMapper::COMPOSITE_BLEND && !isIso, isIso && !FeelsIso(filter, property),
     isFollowed && shown && !isIso && !mapper->GetCropping() && this->IsFull(image, filter),

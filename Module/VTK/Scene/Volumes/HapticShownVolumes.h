@@ -23,7 +23,7 @@ namespace VolumeHaptics
 {
 
 class CarvedPictures;
-class HapticShownFrames;
+class HapticShownTimeSteps;
 struct DrawnVolume;
 
 /** Stores its warnings, so that each difference is reported once while it lasts. */
@@ -37,8 +37,8 @@ public:
    * of what a tool has left of it, and the followed volume.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
-    vtkVolume* followed);
+    vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
+    const CarvedPictures& carved, vtkVolume* followed);
 
 private:
   struct Known
@@ -46,9 +46,9 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     unsigned int Differences;
   };
-  unsigned int FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
-    vtkVolume* followed);
+  unsigned int DetectDifferences(const DrawnVolume& drawn, vtkImageData* image,
+    vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
+    const CarvedPictures& carved, vtkVolume* followed);
   /** Counts blanks in the drawn data: cells alone, or points and cells. */
   bool HasBlanks(vtkImageData* image, bool areCells);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);

@@ -132,7 +132,7 @@ void HideBelow(const DrawnImage& drawn, vtkUnsignedCharArray* flags)
   }
 }
 
-vtkImageData* FindMask(vtkAbstractVolumeMapper* mapper, int type)
+vtkImageData* GetMask(vtkAbstractVolumeMapper* mapper, int type)
 {
   auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
   return gpu && gpu->GetMaskType() == type ? gpu->GetMaskInput() : nullptr;
@@ -174,17 +174,17 @@ bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
 
 } // namespace
 
-vtkImageData* FindBinaryMask(vtkAbstractVolumeMapper* mapper)
+vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper)
 {
-  return FindMask(mapper, vtkGPUVolumeRayCastMapper::BinaryMaskType);
+  return GetMask(mapper, vtkGPUVolumeRayCastMapper::BinaryMaskType);
 }
 
-vtkImageData* FindOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
+vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property)
 {
   const std::set<int> labels = property->GetLabelMapLabels();
   const bool hasOpacity = std::any_of(labels.begin(), labels.end(),
     [property](int label) { return property->GetLabelScalarOpacity(label) != nullptr; });
-  return hasOpacity ? FindMask(mapper, vtkGPUVolumeRayCastMapper::LabelMapMaskType) : nullptr;
+  return hasOpacity ? GetMask(mapper, vtkGPUVolumeRayCastMapper::LabelMapMaskType) : nullptr;
 }
 
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image)
@@ -209,7 +209,7 @@ bool DrawnVoxels::Source::operator==(const Source& other) const
     this->Time == other.Time && this->Kind == other.Kind && this->Component == other.Component;
 }
 
-vtkUnsignedCharArray* DrawnVoxels::FindCells(const DrawnImage& drawn)
+vtkUnsignedCharArray* DrawnVoxels::ComputeCells(const DrawnImage& drawn)
 {
   vtkUnsignedCharArray* const own = drawn.Image->GetCellGhostArray();
   Source now;
@@ -238,14 +238,14 @@ vtkUnsignedCharArray* DrawnVoxels::FindCells(const DrawnImage& drawn)
   return this->Flags;
 }
 
-vtkUnsignedCharArray* DrawnVoxels::Find(const DrawnImage& drawn)
+vtkUnsignedCharArray* DrawnVoxels::Get(const DrawnImage& drawn)
 {
   if (drawn.AreCells)
   {
-    return this->FindCells(drawn);
+    return this->ComputeCells(drawn);
   }
-  vtkImageData* const binary = FindBinaryMask(drawn.Mapper);
-  vtkImageData* const labels = FindOpacityMask(drawn.Mapper, drawn.Property);
+  vtkImageData* const binary = GetBinaryMask(drawn.Mapper);
+  vtkImageData* const labels = GetOpacityMask(drawn.Mapper, drawn.Property);
   vtkUnsignedCharArray* const own = drawn.Image->GetPointGhostArray();
   const bool hides = HidesBlanked(drawn.Mapper, false);
   const bool hasFlags = own && hides;
@@ -327,7 +327,7 @@ void DrawnVoxels::Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedC
 TouchedVolume::TouchedVolume() = default;
 TouchedVolume::~TouchedVolume() = default;
 
-vtkDataArray* FindDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells)
+vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells)
 {
   auto* set = vtkDataSet::SafeDownCast(data);
   if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
@@ -376,7 +376,7 @@ bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int comp
   return isSeen && property->GetComponentWeight(component) > 0.0;
 }
 
-int FindDrawnComponent(
+int ChooseDrawnComponent(
   vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted)
 {
   const int count = array->GetNumberOfComponents();
@@ -469,18 +469,18 @@ bool TouchedVolume::FindPlace(const std::vector<DrawnVolume>& drawn)
   return false;
 }
 
-vtkAlgorithmOutput* TouchedVolume::FindInput(const CarvedPictures& carved) const
+vtkAlgorithmOutput* TouchedVolume::GetGivenInput(const CarvedPictures& carved) const
 {
   auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Drawn.Mapper);
   return mapper && this->Drawn.Port == 0
-    ? carved.FindInput(mapper)
+    ? carved.GetGivenInput(mapper)
     : this->Drawn.Mapper->GetInputConnection(this->Drawn.Port, 0);
 }
 
-void TouchedVolume::Update(
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
+void TouchedVolume::Update(vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
+  const CarvedPictures& carved)
 {
-  vtkAlgorithmOutput* const input = this->HasData() ? this->FindInput(carved) : nullptr;
+  vtkAlgorithmOutput* const input = this->HasData() ? this->GetGivenInput(carved) : nullptr;
   vtkDataObject* const data =
     input ? input->GetProducer()->GetOutputDataObject(input->GetIndex()) : nullptr;
   if (!data)
@@ -510,7 +510,7 @@ void TouchedVolume::Update(
 void TouchedVolume::ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter)
 {
   bool areCells = false;
-  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, data, areCells);
+  vtkDataArray* const array = GetDrawnArray(this->Drawn.Mapper, data, areCells);
   auto* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
   if (!array)
   {
@@ -529,18 +529,18 @@ void TouchedVolume::ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* fil
       filter->SetInputArrayToProcess(0, 0, 0, association, vtkDataSetAttributes::SCALARS);
     }
   }
-  const bool areFrames = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS &&
+  const bool areTimeSteps = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS &&
     filter->GetTimeUnitsPerSecond() != 0.0;
-  if (!areFrames)
+  if (!areTimeSteps)
   {
-    filter->GetProperty()->SetComponent(this->FindComponent(array, filter));
+    filter->GetProperty()->SetComponent(this->ChooseComponent(array, filter));
   }
 }
 
-int TouchedVolume::FindComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const
+int TouchedVolume::ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const
 {
   return array->GetNumberOfComponents() > 1
-    ? FindDrawnComponent(this->Drawn.Mapper, this->Volume->GetProperty(), array,
+    ? ChooseDrawnComponent(this->Drawn.Mapper, this->Volume->GetProperty(), array,
         filter->GetProperty()->GetComponent())
     : 0;
 }
@@ -584,10 +584,10 @@ void TouchedVolume::Place(
   vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
 {
   bool areCells = false;
-  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, shown, areCells);
+  vtkDataArray* const array = GetDrawnArray(this->Drawn.Mapper, shown, areCells);
   const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array, areCells,
-    array ? this->FindComponent(array, filter) : 0, TouchesIsosurface(filter) };
-  vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Find(drawn);
+    array ? this->ChooseComponent(array, filter) : 0, TouchesIsosurface(filter) };
+  vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Get(drawn);
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
   // What is sheared stays where its image is: the style warns of it.

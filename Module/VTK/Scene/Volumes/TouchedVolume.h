@@ -9,7 +9,7 @@
 
 #include "VTK/Scene/Base/WindowVolumes.h"
 #include "VTK/Scene/Volumes/CarvedPicture.h"
-#include "VTK/Scene/Volumes/HapticShownFrames.h"
+#include "VTK/Scene/Volumes/HapticShownTimeSteps.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -53,7 +53,7 @@ public:
    * vtkDataSetAttributes::HIDDENPOINT. Null if the image's own flags are enough. The array stays
    * the same until something changes.
    */
-  vtkUnsignedCharArray* Find(const DrawnImage& drawn);
+  vtkUnsignedCharArray* Get(const DrawnImage& drawn);
   /** Whether the flags decide alone, without the property's scalar opacity. */
   bool ReplacesOpacity() const { return this->HasOpacity; }
 
@@ -69,7 +69,7 @@ private:
     bool operator==(const Source& other) const;
   };
   /** Flags of the image's cells, likewise. */
-  vtkUnsignedCharArray* FindCells(const DrawnImage& drawn);
+  vtkUnsignedCharArray* ComputeCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 
   Source From;
@@ -78,10 +78,10 @@ private:
 };
 
 /** The mask by which a mapper hides voxels; null if it has none. */
-vtkImageData* FindBinaryMask(vtkAbstractVolumeMapper* mapper);
+vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper);
 
 /** The mask whose labels have opacities of their own; null if there is none. */
-vtkImageData* FindOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
+vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
 /** Whether a mask fits an image: it has a voxel for each of the image's, whatever its own place. */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
@@ -108,7 +108,7 @@ public:
    */
   bool FindPlace(const std::vector<DrawnVolume>& drawn);
   /** Whether FindPlace() has found data that a mapper shows. */
-  bool HasData() const { return this->Drawn.FindData() != nullptr; }
+  bool HasData() const { return this->Drawn.GetData() != nullptr; }
 
   /**
    * Gives the filter the volume's data at their place, the array and the component that are drawn,
@@ -117,16 +117,16 @@ public:
    * are left alone. A copy that shows what a tool has left of the image stands for the image. Data
    * that are no image stay where they are.
    */
-  void Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
+  void Update(vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
     const CarvedPictures& carved);
 
 private:
   /** Returns the drawing mapper's input, as the application set it; null if there is none. */
-  vtkAlgorithmOutput* FindInput(const CarvedPictures& carved) const;
+  vtkAlgorithmOutput* GetGivenInput(const CarvedPictures& carved) const;
   void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
   /** Touches the array, and of its components the one, that the mapper draws. */
   void ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter);
-  int FindComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
+  int ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
   /**
    * The image, with these flags of its points instead of its own, if there are any; or with its
    * cell arrays as point arrays of an image of the cells' centres.
@@ -153,7 +153,7 @@ bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
  * The array that a mapper shows of its data, of composite ones that of the first block; null if
  * there is none.
  */
-vtkDataArray* FindDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
+vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
 
 /** Whether what a filter touches is an isosurface at its IsoValue. */
 bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
@@ -168,7 +168,7 @@ bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int comp
  * The component of an array that a mapper draws, where it has opacity: the wanted one, if it is
  * among them.
  */
-int FindDrawnComponent(
+int ChooseDrawnComponent(
   vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted);
 
 /**

@@ -92,7 +92,7 @@ public:
    * Follows an image; null for none. Of a large image, copies every n-th sample along each axis, up
    * to the wanted number.
    */
-  void Follow(vtkImageData* image, vtkIdType mostVoxels);
+  void Update(vtkImageData* image, vtkIdType mostVoxels);
   /** The last finished copy, in the image's place; null if there is none. */
   vtkImageData* GetCopy() const { return this->Copy; }
 
@@ -108,7 +108,7 @@ private:
   };
   using Bytes = std::shared_ptr<std::vector<char>>;
 
-  void TakeCopy(const std::vector<char>& bytes);
+  void ApplyCopy(const std::vector<char>& bytes);
 
   vtkSmartPointer<vtkDataArray> Source; ///< source of the copy in work, or of the last one
   vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in work
@@ -167,7 +167,7 @@ std::shared_ptr<std::vector<char>> CopySparsely(
   return bytes;
 }
 
-void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
+void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
 {
   vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || scalars->GetNumberOfComponents() != 1)
@@ -200,20 +200,20 @@ void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
     // address.
     const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
     const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
-    this->Work.Follow(key,
+    this->Work.Poll(key,
       [samples, size, box](WorkMonitor& monitor) -> std::optional<Bytes>
       { return CopySparsely(samples, size, box, monitor); });
   }
   const Bytes* const made = this->Work.Find(key);
   if (made && *made && !(this->Shown == key))
   {
-    this->TakeCopy(**made);
+    this->ApplyCopy(**made);
     this->Shown = key;
     this->Work.Forget(); // releases its memory
   }
 }
 
-void FineBox::TakeCopy(const std::vector<char>& bytes)
+void FineBox::ApplyCopy(const std::vector<char>& bytes)
 {
   this->Copy = this->Next;
   AllocateScalars(this->Copy, this->Source->GetDataType(), 1);
@@ -353,16 +353,16 @@ public:
 
   vtkImageData* GetFine() const { return this->LeftFine.Get(); }
   /** The remaining tissue of the region's copy, which lies in the world. */
-  void FollowFine(vtkImageData* copy, const RemovedTissue& removed)
+  void UpdateFine(vtkImageData* copy, const RemovedTissue& removed)
   {
-    this->LeftFine.Follow(copy, copy, removed, CarvedCover::Nearest);
+    this->LeftFine.Update(copy, copy, removed, CarvedCover::Nearest);
   }
 
   /**
    * The remaining tissue of the coarse image. All of it is copied and uploaded, so not after
    * changes within the box, where only the fine image is seen.
    */
-  void FollowCoarse(vtkImageData* copy, const RemovedTissue& removed)
+  void UpdateCoarse(vtkImageData* copy, const RemovedTissue& removed)
   {
     vtkVolumeMapper* const mapper = this->GetCoarseMapper();
     if (!mapper || !removed.Removal)
@@ -383,7 +383,7 @@ public:
     {
       return;
     }
-    this->Bricks->Follow();
+    this->Bricks->Poll();
     const bool isOtherBox = this->CoarseBox != copy;
     this->CoarseBox = copy;
     const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
@@ -404,7 +404,7 @@ public:
     vtkNew<vtkImageData> place;
     place->CopyStructure(own);
     if (PlaceImage(this->Volume->GetMatrix(), own, place) &&
-      this->LeftCoarse.Follow(own, place, removed, CarvedCover::Voxel))
+      this->LeftCoarse.Update(own, place, removed, CarvedCover::Voxel))
     {
       this->CoarseInput.Put(mapper, 0, this->LeftCoarse.Get());
     }
@@ -444,7 +444,7 @@ public:
       }
     }
     bool isAny = false;
-    this->Bricks->Take(
+    this->Bricks->Drain(
       [&](std::uint32_t number)
       {
         const BrickPlace place = CarvedBricks::PlaceOf(this->Carved->Bricks.GetKey(number));
@@ -687,16 +687,16 @@ void vtkHapticRegionPicture::Update()
     return;
   }
   const bool isResident = in.Source && in.Source->HasSamples();
-  in.Box.Follow(isResident ? in.Source->GetOutput() : nullptr, this->MaximumVoxels);
+  in.Box.Update(isResident ? in.Source->GetOutput() : nullptr, this->MaximumVoxels);
   vtkImageData* const copy = in.Box.GetCopy();
-  const RemovedTissue removed = FindRemoved(in.Filter);
-  in.FollowFine(copy, removed);
+  const RemovedTissue removed = GetRemoved(in.Filter);
+  in.UpdateFine(copy, removed);
   const bool isRefined = copy && in.Refine(in.GetFine());
   if (!isRefined)
   {
     in.ShowCoarseOnly();
   }
-  in.FollowCoarse(isRefined ? copy : nullptr, removed);
+  in.UpdateCoarse(isRefined ? copy : nullptr, removed);
 }
 
 //------------------------------------------------------------------------------

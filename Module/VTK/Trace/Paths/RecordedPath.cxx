@@ -5,7 +5,7 @@
 #include "Core/State/ServoStateNumbers.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/TissueArrays.h"
 #include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceArrayChoice.h"
@@ -220,8 +220,8 @@ void RecordedPathReader::ReadOrientations()
 void RecordedPathReader::ReadRemoval()
 {
   std::string flaw;
-  if (!ReadShareArrays(
-        this->Path->GetFieldData(), InitialShareNames, this->Result.InitialShares, flaw) &&
+  if (!ReadTissueArrays(
+        this->Path->GetFieldData(), InitialTissueNames, this->Result.InitialTissue, flaw) &&
     this->Flaw.empty())
   {
     this->Flaw = flaw;
@@ -270,7 +270,7 @@ void RecordedPathReader::ReadContacts()
   {
     array->GetTuple(i, row.data());
     ShellContact contact;
-    const bool isGood = FromRow(row, contact, this->Result.ContactShare);
+    const bool isGood = FromRow(row, contact, this->Result.ContactFraction);
     this->Require(isGood && row[0] >= next, RecordingNames::InitialContacts, i,
       "a contact, of a later point than the one before");
     next = row[0] + 1.0;

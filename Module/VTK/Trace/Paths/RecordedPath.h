@@ -39,13 +39,13 @@ struct RecordedPath
   ServoState InitialState;
   ///@{
   /** Belong to the state: the removed tissue, and the value of a sample without tissue, or NaN. */
-  std::vector<BrickShares> InitialShares;
+  std::vector<BrickTissue> InitialTissue;
   double AirValue = std::numeric_limits<double>::quiet_NaN();
   ///@}
   ///@{
   /** Belong to the state: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;
-  double ContactShare = 1.0; ///< fraction of their energies that counts
+  double ContactFraction = 1.0; ///< fraction of their energies that counts
   ///@}
   double TickPeriod = 0.0;     ///< period of the recorded servo (s)
   std::vector<ForceCaps> Caps; ///< caps of the recorded device, per placement

@@ -56,7 +56,7 @@ private:
 };
 
 /** Computes the tolerance for the coordinates of two points at one position. */
-double FindRounding(vtkPolyData* path)
+double ComputeRounding(vtkPolyData* path)
 {
   double bounds[6];
   path->GetPoints()->GetBounds(bounds);
@@ -186,7 +186,7 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
 {
   vtkPolyData* const path = this->Path;
   const bool isOfSegments = this->IsOfSegments();
-  const double near = isOfSegments && path->GetNumberOfPoints() > 0 ? FindRounding(path) : 0.0;
+  const double near = isOfSegments && path->GetNumberOfPoints() > 0 ? ComputeRounding(path) : 0.0;
   divided = {};
   vtkIdType line = 0;
   bool isAfterSegment = false;
@@ -248,7 +248,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
         isJoined[std::min(number[a], number[b])] = true;
       }
     });
-  const double near = count > 0 ? FindRounding(path) : 0.0;
+  const double near = count > 0 ? ComputeRounding(path) : 0.0;
   vtkIdType last = -1;
   for (vtkIdType point = 0; point < path->GetNumberOfPoints(); ++point)
   {
@@ -291,7 +291,7 @@ std::size_t TipPathLines::CountStrokes() const
 
   // Ends meet if they are equal. If a cell continues the one before, rounding may separate their
   // ends.
-  const double near = FindRounding(path);
+  const double near = ComputeRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
   for (std::size_t i = 0; i < ends.size(); ++i)
@@ -339,7 +339,7 @@ std::string DescribeLackOfMemory(double ticks)
   return message.str();
 }
 
-double TipPaths::FindLastTime() const
+double TipPaths::ComputeLastTime() const
 {
   double last = 0.0;
   for (std::size_t path = 0; path < this->GetNumberOfPaths(); ++path)
@@ -603,7 +603,7 @@ bool TipPaths::CountTicks(std::string& error)
         error = message.str();
         return false;
       }
-      ticks = static_cast<vtkIdType>(std::floor(span / this->Period + SnapShare)) + 1;
+      ticks = static_cast<vtkIdType>(std::floor(span / this->Period + SnapFraction)) + 1;
     }
     this->FirstTicks.push_back(this->FirstTicks.back() + ticks);
   }

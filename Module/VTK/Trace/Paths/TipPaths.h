@@ -114,7 +114,7 @@ public:
     return this->FirstTicks[path + 1] - this->FirstTicks[path];
   }
   /** Returns the time of the last tick of all paths (s). */
-  double FindLastTime() const;
+  double ComputeLastTime() const;
   /** Whether each path gets its own line, whatever its length. */
   bool AreSeveral() const { return !this->Divided.Begins.empty(); }
   /** Returns the recording, which is then the only path; null if the paths are no recording. */
@@ -156,7 +156,7 @@ public:
   bool IsSpinning(vtkIdType point) const { return this->Spinning.empty() || this->Spinning[point]; }
 
   /** A point and a tick coincide if their times differ by less than this fraction of a tick. */
-  static constexpr double SnapShare = 1e-6;
+  static constexpr double SnapFraction = 1e-6;
 
 private:
   bool ReadOrientations(vtkPolyData* path, std::string& error);

@@ -24,13 +24,13 @@ namespace
  * Computes the data time: the first step's at the hand's time 0, and never before the first step's
  * or after the last step's.
  */
-double FindDataTime(const HapticModel& model, double time)
+double ComputeDataTime(const HapticModel& model, double time)
 {
-  const std::vector<FieldFrame>& frames = model.Baked->Frames;
-  return frames.empty()
+  const std::vector<FieldTimeStep>& timeSteps = model.Baked->TimeSteps;
+  return timeSteps.empty()
     ? 0.0
-    : std::clamp(frames.front().Time + model.Baked->Settings.TimeUnitsPerSecond * time,
-        frames.front().Time, frames.back().Time);
+    : std::clamp(timeSteps.front().Time + model.Baked->Settings.TimeUnitsPerSecond * time,
+        timeSteps.front().Time, timeSteps.back().Time);
 }
 
 /** Long enough that handing a stretch to a thread costs nothing beside it. */
@@ -60,16 +60,16 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   {
     return nullptr;
   }
-  const std::vector<BrickShares> shares =
-    recording ? recording->InitialShares : CopyBricks(baked.Removal->Bricks);
+  const std::vector<BrickTissue> fractions =
+    recording ? recording->InitialTissue : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
   // What only feels tissue needs no room to remove any.
-  const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(shares.size(), 1));
+  const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(fractions.size(), 1));
   auto removal = isChanged
     ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
     : std::make_shared<TissueRemoval>(bricks, 1);
-  WriteBricks(shares, removal->Bricks);
+  WriteBricks(fractions, removal->Bricks);
   return removal;
 }
 
@@ -109,28 +109,28 @@ TipReader::TipReader(const TipPaths& paths, std::size_t path)
 Vector3 TipReader::FindPoint()
 {
   const vtkIdType last = this->Members.GetSize() - 1;
-  const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
+  const double snap = TipPaths::SnapFraction * this->Paths.GetPeriod();
   const double time = this->GetTime();
   while (this->Before < last && this->TimeAt(this->Before + 1) <= time + snap)
   {
     ++this->Before;
   }
   const Vector3 a = this->PointAt(this->Before);
-  const double share = this->FindShare();
-  return share == 0.0 ? a : a + share * (this->PointAt(this->Before + 1) - a);
+  const double fraction = this->ComputeFraction();
+  return fraction == 0.0 ? a : a + fraction * (this->PointAt(this->Before + 1) - a);
 }
 
-double TipReader::FindShare() const
+double TipReader::ComputeFraction() const
 {
   const vtkIdType before = this->Before;
   const double since = this->GetTime() - this->TimeAt(before);
-  const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
+  const double snap = TipPaths::SnapFraction * this->Paths.GetPeriod();
   return before == this->Members.GetSize() - 1 || std::abs(since) <= snap
     ? 0.0
     : since / (this->TimeAt(before + 1) - this->TimeAt(before));
 }
 
-Quaternion TipReader::FindOrientation() const
+Quaternion TipReader::ComputeOrientation() const
 {
   const auto at = [this](vtkIdType i) -> const Quaternion&
   { return this->Paths.GetOrientation(this->Members.At(i)); };
@@ -139,8 +139,8 @@ Quaternion TipReader::FindOrientation() const
     return at(this->Tick);
   }
   const Quaternion& a = at(this->Before);
-  const double share = this->FindShare();
-  if (share == 0.0)
+  const double fraction = this->ComputeFraction();
+  if (fraction == 0.0)
   {
     return a;
   }
@@ -150,8 +150,8 @@ Quaternion TipReader::FindOrientation() const
     return NoOrientation;
   }
   // Interpolates the shorter way round: q and -q are the same orientation.
-  const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -share : share;
-  const double rest = 1.0 - share;
+  const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -fraction : fraction;
+  const double rest = 1.0 - fraction;
   const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,
     rest * a.Z + side * b.Z };
   return (1.0 / std::sqrt(SquaredNorm(mixed))) * mixed;
@@ -173,8 +173,8 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
 {
   // Computes what ResidentServo does where all samples are there.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
-  this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
-  this->TakeHand(model);
+  this->State.DataTime = ComputeDataTime(model, this->Tips->GetTime());
+  this->CopyHand(model);
   this->ProvideTool(model);
   TickAndServe(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
     this->Tool.get());
@@ -194,8 +194,8 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   if (this->Tips)
   {
     const Vector3 tip = model->WorldToDevice(this->Tips->Next());
-    this->State.DataTime = FindDataTime(*model, this->Tips->GetTime());
-    this->TakeHand(*model);
+    this->State.DataTime = ComputeDataTime(*model, this->Tips->GetTime());
+    this->CopyHand(*model);
     if (this->Finder)
     {
       model = (*this->Finder)(std::move(model), this->State, tip);
@@ -218,7 +218,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
     }
     else if (this->Tool &&
       !RestoreContacts(
-        *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactShare))
+        *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactFraction))
     {
       // The state belongs to another tool; the new tool begins in the hand.
       this->State.Shell = ShellState{};
@@ -237,7 +237,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     this->SetOrientation(recording.Orientations[i]);
   }
-  this->TakeRemoval(*model, i);
+  this->CopyRemoval(*model, i);
   // A surface counts from the tick in which the result of the slow loop arrived.
   LocalSurface surface;
   LocalSurfaceResult result;
@@ -250,7 +250,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   return model;
 }
 
-void TipPathWalk::TakeRemoval(const HapticModel& model, std::size_t i)
+void TipPathWalk::CopyRemoval(const HapticModel& model, std::size_t i)
 {
   const RecordedPath& recording = *this->Recording;
   this->State.IsSpinning = !recording.Spinning.empty() && recording.Spinning[i];
@@ -262,7 +262,7 @@ void TipPathWalk::TakeRemoval(const HapticModel& model, std::size_t i)
   }
 }
 
-void TipPathWalk::TakeHand(const HapticModel& model)
+void TipPathWalk::CopyHand(const HapticModel& model)
 {
   if (model.Baked->Tool)
   {
@@ -304,9 +304,9 @@ const TickRecord& TipPathWalk::GetRecord() const
   return this->Gate.GetOpening() < 1.0 ? this->Scaled : this->Whole;
 }
 
-ModeForces TipPathWalk::FindModeForces(const HapticModel& model) const
+ModeForces TipPathWalk::ComputeModeForces(const HapticModel& model) const
 {
-  ModeForces forces = VolumeHaptics::FindModeForces(model, this->State);
+  ModeForces forces = VolumeHaptics::ComputeModeForces(model, this->State);
   for (Vector3& force : forces)
   {
     force = this->Gate.GetOpening() * force;
@@ -399,7 +399,7 @@ void TipPathsWalk::Fill()
   }
 }
 
-TipPathsWalk::Runner* TipPathsWalk::Take(vtkIdType& stretch)
+TipPathsWalk::Runner* TipPathsWalk::Claim(vtkIdType& stretch)
 {
   if (this->RoundTicksLeft <= 0 || this->HasFailed || this->Flaw >= 0 ||
     ServoClock::Now() > this->RoundEnd)
@@ -421,9 +421,9 @@ TipPathsWalk::Runner* TipPathsWalk::Take(vtkIdType& stretch)
   }
   if (longest)
   {
-    const vtkIdType share =
+    const vtkIdType fraction =
       this->Threads == 1 ? LongestStretch : this->RoundTicksLeft / (2 * this->Threads);
-    stretch = std::min(left, std::clamp(share, ShortestStretch, LongestStretch));
+    stretch = std::min(left, std::clamp(fraction, ShortestStretch, LongestStretch));
     this->RoundTicksLeft -= stretch;
     longest->IsTaken = true;
   }
@@ -438,7 +438,7 @@ void TipPathsWalk::GiveBack(Runner* runner)
     const BakedTool* const tool = runner->Model->Baked->Tool.get();
     if (runner->Removal && tool && tool->RemovesTissue() && this->Rows.size() == 1)
     {
-      this->FinalShares = CopyBricks(runner->Removal->Bricks);
+      this->FinalTissue = CopyBricks(runner->Removal->Bricks);
     }
     const auto isIt = [runner](const std::unique_ptr<Runner>& other)
     { return other.get() == runner; };
@@ -451,7 +451,7 @@ void TipPathsWalk::AdvanceStretches()
   // The mutex also hands over what a stretch changes.
   std::unique_lock<std::mutex> lock(this->Mutex);
   vtkIdType stretch = 0;
-  while (Runner* const runner = this->Take(stretch))
+  while (Runner* const runner = this->Claim(stretch))
   {
     lock.unlock();
     this->Advance(*runner, stretch);
@@ -523,7 +523,7 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     }
     if (hasModes)
     {
-      const ModeForces forces = runner.Walk.FindModeForces(*runner.Model);
+      const ModeForces forces = runner.Walk.ComputeModeForces(*runner.Model);
       part.Append(runner.Model, runner.Walk.GetTime(), &forces);
     }
     else

@@ -7,7 +7,7 @@
 #ifndef TipPathsWalk_h
 #define TipPathsWalk_h
 
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 #include "Core/Safety/ForceGate.h"
 #include "Core/Servo/ResidentServo.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
@@ -50,7 +50,7 @@ public:
    */
   Quaternion GetOrientation() const
   {
-    return this->Paths.HaveOrientations() ? this->FindOrientation() : NoOrientation;
+    return this->Paths.HaveOrientations() ? this->ComputeOrientation() : NoOrientation;
   }
   /** Whether a burr spins at the last tick. */
   bool IsSpinning() const
@@ -68,9 +68,9 @@ private:
   /** Computes the position at the time of the tick. */
   Vector3 FindPoint();
   /** Returns how far the tick is on the way from the point before it to the next one, 0 to 1. */
-  double FindShare() const;
+  double ComputeFraction() const;
   /** Interpolates the orientations before and after the tick. */
-  Quaternion FindOrientation() const;
+  Quaternion ComputeOrientation() const;
   double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }
   Vector3 PointAt(vtkIdType i) const { return this->Paths.GetPoint(this->Members.At(i)); }
 
@@ -108,7 +108,7 @@ public:
   /** Returns the record of the last tick, unless that tick wrote directly into one. */
   const TickRecord& GetRecord() const;
   /** Returns the forces of the modes in the last tick, with its model. */
-  ModeForces FindModeForces(const HapticModel& model) const;
+  ModeForces ComputeModeForces(const HapticModel& model) const;
   /**
    * Returns the orientation of the stylus (world) in the last tick; NoOrientation if there is none.
    */
@@ -122,11 +122,11 @@ private:
   /**
    * Copies from a path to the state: the orientation, turned to the device's axes, and the spin.
    */
-  void TakeHand(const HapticModel& model);
+  void CopyHand(const HapticModel& model);
   /**
    * Copies from a recording's tick: the spin to the state, and a request to the model's removal.
    */
-  void TakeRemoval(const HapticModel& model, std::size_t i);
+  void CopyRemoval(const HapticModel& model, std::size_t i);
   /** Sets the state's orientation, on the device's axes, or to NoOrientation. */
   void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
@@ -172,9 +172,9 @@ public:
   vtkIdType GetFlaw() const { return this->Flaw; }
 
   /** What is left of the tissue at the end of the only path, if that is of a burr; or null. */
-  const std::vector<BrickShares>* GetFinalShares() const
+  const std::vector<BrickTissue>* GetFinalTissue() const
   {
-    return this->FinalShares ? &*this->FinalShares : nullptr;
+    return this->FinalTissue ? &*this->FinalTissue : nullptr;
   }
   /** The rows of the trace that are written, of each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
@@ -185,7 +185,7 @@ private:
   ///@{
   /** Called with the mutex. Fill lets paths begin; Take returns null at the end of the round. */
   void Fill();
-  Runner* Take(vtkIdType& stretch);
+  Runner* Claim(vtkIdType& stretch);
   void GiveBack(Runner* runner);
   ///@}
   /** Called by each thread: advances paths until the end of the round. */
@@ -210,7 +210,7 @@ private:
   std::size_t NextPath = 0;
   std::vector<std::unique_ptr<Runner>> Running;
   bool HasFailed = false; ///< for lack of memory
-  std::optional<std::vector<BrickShares>> FinalShares;
+  std::optional<std::vector<BrickTissue>> FinalTissue;
 };
 
 } // namespace VolumeHaptics

@@ -103,8 +103,8 @@ HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners)
       const auto end = std::lower_bound(ways.begin() + 1, ways.end() - 1, way);
       const auto i = static_cast<std::size_t>(end - ways.begin());
       const double side = ways[i] - ways[i - 1];
-      const double share = side > 0.0 ? std::min((way - ways[i - 1]) / side, 1.0) : 1.0;
-      return (1.0 - share) * corners[i - 1] + share * corners[i];
+      const double fraction = side > 0.0 ? std::min((way - ways[i - 1]) / side, 1.0) : 1.0;
+      return (1.0 - fraction) * corners[i - 1] + fraction * corners[i];
     } };
 }
 
@@ -184,12 +184,12 @@ VolumeHaptics::HapticCurve MakePressAndSlide(
   int slide = (press + 1) % 3;
   const int other = (press + 2) % 3;
   slide = size[other] > size[slide] ? other : slide;
-  const auto at = [&](double share, double below)
+  const auto at = [&](double fraction, double below)
   {
     double x[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      x[axis] = corner[axis] + (axis == slide ? share : 0.5) * size[axis];
+      x[axis] = corner[axis] + (axis == slide ? fraction : 0.5) * size[axis];
     }
     x[press] = corner[press] + (sign > 0.0 ? 0.0 : size[press]) + sign * below;
     return ToVector(x);

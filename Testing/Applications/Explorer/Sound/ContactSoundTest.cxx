@@ -116,13 +116,13 @@ std::vector<float> Click(double strength, double stiffness, double newtons)
 
 TEST(ContactSound, HasThePitchOfTheMaterial)
 {
-  EXPECT_NEAR(ContactSound::FindPitch(400.0, 1.0), 500.0, 1e-9);
-  EXPECT_NEAR(ContactSound::FindPitch(400.0, 4.0), 1000.0, 1e-9);
-  EXPECT_NEAR(ContactSound::FindPitch(6400.0, 1.0), 1000.0, 1e-9);
-  EXPECT_NEAR(ContactSound::FindPitch(25.0, 9.0), 750.0, 1e-9);
-  EXPECT_EQ(ContactSound::FindPitch(400.0, 1e6), ContactSound::FindPitch(400.0, 12.0));
-  EXPECT_EQ(ContactSound::FindPitch(0.0, 0.0), 60.0);
-  EXPECT_EQ(ContactSound::FindPitch(1e9, 12.0), 6000.0);
+  EXPECT_NEAR(ContactSound::ComputePitch(400.0, 1.0), 500.0, 1e-9);
+  EXPECT_NEAR(ContactSound::ComputePitch(400.0, 4.0), 1000.0, 1e-9);
+  EXPECT_NEAR(ContactSound::ComputePitch(6400.0, 1.0), 1000.0, 1e-9);
+  EXPECT_NEAR(ContactSound::ComputePitch(25.0, 9.0), 750.0, 1e-9);
+  EXPECT_EQ(ContactSound::ComputePitch(400.0, 1e6), ContactSound::ComputePitch(400.0, 12.0));
+  EXPECT_EQ(ContactSound::ComputePitch(0.0, 0.0), 60.0);
+  EXPECT_EQ(ContactSound::ComputePitch(1e9, 12.0), 6000.0);
 }
 
 TEST(ContactSound, RingsAtThePitch)

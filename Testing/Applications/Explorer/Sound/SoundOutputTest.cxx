@@ -60,7 +60,7 @@ void TapUntilItPlays(SoundStream& stream)
 std::string WaitForTrouble(SoundStream& stream, SoundOutput& output)
 {
   std::string trouble;
-  Tap(stream, [&] { return (trouble = output.TakeTrouble()).empty(); });
+  Tap(stream, [&] { return (trouble = output.DrainTrouble()).empty(); });
   return trouble;
 }
 
@@ -95,7 +95,7 @@ TEST_F(Output, IsWhatWasRendered)
       [&file]
       { return !std::filesystem::exists(file) || std::filesystem::file_size(file) < BYTES; });
     recorder.End(SIGTERM);
-    EXPECT_EQ(output->TakeTrouble(), "");
+    EXPECT_EQ(output->DrainTrouble(), "");
   }
   EXPECT_EQ(SoundServer::ListStreams(), "") << "it ends with the output";
   std::ifstream stream(file, std::ios::binary);
@@ -119,18 +119,18 @@ TEST_F(Output, TellsOnceThatThereIsNoServer)
   const auto output = SoundOutput::Open(this->Stream);
   EXPECT_NE(WaitForTrouble(this->Stream, *output), "");
   TapFor(this->Stream, 20);
-  EXPECT_EQ(output->TakeTrouble(), "");
+  EXPECT_EQ(output->DrainTrouble(), "");
 }
 
 TEST_F(Output, TellsOnceThatTheServerDied)
 {
   const auto output = SoundOutput::Open(this->Stream);
   TapUntilItPlays(this->Stream);
-  EXPECT_EQ(output->TakeTrouble(), "");
+  EXPECT_EQ(output->DrainTrouble(), "");
   this->Server->Server.End(SIGKILL);
   EXPECT_NE(WaitForTrouble(this->Stream, *output), "");
   TapFor(this->Stream, 20);
-  EXPECT_EQ(output->TakeTrouble(), "");
+  EXPECT_EQ(output->DrainTrouble(), "");
 }
 
 TEST_F(Output, DoesNotWaitForAServerThatHangs)
@@ -144,7 +144,7 @@ TEST_F(Output, DoesNotWaitForAServerThatHangs)
   {
     const auto output = SoundOutput::Open(this->Stream); // answers nothing
     TapFor(this->Stream, 20);
-    EXPECT_EQ(output->TakeTrouble(), "");
+    EXPECT_EQ(output->DrainTrouble(), "");
   }
   this->Server->Server.Signal(SIGCONT);
 }

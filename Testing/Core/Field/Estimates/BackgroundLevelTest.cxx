@@ -77,7 +77,7 @@ std::vector<double> MakeBalls(const std::vector<Ball>& balls, double sigma, int 
 
 BackgroundLevel Find(const std::vector<double>& volume)
 {
-  return BackgroundLevel::Find(
+  return BackgroundLevel::Estimate(
     [&](std::int64_t i) { return volume[static_cast<std::size_t>(i)]; }, Dimensions);
 }
 } // namespace
@@ -157,7 +157,7 @@ TEST(BackgroundLevel, OfPiecesIsThatOfTheWhole)
       samples.Merge(more);
     }
   }
-  const BackgroundLevel pieces = BackgroundLevel::Find(samples);
+  const BackgroundLevel pieces = BackgroundLevel::Estimate(samples);
   ASSERT_TRUE(whole.IsThere);
   EXPECT_TRUE(pieces.IsThere);
   EXPECT_EQ(pieces.Threshold, whole.Threshold);

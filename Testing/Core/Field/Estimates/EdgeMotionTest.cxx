@@ -78,7 +78,7 @@ TEST(EdgeMotion, FindsMotionsOfMoreThanTwoWidths)
       const TestVolume before = MakeEdge(isBall ? BallOf(8.0) : WallAt(26.0), c.Sigma);
       const TestVolume after = MakeEdge(isBall ? BallOf(8.0 + s) : WallAt(26.0 + s), c.Sigma);
       SCOPED_TRACE(testing::Message() << c.Sigma << ", " << c.Widths << ", ball " << isBall);
-      const EdgeMotion found = FindEdgeMotion(before.View, after.View, Matrix3{}, 0.0, 0.0);
+      const EdgeMotion found = MeasureEdgeMotion(before.View, after.View, Matrix3{}, 0.0, 0.0);
       EXPECT_GT(found.Edges, 20);
       EXPECT_EQ(found.IsFast(), c.Widths > 2.0);
       if (c.Widths > 2.0)
@@ -96,7 +96,7 @@ TEST(EdgeMotion, IsInWorldUnitsAcrossTheEdge)
   // Samples are 2 x 0.5 x 1 in size, turned: the wall is at x = 20 samples, 40 away.
   const Matrix3 map{ { { 0.0, -0.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
   const auto at = [](double x) { return [x](double i, double, double) { return i - x; }; };
-  const EdgeMotion found = FindEdgeMotion(MakeEdge(at(18.0), 1.5, ScalarType::Float64).View,
+  const EdgeMotion found = MeasureEdgeMotion(MakeEdge(at(18.0), 1.5, ScalarType::Float64).View,
     MakeEdge(at(25.0), 1.5, ScalarType::Float64).View, map, 0.0, 0.0);
   EXPECT_NEAR(found.Motion, 14.0, 0.05);
   EXPECT_NEAR(found.Width, 3.0, 0.3);
@@ -106,8 +106,8 @@ TEST(EdgeMotion, KernelsMakeEdgesWider)
 {
   const TestVolume before = MakeEdge(WallAt(26.0), 1.0);
   const TestVolume after = MakeEdge(WallAt(29.0), 1.0);
-  EXPECT_TRUE(FindEdgeMotion(before.View, after.View, Matrix3{}, 0.0, 0.0).IsFast());
-  EXPECT_FALSE(FindEdgeMotion(before.View, after.View, Matrix3{}, 1.5, 0.0).IsFast());
+  EXPECT_TRUE(MeasureEdgeMotion(before.View, after.View, Matrix3{}, 0.0, 0.0).IsFast());
+  EXPECT_FALSE(MeasureEdgeMotion(before.View, after.View, Matrix3{}, 1.5, 0.0).IsFast());
 }
 
 TEST(EdgeMotion, NoiseDoesNotMove)
@@ -117,12 +117,12 @@ TEST(EdgeMotion, NoiseDoesNotMove)
   {
     const TestVolume still = MakeEdge(BallOf(9.0), 1.5, ScalarType::Int16, noise, 1);
     const TestVolume again = MakeEdge(BallOf(9.0), 1.5, ScalarType::Int16, noise, 2);
-    EXPECT_FALSE(FindEdgeMotion(still.View, again.View, Matrix3{}, 0.0, noise).IsFast());
+    EXPECT_FALSE(MeasureEdgeMotion(still.View, again.View, Matrix3{}, 0.0, noise).IsFast());
     const TestVolume empty = MakeEdge(nothing, 1.5, ScalarType::Int16, noise, 3);
     const TestVolume other = MakeEdge(nothing, 1.5, ScalarType::Int16, noise, 4);
-    EXPECT_FALSE(FindEdgeMotion(empty.View, other.View, Matrix3{}, 0.0, noise).IsFast());
+    EXPECT_FALSE(MeasureEdgeMotion(empty.View, other.View, Matrix3{}, 0.0, noise).IsFast());
     const TestVolume moved = MakeEdge(BallOf(15.0), 1.5, ScalarType::Int16, noise, 5);
-    EXPECT_TRUE(FindEdgeMotion(still.View, moved.View, Matrix3{}, 0.0, noise).IsFast());
+    EXPECT_TRUE(MeasureEdgeMotion(still.View, moved.View, Matrix3{}, 0.0, noise).IsFast());
   }
 }
 
@@ -131,6 +131,6 @@ TEST(EdgeMotion, ManagesWithoutEdgesOrNumbers)
   TestVolume flat(ScalarType::UInt8, { 4, 1, 3 });
   TestVolume nan(ScalarType::Float64, { 12, 12, 12 });
   nan.Fill<double>([](auto...) { return std::nan(""); });
-  EXPECT_EQ(FindEdgeMotion(flat.View, flat.View, Matrix3{}, 1.0, 0.0).Edges, 0);
-  EXPECT_EQ(FindEdgeMotion(nan.View, nan.View, Matrix3{}, 1.0, 0.0).Edges, 0);
+  EXPECT_EQ(MeasureEdgeMotion(flat.View, flat.View, Matrix3{}, 1.0, 0.0).Edges, 0);
+  EXPECT_EQ(MeasureEdgeMotion(nan.View, nan.View, Matrix3{}, 1.0, 0.0).Edges, 0);
 }

@@ -50,7 +50,7 @@ std::vector<double> MakeBody(double sigma, bool hasLungs)
 
 StoredShift Find(const std::vector<double>& volume)
 {
-  return StoredShift::Find(
+  return StoredShift::Estimate(
     [&](std::int64_t i) { return volume[static_cast<std::size_t>(i)]; }, Dimensions);
 }
 
@@ -157,7 +157,7 @@ TEST(StoredShift, OfPiecesIsThatOfTheWhole)
       extent, whole, piece);
     part == 0 ? void(samples = piece) : samples.Merge(piece);
   }
-  const StoredShift pieces = StoredShift::Find(samples);
+  const StoredShift pieces = StoredShift::Estimate(samples);
   EXPECT_EQ(pieces.Shift, -1024.0);
   EXPECT_EQ(pieces.Air, Find(stored).Air);
 }

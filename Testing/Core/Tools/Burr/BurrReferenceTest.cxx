@@ -50,9 +50,9 @@ public:
         for (std::int64_t i = 0; i < this->N[0]; ++i, ++at)
         {
           const Vector3 x = this->PlaceOf(i, j, k);
-          const double share =
+          const double fraction =
             square > 0.0 ? std::clamp(Dot(x - from, way) / square, 0.0, 1.0) : 0.0;
-          const double distance = Norm(x - (from + share * way));
+          const double distance = Norm(x - (from + fraction * way));
           if (distance < reach)
           {
             const double rho =
@@ -104,7 +104,7 @@ class DrilledAtRandom : public testing::TestWithParam<Vector3>
 };
 
 /// The bound: the burr moves in steps s of a quarter voxel at most, so that its nearest centre is
-/// no farther from x than the line by s^2/(8 d), d >= a - w/2; that of 8 bits is half a share. A
+/// no farther from x than the line by s^2/(8 d), d >= a - w/2; that of 8 bits is half a fraction. A
 /// voxel that is not wholly removed may have cost six times as much more or less.
 TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
 {
@@ -185,7 +185,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
   const double step = 0.25 * voxel;
   const double nearest = settings.Radius - 0.5 * reference.Width;
   const double bound = 0.5 + 255.0 / reference.Width * step * step / (8.0 * nearest);
-  const std::vector<std::uint8_t> shares = CopyShares(scene.Removal->Bricks, n);
+  const std::vector<std::uint8_t> fractions = CopyTissue(scene.Removal->Bricks, n);
   const SpecificEnergyTable table({ energies, ConstantPolyline(0.0) });
   const double whole = spacing.X * spacing.Y * spacing.Z;
   double worst = 0.0;
@@ -205,7 +205,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
           continue; // bricks of air may keep theirs
         }
         const double rho = reference.Left[s];
-        worst = std::max(worst, std::abs(shares[s] - 255.0 * rho));
+        worst = std::max(worst, std::abs(fractions[s] - 255.0 * rho));
         carved += rho < 1.0 ? 1 : 0;
         const double energy = whole * table(value)[0];
         const double edge = reference.EdgeOf(i, j, k);

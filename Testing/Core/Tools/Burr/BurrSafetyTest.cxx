@@ -44,16 +44,16 @@ protected:
   }
 
   /// A smooth random way that begins and ends outside of the ball.
-  static Vector3 FindPlace(double t, const Vector3* waves)
+  static Vector3 ComputePlace(double t, const Vector3* waves)
   {
     const double press = std::sin(Pi * t); // 0 at both ends
     const Vector3 away{ 1.0, 0.3 * std::sin(2.0 * Pi * t), 0.2 };
     return Vector3{ 16.0, 16.0, 16.0 } + (13.5 - 4.5 * press) * away +
       (3.0 * std::sin(4.0 * Pi * t)) * waves[0] + (2.0 * std::sin(6.0 * Pi * t)) * waves[1];
   }
-  std::vector<std::uint8_t> GetShares() const
+  std::vector<std::uint8_t> GetFractions() const
   {
-    return CopyShares(this->Scene.Removal->Bricks, this->Bone.View.Dimensions);
+    return CopyTissue(this->Scene.Removal->Bricks, this->Bone.View.Dimensions);
   }
 
   const TestVolume Bone = MakeBone();
@@ -79,7 +79,7 @@ TEST_F(BurrSafety, NoCycleCreatesEnergy)
     double least = 0.0;
     for (int i = 0; i <= ticks; ++i)
     {
-      hand.Tick(FindPlace(static_cast<double>(i) / ticks, waves));
+      hand.Tick(ComputePlace(static_cast<double>(i) / ticks, waves));
       const ShellRecord& shell = hand.Record.Shell;
       const double stored = hand.EnergyOfSpring(shell.Tool.Position, shell.Hand.Position);
       least = std::min(least, hand.Work - stored);
@@ -146,8 +146,8 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
   EXPECT_GE(most, 0.5) << "the bound is met";
 }
 
-/// Its amplitude is its share of the force, its mean zero, its frequency that of the burr.
-TEST(BurrVibration, HasItsShareAndNoMean)
+/// Its amplitude is its fraction of the force, its mean zero, its frequency that of the burr.
+TEST(BurrVibration, HasItsFractionAndNoMean)
 {
   BurrInHand settings = MakeBurr(2e9, 100.0);
   settings.Vibration = 0.2;
@@ -167,12 +167,12 @@ TEST(BurrVibration, HasItsShareAndNoMean)
     hand.Press(1.0);
     const Vector3& contact = hand.Record.Shell.Force;
     const Vector3 vibration = hand.Record.Force - contact;
-    const double share = Dot(vibration, contact) / Dot(contact, contact);
-    EXPECT_LE(std::abs(share), 0.2 + 1e-9);
-    EXPECT_NEAR(Norm(vibration), std::abs(share) * Norm(contact), 1e-9);
-    along.push_back(share);
-    least = std::min(least, share);
-    most = std::max(most, share);
+    const double fraction = Dot(vibration, contact) / Dot(contact, contact);
+    EXPECT_LE(std::abs(fraction), 0.2 + 1e-9);
+    EXPECT_NEAR(Norm(vibration), std::abs(fraction) * Norm(contact), 1e-9);
+    along.push_back(fraction);
+    least = std::min(least, fraction);
+    most = std::max(most, fraction);
   }
   EXPECT_LE(least, -0.19);
   EXPECT_GE(most, 0.19);
@@ -196,7 +196,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
 {
   BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
   TissueRemoval& removal = *this->Scene.Removal;
-  std::vector<std::vector<std::uint8_t>> history = { this->GetShares() };
+  std::vector<std::vector<std::uint8_t>> history = { this->GetFractions() };
   for (int stroke = 0; stroke < 3; ++stroke)
   {
     const Vector3 above{ 28.0, 13.0 + 3.0 * stroke, 16.0 };
@@ -205,7 +205,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
     hand.Lead(above + Vector3{ -4.0, 0.0, 0.0 }, 0.004);
     hand.IsSpinning = false;
     hand.Tick(above);
-    history.push_back(this->GetShares());
+    history.push_back(this->GetFractions());
     EXPECT_NE(history[history.size() - 1], history[history.size() - 2]);
   }
   EXPECT_EQ(removal.Journal.GetUndoable(), 3u);
@@ -221,7 +221,7 @@ TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
       hand.Tick({ 24.0, 16.0, 16.0 });
       EXPECT_TRUE(!isAsked || Norm(hand.Record.Force) == 0.0);
     }
-    EXPECT_EQ(this->GetShares(), expected);
+    EXPECT_EQ(this->GetFractions(), expected);
     EXPECT_LE(Norm(hand.Record.Force), 1e-9) << "it may leave the tissue that came back";
   };
   ask(RemovalRequest::Undo, history[2]);
@@ -249,17 +249,17 @@ TEST_F(BurrSafety, ARecordingRemovesTheSame)
       {
         this->Scene.Removal->Request(RemovalRequest::Undo);
       }
-      const BurrRecord& record = hand.Tick(FindPlace(i / 2500.0, waves));
+      const BurrRecord& record = hand.Tick(ComputePlace(i / 2500.0, waves));
       numbers.insert(numbers.end(),
         { record.Force.X, record.Force.Y, record.Force.Z, record.RemovedVolume, record.Energy });
     }
     EXPECT_GT(hand.Removed, 0.5);
-    return this->GetShares();
+    return this->GetFractions();
   };
   std::vector<double> first;
   std::vector<double> second;
-  const auto shares = drill(first);
-  EXPECT_EQ(drill(second), shares);
+  const auto fractions = drill(first);
+  EXPECT_EQ(drill(second), fractions);
   ASSERT_EQ(first.size(), second.size());
   EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(double)), 0);
 }
@@ -270,12 +270,12 @@ TEST_F(BurrSafety, AHandThatIsNoPlaceIsNotFeltAndRemovesNothing)
   hand.Tick({ 28.0, 16.0, 16.0 });
   hand.Lead({ 24.5, 16.0, 16.0 }, 0.01);
   EXPECT_GT(hand.Removed, 0.0);
-  const auto before = this->GetShares();
+  const auto before = this->GetFractions();
   for (const double x : { std::numeric_limits<double>::quiet_NaN(), 1e300, -HUGE_VAL })
   {
     EXPECT_EQ(Norm(hand.Tick({ x, 16.0, 16.0 }).Force), 0.0);
   }
-  EXPECT_EQ(this->GetShares(), before);
+  EXPECT_EQ(this->GetFractions(), before);
   EXPECT_EQ(this->Scene.Removal->Journal.GetUndoable(), 1u) << "its stroke has ended";
   // Without a place to write to, tissue is only felt.
   this->Scene.Removal = nullptr;

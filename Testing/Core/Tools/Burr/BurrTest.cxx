@@ -15,7 +15,7 @@ using namespace coretest;
 namespace
 {
 /// The depth (mm) at which a sphere of radius a has removed a volume, by bisection.
-double FindDepth(double a, double volume)
+double ComputeDepth(double a, double volume)
 {
   double low = 0.0;
   double high = a;
@@ -59,16 +59,17 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
     EXPECT_NEAR(hand.Removed, rate * seconds, 0.01 * rate * seconds) << "B3";
     if (seconds >= 1.0)
     {
-      // In so small voxels, the sum of the shares is the volume, too.
+      // In so small voxels, the sum of the fractions is the volume, too.
       double sum = 0.0;
       std::int64_t at = 0;
-      for (const std::uint8_t share : CopyShares(half.Removal->Bricks, half.Volume.View.Dimensions))
+      for (const std::uint8_t fraction :
+        CopyTissue(half.Removal->Bricks, half.Volume.View.Dimensions))
       {
-        sum += at++ >= 12 * 112 * 112 ? size * size * size * (255.0 - share) / 255.0 : 0.0;
+        sum += at++ >= 12 * 112 * 112 ? size * size * size * (255.0 - fraction) / 255.0 : 0.0;
       }
       EXPECT_NEAR(sum, rate * seconds, 0.01 * rate * seconds);
     }
-    const double depth = FindDepth(2.0, rate * seconds);
+    const double depth = ComputeDepth(2.0, rate * seconds);
     EXPECT_NEAR(depth, expected, 6e-4);
     // Where half of the tissue is left, below the middle.
     const FieldSampler& field = hand.Model.Baked->Field;
@@ -84,8 +85,8 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
   EXPECT_FALSE(half.Removal->IsUsedUp());
 }
 
-/// B3 with levels of contact of any share of the tissue, as in a CT whose level is that of skin and
-/// whose bone is far beyond it.
+/// B3 with levels of contact of any fraction of the tissue, as in a CT whose level is that of skin
+/// and whose bone is far beyond it.
 TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
 {
   constexpr double size = 0.5;
@@ -218,12 +219,12 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
   double cost = 0.0;
   double missing = 0.0;
   std::size_t n = 0;
-  for (const std::uint8_t share : CopyShares(scene.Removal->Bricks, volume.View.Dimensions))
+  for (const std::uint8_t fraction : CopyTissue(scene.Removal->Bricks, volume.View.Dimensions))
   {
     const auto i = static_cast<std::int64_t>(n++);
     const double value = volume(i % 64, i / 64 % 64, i / 4096);
     const double part =
-      value >= 300.0 ? 0.4 * 0.4 * 0.4 * (1.0 - LeftOf(share, EdgeOf(value, 300.0, 0.0))) : 0.0;
+      value >= 300.0 ? 0.4 * 0.4 * 0.4 * (1.0 - LeftOf(fraction, EdgeOf(value, 300.0, 0.0))) : 0.0;
     missing += part;
     cost += part * table(value)[0];
   }

@@ -114,7 +114,7 @@ TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
 }
 
 /// Whatever the level is: the tissue that is felt begins at the sphere. Tissue with grains, whose
-/// samples have the level with shares of 0.27 to 0.8.
+/// samples have the level with fractions of 0.27 to 0.8.
 TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
 {
   TestVolume tissue(ScalarType::Int16, { 32, 32, 32 });
@@ -180,14 +180,14 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
       at += step;
     }
   }
-  const std::vector<std::uint8_t> shares = CopyShares(this->Removal.Bricks, n);
+  const std::vector<std::uint8_t> fractions = CopyTissue(this->Removal.Bricks, n);
   double removed = 0.0;
   int different = 0;
-  for (std::size_t i = 0; i < shares.size(); ++i)
+  for (std::size_t i = 0; i < fractions.size(); ++i)
   {
-    ASSERT_LE(std::abs(shares[i] - expected[i]), 1);
-    different += shares[i] != expected[i] ? 1 : 0; // of the rounding of a distance
-    removed += 1.0 - LeftOf(shares[i]);
+    ASSERT_LE(std::abs(fractions[i] - expected[i]), 1);
+    different += fractions[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+    removed += 1.0 - LeftOf(fractions[i]);
   }
   EXPECT_LE(different, 5);
   EXPECT_GT(removed, 3000.0);
@@ -241,8 +241,8 @@ TEST_F(CarvedSphere, LeavesAirAlone)
   plate.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t k)
     { return static_cast<std::int16_t>(k == 23 ? 400 : (k > 23 && k < 28 ? 1000 : 0)); });
   this->Carve(HapticModel(Describe(plate)), { 0.0235, 0.0235, 0.0255 }, 0.010);
-  EXPECT_EQ(this->Removal.Bricks.GetShare(23, 23, 26), 0);
-  EXPECT_EQ(this->Removal.Bricks.GetShare(23, 23, 23), 0) << "a film of 400 would be left";
+  EXPECT_EQ(this->Removal.Bricks.GetFraction(23, 23, 26), 0);
+  EXPECT_EQ(this->Removal.Bricks.GetFraction(23, 23, 23), 0) << "a film of 400 would be left";
   for (std::uint32_t brick = 0; brick < this->Removal.Bricks.GetCount(); ++brick)
   {
     const BrickPlace place = CarvedBricks::PlaceOf(this->Removal.Bricks.GetKey(brick));
@@ -259,11 +259,11 @@ TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
   EXPECT_FALSE(this->Carver.Try(small, { 0.0159, 0.0159, 0.0159 }, 0.002).IsUsedUp);
   this->Carver.Carve(small);
   EXPECT_EQ(small.Bricks.GetCount(), 8u);
-  const std::vector<std::uint8_t> before = CopyShares(small.Bricks, tissue.View.Dimensions);
+  const std::vector<std::uint8_t> before = CopyTissue(small.Bricks, tissue.View.Dimensions);
   EXPECT_TRUE(this->Carver.Try(small, { 0.0195, 0.0195, 0.0195 }, 0.008).IsUsedUp);
   this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
   this->Carver.Carve(small);
-  EXPECT_EQ(CopyShares(small.Bricks, tissue.View.Dimensions), before);
+  EXPECT_EQ(CopyTissue(small.Bricks, tissue.View.Dimensions), before);
 }
 
 /// In parts of any size it leaves the same, costs the same, and no part does more than it may.
@@ -303,12 +303,12 @@ TEST_F(CarvedSphere, IsTheSameInParts)
     }
     EXPECT_GT(parts, 2) << "more rows change than there is room for";
     volumes.push_back(volume);
-    const std::vector<std::uint8_t> shares = CopyShares(removal.Bricks, n);
+    const std::vector<std::uint8_t> fractions = CopyTissue(removal.Bricks, n);
     int different = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t i = 0; i < fractions.size(); ++i)
     {
-      ASSERT_LE(std::abs(shares[i] - expected[i]), 1) << i;
-      different += shares[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+      ASSERT_LE(std::abs(fractions[i] - expected[i]), 1) << i;
+      different += fractions[i] != expected[i] ? 1 : 0; // of the rounding of a distance
     }
     EXPECT_LE(different, 20);
   }

@@ -184,13 +184,13 @@ public:
   }
 
   /// J, in the spring.
-  double FindStored() const
+  double ComputeStored() const
   {
     const Vector3 lag = this->Record.Tip - this->Record.Proxy;
     return 0.5 * this->Record.Stiffness * Dot(lag, lag);
   }
   /// Of the proxy (mm), along z.
-  double FindDepth() const
+  double ComputeDepth() const
   {
     return this->Model->DeviceToWorld(this->Record.Proxy).Z - NeedleScene::Skin;
   }

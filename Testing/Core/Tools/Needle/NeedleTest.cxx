@@ -53,11 +53,11 @@ TEST_P(Needles, FeelsLayersAndTheShaft)
     EXPECT_NEAR(AlongNeedle(hand.Record), -in, 2e-3 * in) << depth;
     if (!isBehind)
     {
-      EXPECT_NEAR(hand.FindDepth(), depth, 2e-3) << depth;
+      EXPECT_NEAR(hand.ComputeDepth(), depth, 2e-3) << depth;
     }
     hand.MoveTo(Along(NeedleScene::Skin + depth - 1e3 * out / Spring - 0.01));
     EXPECT_NEAR(AlongNeedle(hand.Record), out, 5e-3 * out + 1e-4) << depth;
-    EXPECT_NEAR(hand.FindDepth(), depth, 0.03) << depth;
+    EXPECT_NEAR(hand.ComputeDepth(), depth, 0.03) << depth;
     // Between both, the tip sticks.
     const Vector3 held = hand.Record.Proxy;
     hand.MoveTo(Along(NeedleScene::Skin + depth));
@@ -94,15 +94,15 @@ TEST_P(Needles, TakesTheWorkOfTheTissue)
   NeedleHand hand(*model);
   hand.MoveTo(Along(2.0));
   hand.MoveTo(Along(NeedleScene::Skin + 40.0 + 0.8e3 / Spring), 0.002);
-  EXPECT_NEAR(hand.FindDepth(), 40.0, 1e-3);
+  EXPECT_NEAR(hand.ComputeDepth(), 40.0, 1e-3);
   const double falls = (0.2 * 0.2 + 0.8 * 0.8) / (2.0 * Spring);
-  const double inserted = hand.Work - hand.FindStored();
+  const double inserted = hand.Work - hand.ComputeStored();
   EXPECT_NEAR(inserted, 12.30e-3 + 10.5e-3 + falls, 1e-4);
-  const double stored = hand.FindStored();
+  const double stored = hand.ComputeStored();
   hand.MoveTo(Along(2.0), 0.002);
   EXPECT_EQ(hand.Record.Depth, 0.0);
   EXPECT_EQ(Norm(hand.Record.Force), 0.0);
-  EXPECT_NEAR(hand.Work - inserted - hand.FindStored(), 12.30e-3, 5e-5);
+  EXPECT_NEAR(hand.Work - inserted - hand.ComputeStored(), 12.30e-3, 5e-5);
   EXPECT_GT(stored, 0.0);
 }
 
@@ -119,7 +119,7 @@ TEST_P(Needles, TakesTheWorkOfEachPuncture)
     hand.MoveTo(Along(2.0));
     // Far enough that every fall of the force has ended.
     hand.MoveTo(Along(NeedleScene::Skin + 45.0), 0.002);
-    return hand.Work - hand.FindStored();
+    return hand.Work - hand.ComputeStored();
   };
   std::vector<Layer> layers = LayersOfN1();
   // No falls of R, which a puncture takes the place of.
@@ -155,7 +155,7 @@ TEST_P(Needles, HoldsAtTheSkinWithAllThatIsThere)
     hand.MoveTo(Along(NeedleScene::Skin + 3.3), 0.005,
       [&](const TickRecord& record) { most = std::max(most, -AlongNeedle(record)); });
     // Behind it, R of the skin and the friction of the way, which may be more than T.
-    const double within = 0.3 + 20e-3 * hand.FindDepth();
+    const double within = 0.3 + 20e-3 * hand.ComputeDepth();
     EXPECT_NEAR(-AlongNeedle(hand.Record), within, 1e-3);
     EXPECT_NEAR(most, std::max(strength, within), 0.015);
   }
@@ -266,7 +266,7 @@ TEST_P(Needles, GivesNoEnergy)
       orientation = (1.0 / std::sqrt(SquaredNorm(orientation))) * orientation;
       hand.State.Orientation = orientation;
       const TickRecord& record = hand.Place(at);
-      least = std::min(least, hand.Work - hand.FindStored());
+      least = std::min(least, hand.Work - hand.ComputeStored());
       inserted += record.Depth > 0.0 ? 1 : 0;
       if (record.Depth > 0.0)
       {
@@ -333,19 +333,19 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   hand.MoveTo(Along(2.0));
   hand.MoveTo(Along(25.0));
   ASSERT_GT(hand.Record.Depth, 0.015);
-  const double stored = hand.FindStored();
+  const double stored = hand.ComputeStored();
   CarryState(*needle, *point, hand.State);
   hand.Model = point.get();
   hand.Place(Along(25.0));
   EXPECT_FALSE(hand.State.Needle.IsInserted);
   EXPECT_EQ(hand.Record.Depth, 0.0);
   EXPECT_TRUE(IsFinite(hand.Record.Force));
-  EXPECT_LE(hand.FindStored(), stored * (1.0 + 1e-9));
+  EXPECT_LE(hand.ComputeStored(), stored * (1.0 + 1e-9));
   // And back: the needle has to puncture anew.
   CarryState(*point, *needle, hand.State);
   hand.Model = needle.get();
   hand.Place(Along(25.0));
-  EXPECT_LE(hand.FindStored(), stored * (1.0 + 1e-9));
+  EXPECT_LE(hand.ComputeStored(), stored * (1.0 + 1e-9));
   hand.MoveTo(Along(2.0));
   hand.MoveTo(Along(25.0));
   EXPECT_GT(hand.Record.Depth, 0.015);

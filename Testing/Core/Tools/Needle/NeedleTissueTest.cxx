@@ -110,7 +110,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     // T, and R at the tip: the surface goes on holding where the values are tissue.
     EXPECT_GT(most, 1.0);
     EXPECT_LT(most, 1.0 + 0.2 + 0.1);
-    const double depth = hand.FindDepth() + NeedleScene::Skin - 19.5;
+    const double depth = hand.ComputeDepth() + NeedleScene::Skin - 19.5;
     EXPECT_NEAR(-hand.Record.Force.Z, 0.2 + 0.03 * depth, 0.01 * (0.2 + 0.03 * depth)) << depth;
     hand.MoveTo(Along(10.0));
     EXPECT_FALSE(hand.State.Needle.IsInserted);
@@ -153,7 +153,7 @@ TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
   for (int tick = 0; tick < 3; ++tick)
   {
     hand.MoveTo(Along(50.0), 100.0);
-    EXPECT_NEAR(hand.FindDepth(), 35.0 - 2.0, 0.1) << tick;
+    EXPECT_NEAR(hand.ComputeDepth(), 35.0 - 2.0, 0.1) << tick;
   }
   EXPECT_EQ(hand.State.Needle.Touches, 1U);
 }
@@ -167,7 +167,7 @@ TEST(NeedleTissue, StopsBeforeForbiddenLabels)
   NeedleHand hand(model);
   hand.MoveTo(Along(2.0));
   hand.MoveTo(Along(30.0));
-  EXPECT_NEAR(hand.FindDepth(), 15.0 - 2.0, 0.1);
+  EXPECT_NEAR(hand.ComputeDepth(), 15.0 - 2.0, 0.1);
   EXPECT_EQ(hand.State.Needle.Touches, 1U);
   hand.MoveTo(Along(10.0));
   hand.MoveTo(Along(30.0));

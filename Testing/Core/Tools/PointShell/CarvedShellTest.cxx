@@ -29,18 +29,18 @@ struct CarvedBall
         const double r = Norm(Vector3{ i - 23.5, j - 23.5, k - 23.5 });
         return static_cast<std::int16_t>(std::clamp(500.0 + 300.0 * (16.0 - r), 0.0, 1000.0));
       });
-    std::vector<std::uint8_t> shares(48 * 48 * 48, 255);
+    std::vector<std::uint8_t> fractions(48 * 48 * 48, 255);
     for (const Vector3& centre :
       { Vector3{ 34.0, 26.0, 23.0 }, Vector3{ 24.0, 38.5, 23.7 }, Vector3{ 31.2, 34.0, 24.1 } })
     {
-      CarveSlowly(shares, this->Volume.View.Dimensions, centre, 5.0);
+      CarveSlowly(fractions, this->Volume.View.Dimensions, centre, 5.0);
     }
     for (std::int64_t at = 0; at < 48 * 48 * 48; ++at)
     {
-      if (shares[static_cast<std::size_t>(at)] < 255)
+      if (fractions[static_cast<std::size_t>(at)] < 255)
       {
-        SetShare(this->Removal->Bricks, at % 48, at / 48 % 48, at / 2304,
-          shares[static_cast<std::size_t>(at)]);
+        SetFraction(this->Removal->Bricks, at % 48, at / 48 % 48, at / 2304,
+          fractions[static_cast<std::size_t>(at)]);
       }
     }
   }
@@ -124,7 +124,7 @@ TEST(CarvedShell, ReadsWhatIsLeft)
       std::mt19937_64 engine(12);
       for (int s = 0; s < 2000; ++s)
       {
-        SetShare(bricks, static_cast<std::int64_t>(engine() % 16),
+        SetFraction(bricks, static_cast<std::int64_t>(engine() % 16),
           static_cast<std::int64_t>(engine() % 21), static_cast<std::int64_t>(engine() % 22),
           static_cast<std::uint8_t>(engine()));
       }
@@ -162,8 +162,8 @@ TEST(CarvedShell, ReadsWhatIsLeft)
             }
           }
         }
-        carved.FindFeet(frame, batches[0]);
-        expected.FindFeet(frame, batches[1]);
+        carved.ComputeAllFeet(frame, batches[0]);
+        expected.ComputeAllFeet(frame, batches[1]);
         for (std::size_t i = 0; i < 60; ++i)
         {
           EXPECT_EQ(batches[0].Value[i], batches[1].Value[i]);

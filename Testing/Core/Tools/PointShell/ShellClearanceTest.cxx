@@ -70,13 +70,14 @@ TEST_P(ClearanceOfShells, ChangesNoBit)
   if (scene.IsCarved)
   {
     description.Removal = std::make_shared<TissueRemoval>(200);
-    std::mt19937_64 shares(8);
+    std::mt19937_64 fractions(8);
     for (int n = 0; n < 400; ++n)
     {
-      const auto at = [&]() { return static_cast<std::int64_t>(8 + shares() % 24); };
+      const auto at = [&]() { return static_cast<std::int64_t>(8 + fractions() % 24); };
       const std::int64_t i = at();
       const std::int64_t j = at();
-      SetShare(description.Removal->Bricks, i, j, at(), static_cast<std::uint8_t>(shares() % 255));
+      SetFraction(
+        description.Removal->Bricks, i, j, at(), static_cast<std::uint8_t>(fractions() % 255));
     }
   }
   ShellSettings settings;
@@ -153,13 +154,13 @@ TEST(SlopesOfShells, AreThoseOfAllNeighbours)
   double slopes[3];
   const Vector3 centre{ 4.6, 4.5, 4.0 };
   const Vector3 half{ 3.1, 1.2, 1.9 };
-  ASSERT_TRUE(reader.FindSlopes(centre, half, slopes));
+  ASSERT_TRUE(reader.ComputeSlopes(centre, half, slopes));
   for (int axis = 0; axis < 3; ++axis)
   {
     EXPECT_EQ(slopes[axis], most[axis]) << axis;
   }
-  EXPECT_FALSE(reader.FindSlopes(centre, { 5.0, 1.0, 1.0 }, slopes)) << "beyond the samples";
+  EXPECT_FALSE(reader.ComputeSlopes(centre, { 5.0, 1.0, 1.0 }, slopes)) << "beyond the samples";
   volume.Fill<double>([](std::int64_t i, std::int64_t j, std::int64_t k)
     { return i == 8 && j == 6 && k == 6 ? HUGE_VAL : 1.0 * (i + j + k); });
-  EXPECT_FALSE(reader.FindSlopes(centre, half, slopes));
+  EXPECT_FALSE(reader.ComputeSlopes(centre, half, slopes));
 }

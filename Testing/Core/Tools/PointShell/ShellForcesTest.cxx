@@ -40,13 +40,13 @@ protected:
     {
       const Vector3 at = from + Vector3{ 0.0, 0.0, way * i / steps };
       clearance.Reset();
-      finder.Find(
+      finder.Collect(
         { 0.001 * at, turn }, 0.0, false, contacts[i % 2], contacts[1 - i % 2], clearance, sum);
     }
     return sum;
   }
   /// The relative error of S1 at the worst of 200 orientations.
-  double FindWorstError(int points, double expected) const
+  double ComputeWorstError(int points, double expected) const
   {
     const HapticModel model(this->Scene);
     const PointShell shell(MakeSphere(SphereRadius, points));
@@ -72,18 +72,18 @@ TEST_F(ShellForces, ASphereInAHalfSpace)
 {
   const double expected = Pi * Kappa * 5e-3 * 1e-6;
   EXPECT_NEAR(expected, 0.3142, 5e-5);
-  EXPECT_LE(this->FindWorstError(10000, expected), 0.001);
-  EXPECT_LE(this->FindWorstError(1000, expected), 0.01);
+  EXPECT_LE(this->ComputeWorstError(10000, expected), 0.001);
+  EXPECT_LE(this->ComputeWorstError(1000, expected), 0.01);
 }
 
-/// S2: 10 kPa are the default area's share of 0.25 N.
+/// S2: 10 kPa are the default area's fraction of 0.25 N.
 TEST_F(ShellForces, ASphereOnTissueThatYields)
 {
   this->Scene.Material.SurfaceStrength = ConstantPolyline(0.25);
   const double most = 0.25 / 2.5e-5 / Kappa;
   const double expected = Pi * Kappa * 5e-3 * most * (2e-3 - most);
   EXPECT_NEAR(expected, 0.2356, 5e-5);
-  EXPECT_LE(this->FindWorstError(10000, expected), 0.001);
+  EXPECT_LE(this->ComputeWorstError(10000, expected), 0.001);
 }
 
 /// S3: k (2 mm - delta) = pi kappa a delta^2, whence delta = 1.1578 mm and 0.4211 N.

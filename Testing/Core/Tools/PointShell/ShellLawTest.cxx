@@ -65,10 +65,10 @@ double StretchOf(const SlowPoint& p, const ShellLaw& law)
   if (p.Stiffness > law.LeastStiffness && p.Strength > 0.0 && !law.IsStart)
   {
     const bool isSame =
-      p.Before.Stiffness == kappa && p.Before.Strength == most && law.Share == 1.0;
+      p.Before.Stiffness == kappa && p.Before.Strength == most && law.Fraction == 1.0;
     const double kept = isSame
       ? p.Before.Stretch
-      : std::min(p.Before.Depth, DepthOf(kappa, most, law.Share * p.Before.Energy / p.Area));
+      : std::min(p.Before.Depth, DepthOf(kappa, most, law.Fraction * p.Before.Energy / p.Area));
     const double deeper = p.Depth - p.Before.Depth;
     const bool isFollowed = std::abs(p.Beyond) < law.FarthestFollowed;
     u = std::max(0.0, kept + (isFollowed ? deeper : std::min(deeper, 0.0)));
@@ -114,7 +114,7 @@ protected:
     this->Law.PerContactArea = 4e4;
     this->Law.SquareMeters = 1e-6;
     this->Law.InverseRadius = 0.5;
-    this->Law.Share = this->GetParam() % 4 == 2 ? 0.7 : 1.0;
+    this->Law.Fraction = this->GetParam() % 4 == 2 ? 0.7 : 1.0;
     this->Law.FarthestFollowed = 0.75 * Voxel;
     this->Law.IsStart = this->GetParam() % 4 == 3;
     this->Batch.Count = Points;

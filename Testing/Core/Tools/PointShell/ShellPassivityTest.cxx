@@ -42,7 +42,7 @@ HapticMaterial MakeUneven()
 }
 
 /// A smooth random way that begins and ends outside of the ball.
-ShellPose FindPose(double t, const Vector3* waves)
+ShellPose ComputePose(double t, const Vector3* waves)
 {
   const double press = std::sin(Pi * t); // 0 at both ends
   const Vector3 away{ 1.0, 0.3 * std::sin(2.0 * Pi * t), 0.2 };
@@ -82,7 +82,7 @@ TEST_P(ShellPassivity, NoCycleCreatesEnergy)
     double least = 0.0;
     for (int i = 0; i <= ticks; ++i)
     {
-      hand.TickAt(FindPose(static_cast<double>(i) / ticks, waves));
+      hand.TickAt(ComputePose(static_cast<double>(i) / ticks, waves));
       const double stored = hand.EnergyOfSprings(hand.Record.Tool, hand.Record.Hand);
       most = std::max(most, stored);
       least = std::min(least, hand.Work - stored);

@@ -21,13 +21,13 @@ double Naive(const TestVolume& volume, const Vector3& index)
 {
   const double place[3] = { index.X, index.Y, index.Z };
   std::int64_t cell[3];
-  double share[3];
+  double fraction[3];
   for (int a = 0; a < 3; ++a)
   {
     const double last = static_cast<double>(volume.View.Dimensions[a] - 1);
     const double inside = std::clamp(place[a], 0.0, last);
     cell[a] = static_cast<std::int64_t>(std::min(std::floor(inside), last - 1.0));
-    share[a] = inside - static_cast<double>(cell[a]);
+    fraction[a] = inside - static_cast<double>(cell[a]);
   }
   double sum = 0.0;
   for (int i = 0; i < 8; ++i)
@@ -36,7 +36,7 @@ double Naive(const TestVolume& volume, const Vector3& index)
     double weight = 1.0;
     for (int a = 0; a < 3; ++a)
     {
-      weight *= at[a] ? share[a] : 1.0 - share[a];
+      weight *= at[a] ? fraction[a] : 1.0 - fraction[a];
     }
     sum += weight == 0.0 ? 0.0 : weight * volume(cell[0] + at[0], cell[1] + at[1], cell[2] + at[2]);
   }
@@ -70,7 +70,7 @@ ShellBatch ReadFeet(const ShellReader& reader, const Vector3* places, std::size_
       batch.Place[a][i] = batch.Index[a][i] = numbers[a];
     }
   }
-  reader.FindFeet(frame, batch);
+  reader.ComputeAllFeet(frame, batch);
   return batch;
 }
 
@@ -172,7 +172,7 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
       marks.push_back(reader.Mark({ x.data() + i, y.data() + i, z.data() + i, 50 }, turned));
       marks.push_back(reader.MayBeSolid(places[i], { 1.5, 1.0, 0.2 }) ? 1 : 0);
       double slopes[3] = {};
-      marks.push_back(reader.FindSlopes(places[i], { 1.5, 1.0, 0.2 }, slopes) ? 1 : 0);
+      marks.push_back(reader.ComputeSlopes(places[i], { 1.5, 1.0, 0.2 }, slopes) ? 1 : 0);
       all.insert(all.end(), slopes, slopes + 3);
       std::vector<double> until(64, -1.0);
       marks.push_back(reader.MarkWhole({ x.data() + i, y.data() + i, z.data() + i, 50 }, turned,

@@ -33,7 +33,7 @@ constexpr double WallStiffness = 500.0;
 constexpr double TipRests = 12.0;
 
 /// At 9 at time 10, and comes by 1 a step.
-double FindWall(double time)
+double ComputeWall(double time)
 {
   return 9.0 + time - 10.0;
 }
@@ -41,7 +41,7 @@ double FindWall(double time)
 vtkSmartPointer<vtkImageData> MakeWallStep(double time, int n = 24, int type = VTK_DOUBLE)
 {
   return MakeImage(n, type,
-    [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - FindWall(time)) / 1.5)); });
+    [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - ComputeWall(time)) / 1.5)); });
 }
 
 class PlaybackOfSteps : public DeviceTest
@@ -93,11 +93,11 @@ protected:
     const double time = this->Device->GetPlayback()->GetDataTime();
     // A blend of two edges that are a voxel apart is off by 0.02 of their width at most.
     EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
-      0.001 * WallStiffness * std::max(0.0, FindWall(time) - TipRests), 0.02)
+      0.001 * WallStiffness * std::max(0.0, ComputeWall(time) - TipRests), 0.02)
       << "at " << time;
   }
 
-  /// Frames at 10 to 14, or less: recorded in a loop with a leap in it.
+  /// Time steps at 10 to 14, or less: recorded in a loop with a leap in it.
   void ExpectThatARecordingReplaysToTheBit(double first)
   {
     this->Filter->SetTimeUnitsPerSecond(9.0);
@@ -162,23 +162,23 @@ class PlaybackOfComponents : public PlaybackOfSteps
 protected:
   PlaybackOfComponents()
   {
-    this->Frames->ShallowCopy(this->Source->Make(10.0));
+    this->TimeSteps->ShallowCopy(this->Source->Make(10.0));
     const auto array =
-      vtk::TakeSmartPointer(this->Frames->GetPointData()->GetScalars()->NewInstance());
+      vtk::TakeSmartPointer(this->TimeSteps->GetPointData()->GetScalars()->NewInstance());
     array->SetName("frames");
     array->SetNumberOfComponents(5);
-    array->SetNumberOfTuples(this->Frames->GetNumberOfPoints());
+    array->SetNumberOfTuples(this->TimeSteps->GetNumberOfPoints());
     for (int i = 0; i < 5; ++i)
     {
       array->CopyComponent(i, this->Source->Make(10.0 + i)->GetPointData()->GetScalars(), 0);
     }
-    this->Frames->GetPointData()->SetScalars(array);
-    this->Filter->SetInputData(0, this->Frames);
+    this->TimeSteps->GetPointData()->SetScalars(array);
+    this->Filter->SetInputData(0, this->TimeSteps);
     this->Filter->SetFramesToComponents();
     this->Filter->SetFrameSpacing(1.0);
   }
 
-  vtkNew<vtkImageData> Frames;
+  vtkNew<vtkImageData> TimeSteps;
 };
 } // namespace
 
@@ -334,7 +334,7 @@ TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
   this->Filter->SetTimeUnitsPerSecond(8.0);
   this->Device->GetPlayback()->SetModeToLoop();
   this->Rest();
-  vtkDataArray* const array = this->Frames->GetPointData()->GetScalars();
+  vtkDataArray* const array = this->TimeSteps->GetPointData()->GetScalars();
   const int users = array->GetReferenceCount();
   this->Device->GetPlayback()->Play();
   double most = 0.0;
@@ -345,13 +345,13 @@ TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
       if (time > 0.0 && time <= 4.0)
       {
         EXPECT_NEAR(this->Device->GetState()->GetComputedForce()[0],
-          0.001 * WallStiffness * std::max(0.0, FindWall(10.0 + time) - TipRests), 0.02)
+          0.001 * WallStiffness * std::max(0.0, ComputeWall(10.0 + time) - TipRests), 0.02)
           << "at " << time;
       }
       most = std::max(most, this->Device->GetState()->GetComputedForce()[0]);
     });
   EXPECT_GT(most, 0.4);
-  // Each frame, and the first one behind the last one, is the array itself.
+  // Each time step, and the first one behind the last one, is the array itself.
   EXPECT_GE(array->GetReferenceCount(), users + 5);
   EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
 }
@@ -363,7 +363,7 @@ TEST_F(PlaybackOfComponents, ChangesOfTheImageArePublished)
   this->Rest();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 3.0; }));
   EXPECT_TRUE(this->Device->IsPublished());
-  this->Frames->GetPointData()->GetScalars()->Modified();
+  this->TimeSteps->GetPointData()->GetScalars()->Modified();
   EXPECT_FALSE(this->Device->IsPublished());
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
@@ -406,13 +406,13 @@ TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
     const double time = Get(ticks, "DataTime", i);
     const double force = Get(ticks, "Force", i, 0);
     wasThere = wasThere || time == 14.0;
-    const double come = 0.001 * WallStiffness * std::max(0.0, FindWall(time) - TipRests);
+    const double come = 0.001 * WallStiffness * std::max(0.0, ComputeWall(time) - TipRests);
     const double expected = wasThere
       ? std::max(0.0, strength - 0.001 * WallStiffness * (14.0 - time))
       : std::min(strength, come);
     ASSERT_NEAR(force, expected, 0.02) << "at " << time << (wasThere ? " back" : "");
     work += 0.5 * (force + Get(ticks, "Force", i - 1, 0)) *
-      (FindWall(time) - FindWall(Get(ticks, "DataTime", i - 1)));
+      (ComputeWall(time) - ComputeWall(Get(ticks, "DataTime", i - 1)));
   }
   EXPECT_TRUE(wasThere);
   EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
@@ -567,7 +567,7 @@ TEST_F(PlaybackOfSteps, AMeshGoesAlong)
     [&]
     {
       latest = this->Device->GetPlayback()->GetDataTime();
-      const double deep = latest == 0.0 ? 0.0 : std::max(0.0, FindWall(latest) + 1.0 - TipRests);
+      const double deep = latest == 0.0 ? 0.0 : std::max(0.0, ComputeWall(latest) + 1.0 - TipRests);
       EXPECT_NEAR(
         this->Device->GetState()->GetComputedForce()[0], 0.001 * WallStiffness * deep, 2e-3)
         << "at " << latest;

@@ -29,7 +29,7 @@ protected:
     this->Filter->SetTool(this->Needle);
   }
 
-  double FindDepth()
+  double ComputeDepth()
   {
     this->Device->GetState()->GetNeedleTrack(this->Track);
     return this->Track->GetFieldData()->GetArray("Depth")->GetComponent(0, 0);
@@ -45,7 +45,7 @@ TEST_F(NeedleRecording, ReplaysToTheBit)
   this->Begin();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
-  ASSERT_TRUE(this->Wait([this] { return this->FindDepth() > 1.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->ComputeDepth() > 1.0; }));
   this->StartRecording();
   this->Wander(30);
   this->Turn(30.0, 1.0);
@@ -77,16 +77,16 @@ TEST_F(NeedleRecording, TheToolMayChangeUnderForce)
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
-  ASSERT_TRUE(this->Wait([this] { return this->FindDepth() > 1.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->ComputeDepth() > 1.0; }));
   EXPECT_GT(Length(this->Device->GetState()->GetForce()), 0.15);
   this->Filter->SetTool(nullptr);
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->Wait([this] { return this->FindDepth() == 0.0; }));
+  ASSERT_TRUE(this->Wait([this] { return this->ComputeDepth() == 0.0; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
   this->Filter->SetTool(this->Needle);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0)); // it goes in from where nothing holds it
   ASSERT_TRUE(this->Lead(7.0, 7.0, 11.0));
-  ASSERT_TRUE(this->Wait([this] { return this->FindDepth() > 0.5; }));
+  ASSERT_TRUE(this->Wait([this] { return this->ComputeDepth() > 0.5; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
 }

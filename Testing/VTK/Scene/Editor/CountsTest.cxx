@@ -32,10 +32,10 @@ namespace
 {
 constexpr vtkIdType Many = 2500000; // more than two pieces
 
-bool GoOn(double share)
+bool GoOn(double fraction)
 {
-  EXPECT_GE(share, 0.0);
-  EXPECT_LT(share, 1.0);
+  EXPECT_GE(fraction, 0.0);
+  EXPECT_LT(fraction, 1.0);
   return true;
 }
 
@@ -126,7 +126,7 @@ TEST(Counts, LeaveOutWhatIsNotFinite)
   EXPECT_EQ(table->GetNumberOfColumns(), 0);
 }
 
-TEST(Counts, OfSpreadSamplesHaveTheSameShares)
+TEST(Counts, OfSpreadSamplesHaveTheSameFractions)
 {
   // Rows of 512 whose first half is 0 and whose second half is 100: even steps would see one half.
   vtkNew<vtkShortArray> array;
@@ -177,7 +177,7 @@ TEST(Counts, EndWhenTheyAreTold)
   EXPECT_FALSE(CountAllValues(array, 0, end).has_value());
   EXPECT_EQ(pieces, 2);
   pieces = 0;
-  EXPECT_TRUE(FindPresentLabels(array, end).empty());
+  EXPECT_TRUE(CollectPresentLabels(array, end).empty());
   EXPECT_EQ(pieces, 2);
 }
 
@@ -198,9 +198,9 @@ TEST(Counts, OfLabelsAreThoseOfASet)
   array->SetValue(7, std::numeric_limits<double>::quiet_NaN());
   array->SetValue(Many - 1, 5000.0);
   expected.insert(5000);
-  const std::vector<int> found = FindPresentLabels(array, GoOn);
+  const std::vector<int> found = CollectPresentLabels(array, GoOn);
   EXPECT_EQ(found, std::vector<int>(expected.begin(), expected.end()));
-  const std::vector<int> spread = FindSpreadLabels(array);
+  const std::vector<int> spread = CollectSpreadLabels(array);
   EXPECT_TRUE(std::is_sorted(spread.begin(), spread.end()));
   EXPECT_TRUE(std::includes(expected.begin(), expected.end(), spread.begin(), spread.end()));
   EXPECT_GT(spread.size(), 1000U);

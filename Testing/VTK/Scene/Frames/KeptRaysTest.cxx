@@ -132,7 +132,7 @@ protected:
     const std::vector<int> before = this->Before;
     const auto [rays, all] = this->Compare(change, what);
     EXPECT_EQ(rays, all) << what;
-    EXPECT_TRUE(this->Rays.TakeWhole()) << what;
+    EXPECT_TRUE(this->Rays.DrainWhole()) << what;
     EXPECT_GT(Difference(this->Before, before), 0) << what << " is to be seen";
   }
 
@@ -149,7 +149,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   const auto [first, all] = this->Compare([](Drawn&) {}, "the first frame");
   EXPECT_EQ(first, all);
   EXPECT_GT(all, Side * Side / 4) << "the volume fills the window";
-  EXPECT_TRUE(this->Rays.TakeWhole());
+  EXPECT_TRUE(this->Rays.DrainWhole());
   EXPECT_TRUE(this->Rays.IsCurrent());
   EXPECT_EQ(this->Compare([](Drawn&) {}, "nothing has moved").first, 0);
   int most = 0;
@@ -166,7 +166,7 @@ TEST_F(KeptRaysTest, AHandThatMovesChangesTheRaysThatItMeets)
   }
   EXPECT_GT(most, 0);
   EXPECT_LT(most, all / 2);
-  EXPECT_FALSE(this->Rays.TakeWhole());
+  EXPECT_FALSE(this->Rays.DrainWhole());
 }
 
 TEST_F(KeptRaysTest, PixelsMayBeFartherApart)

@@ -46,7 +46,7 @@ inline void SendMotion(vtkRenderWindow* window)
 }
 
 /// Takes an event of this kind for the window out of X11's queue; false if there is none.
-inline bool TakeEvent(vtkRenderWindow* window, int type)
+inline bool DrainEvent(vtkRenderWindow* window, int type)
 {
   using Take = int (*)(void* display, unsigned long window, int, void* event);
   static const auto take =

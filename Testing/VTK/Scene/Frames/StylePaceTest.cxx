@@ -164,9 +164,9 @@ TEST(RayProgress, TellsTheTimeOfAllRowsByThoseThatAreDone)
 {
   VolumeHaptics::RayProgress progress;
   progress.Begin(0.2);
-  progress.Note(0.25, 0.05);
+  progress.Record(0.25, 0.05);
   EXPECT_FALSE(progress.GetWhole()) << "too few rows tell nothing";
-  progress.Note(0.45, 0.25);
+  progress.Record(0.45, 0.25);
   ASSERT_TRUE(progress.GetWhole());
   EXPECT_DOUBLE_EQ(*progress.GetWhole(), 1.2); // 0.2 + 0.25 / 0.25
   progress.Begin(0.1);

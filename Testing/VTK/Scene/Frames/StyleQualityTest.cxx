@@ -10,7 +10,7 @@
 
 #include "Rigs/EventCounter.h"
 
-#include <vtkHapticFrameSource.h>
+#include <vtkHapticTimeStepSource.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkSmartVolumeMapper.h>
 
@@ -167,11 +167,11 @@ TEST_F(StyleQualityTest, SmartMapperCastsAllRaysAgainAtRest)
 
 TEST_F(StyleQualityTest, AVolumeThatPlaysIsDrawnAsOneThatIsTouched)
 {
-  vtkNew<vtkHapticFrameSource> frames;
-  frames->AddFrame(this->Ball, 0.0);
+  vtkNew<vtkHapticTimeStepSource> frames;
+  frames->AddTimeStep(this->Ball, 0.0);
   vtkNew<vtkImageData> other;
   other->DeepCopy(this->Ball);
-  frames->AddFrame(other, 1.0);
+  frames->AddTimeStep(other, 1.0);
   this->Filter->SetInputConnection(0, frames->GetOutputPort());
   vtkNew<vtkSmartVolumeMapper> mapper;
   this->Show(mapper.GetPointer());
@@ -189,7 +189,7 @@ TEST_F(StyleQualityTest, AVolumeThatPlaysIsDrawnAsOneThatIsTouched)
     [&]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetPlayback()->HasFrames();
+      return this->Device->GetPlayback()->HasTimeSteps();
     }));
   this->Draw(InMotion, 1);
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);

@@ -262,7 +262,7 @@ TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
   {
     GTEST_SKIP() << "only loops of X11 wait";
   }
-  while (TakeEvent(this->Window, noExpose))
+  while (DrainEvent(this->Window, noExpose))
   {
   }
   const auto move = [this](double x)
@@ -272,8 +272,8 @@ TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
   };
   ASSERT_TRUE(move(10.0));
   std::this_thread::sleep_for(std::chrono::milliseconds(100)); // the X server's
-  EXPECT_FALSE(TakeEvent(this->Window, noExpose)) << "a quick frame";
+  EXPECT_FALSE(DrainEvent(this->Window, noExpose)) << "a quick frame";
   this->Slowness = 900;
   ASSERT_TRUE(move(-10.0));
-  EXPECT_TRUE(Eventually([this] { return TakeEvent(this->Window, noExpose); }));
+  EXPECT_TRUE(Eventually([this] { return DrainEvent(this->Window, noExpose); }));
 }

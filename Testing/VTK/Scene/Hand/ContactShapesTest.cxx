@@ -101,11 +101,11 @@ TEST_F(ContactShapes, AStifferSpringHasSlack)
 TEST_F(ContactShapes, ThePatchGrowsWithThePress)
 {
   // That of a soft ball of radius R on a plane has the area pi R d (Hertz), here with R = 5.
-  const double begin = FindPatchRadius(0.0, 1.0);
-  const double pressed = FindPatchRadius(2.0, 1.0);
+  const double begin = ComputePatchRadius(0.0, 1.0);
+  const double pressed = ComputePatchRadius(2.0, 1.0);
   EXPECT_NEAR(pressed * pressed - begin * begin, 5.0 * 2.0, 1e-12);
-  EXPECT_EQ(FindPatchRadius(-1.0, 1.0), begin);
-  EXPECT_EQ(FindPatchRadius(100.0, 1.0), 5.0) << "not without bounds";
+  EXPECT_EQ(ComputePatchRadius(-1.0, 1.0), begin);
+  EXPECT_EQ(ComputePatchRadius(100.0, 1.0), 5.0) << "not without bounds";
 
   // It lies in the plane, which is across z; its ring is a little thicker.
   this->BeginPressed();

@@ -97,18 +97,18 @@ protected:
     window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
-  /// What is drawn of an image from which a loop has removed the tissue, by the shares.
+  /// What is drawn of an image from which a loop has removed the tissue, by the fractions.
   Levels DrawReference(vtkVolumeMapper* mapper)
   {
-    vtkNew<vtkImageData> shares;
-    this->Filter->GetRemoval()->MakeShares(shares);
+    vtkNew<vtkImageData> fractions;
+    this->Filter->GetRemoval()->MakeShares(fractions);
     vtkNew<vtkImageData> left;
     left->DeepCopy(this->Before);
     vtkDataArray* const values = left->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
     {
       const double value = values->GetTuple1(i);
-      const double rho = shares->GetPointData()->GetScalars()->GetTuple1(i) / 255.0;
+      const double rho = fractions->GetPointData()->GetScalars()->GetTuple1(i) / 255.0;
       values->SetTuple1(
         i, value - (1.0 - rho) * (value - this->Filter->GetRemoval()->GetAirValue()));
     }

@@ -178,7 +178,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfALargeVolume)
     [&]
     {
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &timer);
-      return this->Editor->GetCountedShare() == 1.0;
+      return this->Editor->GetCountedFraction() == 1.0;
     }));
   EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
@@ -189,7 +189,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfASmallVolume)
   this->Editor->SetInputData(this->Ball);
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("v");
-  EXPECT_EQ(this->Editor->GetCountedShare(), 1.0) << "it is counted at once";
+  EXPECT_EQ(this->Editor->GetCountedFraction(), 1.0) << "it is counted at once";
   EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
 }
@@ -209,7 +209,7 @@ TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
   EXPECT_TRUE(this->Editor->HasProposal());
   this->Style->UpdateHaptics();
   EXPECT_STREQ(this->Display->GetNotice(), "") << "once the style has seen the end";
-  EXPECT_EQ(this->Editor->GetCountedShare(), 1.0);
+  EXPECT_EQ(this->Editor->GetCountedFraction(), 1.0);
   EXPECT_EQ(property->GetProposedKernelRadius(), 0) << "nothing changes before it is taken";
   this->Run(20);
   EXPECT_EQ(this->Works.Count, 0);

@@ -11,8 +11,8 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkGPUVolumeRayCastMapper.h>
-#include <vtkHapticFrameSource.h>
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticTimeStepSource.h>
 #include <vtkVolume.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ protected:
   {
     for (int i = 0; i < 5; ++i)
     {
-      this->Source->AddFrame(MakeNumbered(i), 2.0 + i);
+      this->Source->AddTimeStep(MakeNumbered(i), 2.0 + i);
     }
     this->Filter->SetInputConnection(0, this->Source->GetOutputPort());
     this->Filter->SetTimeUnitsPerSecond(10.0);
@@ -69,25 +69,26 @@ protected:
     return static_cast<int>(
       this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
   }
-  /// The nearest frame, by the data time alone; the first one is at `first`, the next one 1 later.
+  /// The nearest time step, by the data time alone; the first one is at `first`, the next one 1
+  /// later.
   void ExpectWhatIsFelt(double first)
   {
     const double number = this->Device->GetPlayback()->GetDataTime() - first;
     EXPECT_LE(std::abs(this->GetShownNumber() - number), 0.5 + 1e-9);
-    EXPECT_EQ(this->Device->GetPlayback()->GetFrameTime(), first + this->GetShownNumber());
+    EXPECT_EQ(this->Device->GetPlayback()->GetTimeStepValue(), first + this->GetShownNumber());
     EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
   }
-  /// While it is played, until all of some frames were seen.
-  void WatchFrames(double first, std::size_t count)
+  /// While it is played, until all of some time steps were seen.
+  void WatchTimeSteps(double first, std::size_t count)
   {
     std::vector<int> seen;
     ASSERT_TRUE(Eventually(
       [&]
       {
         this->Style->UpdateHaptics();
-        // Frames that are in memory never come late.
+        // Time steps that are in memory never come late.
         EXPECT_FALSE(this->Device->GetPlayback()->IsWaitingForData());
-        if (this->Device->GetPlayback()->HasFrames())
+        if (this->Device->GetPlayback()->HasTimeSteps())
         {
           this->ExpectWhatIsFelt(first);
           if (std::find(seen.begin(), seen.end(), this->GetShownNumber()) == seen.end())
@@ -99,7 +100,7 @@ protected:
       }));
   }
 
-  vtkNew<vtkHapticFrameSource> Source;
+  vtkNew<vtkHapticTimeStepSource> Source;
   vtkNew<vtkGPUVolumeRayCastMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkHapticHeadUpDisplay> Display;
@@ -111,18 +112,18 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
   this->Mapper->SetInputConnection(this->Source->GetOutputPort());
   this->Start();
   EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
-  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
-  EXPECT_EQ(this->Device->GetPlayback()->GetFrameImage(), nullptr);
+  EXPECT_FALSE(this->Device->GetPlayback()->HasTimeSteps());
+  EXPECT_EQ(this->Device->GetPlayback()->GetTimeStepImage(), nullptr);
   EXPECT_EQ(this->Display->GetText().find("Time"), std::string::npos);
   this->Press("space");
-  this->WatchFrames(2.0, 5);
+  this->WatchTimeSteps(2.0, 5);
   EXPECT_NE(this->Display->GetText().find("played to and fro"), std::string::npos)
     << this->Display->GetText();
   this->Press("space");
   EXPECT_NE(this->Display->GetText().find("held"), std::string::npos);
   // Nothing is copied.
   EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
-    this->Source->GetFrame(this->GetShownNumber())->GetPointData()->GetScalars());
+    this->Source->GetTimeStepImage(this->GetShownNumber())->GetPointData()->GetScalars());
   // A crop of the picture is a crop of what is felt.
   this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
   this->Mapper->CroppingOn();
@@ -134,7 +135,7 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
   EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
 }
 
-TEST_F(StylePlayback, TellsThatFramesAreLate)
+TEST_F(StylePlayback, TellsThatTimeStepsAreLate)
 {
   vtkNew<apitest::TimeSource> reader;
   reader->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0 };
@@ -143,28 +144,29 @@ TEST_F(StylePlayback, TellsThatFramesAreLate)
   this->Start();
   this->Device->GetPlayback()->SetDataTime(0.0);
   ASSERT_TRUE(Eventually(
-    [&] { return this->Device->UpdateState() && this->Device->GetPlayback()->HasFrames(); }));
+    [&] { return this->Device->UpdateState() && this->Device->GetPlayback()->HasTimeSteps(); }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
-  // The frames of another place come when the servo's state has told of it.
+  // The time steps of another place come when the servo's state has told of it.
   this->Device->GetPlayback()->SetDataTime(4.0);
   ASSERT_TRUE(Eventually([&]
     { return this->Device->UpdateState() && this->Device->GetPlayback()->IsWaitingForData(); }));
   EXPECT_NE(this->Display->GetText().find("held, waiting for data"), std::string::npos)
     << this->Display->GetText();
-  // The picture may show the new frame before the servo's state tells that it has it.
+  // The picture may show the new time step before the servo's state tells that it has it.
   ASSERT_TRUE(Eventually(
     [&]
     {
-      return this->Device->UpdateState() && this->Device->GetPlayback()->GetFrameTime() == 4.0 &&
+      return this->Device->UpdateState() &&
+        this->Device->GetPlayback()->GetTimeStepValue() == 4.0 &&
         !this->Device->GetPlayback()->IsWaitingForData();
     }));
   EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
 }
 
-TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
+TEST_F(StylePlayback, AnImageWithTheFirstTimeStepsScalarsIsTheSame)
 {
   vtkNew<vtkImageData> plain;
-  plain->ShallowCopy(this->Source->GetFrame(0));
+  plain->ShallowCopy(this->Source->GetTimeStepImage(0));
   plain->SetOrigin(-3.0, 0.0, 0.0); // a matrix of the volume may place it
   vtkNew<vtkMatrix4x4> placed;
   placed->SetElement(0, 3, 3.0);
@@ -172,7 +174,7 @@ TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
   this->Mapper->SetInputData(plain);
   this->Start();
   this->Device->GetPlayback()->Play();
-  this->WatchFrames(2.0, 5);
+  this->WatchTimeSteps(2.0, 5);
   EXPECT_EQ(this->GetShown()->GetOrigin()[0], -3.0);
   EXPECT_TRUE(this->Log.Warnings.empty());
   this->Style->SetDevice(nullptr);
@@ -181,14 +183,14 @@ TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
 
 TEST_F(StylePlayback, ComponentsAreShownOneByOne)
 {
-  const auto frames = MakeNumbered(0, 5);
-  this->Filter->SetInputData(0, frames);
+  const auto timeSteps = MakeNumbered(0, 5);
+  this->Filter->SetInputData(0, timeSteps);
   this->Filter->SetFramesToComponents();
   const auto first = MakeNumbered(0);
   this->Mapper->SetInputData(first);
   this->Start();
   this->Press("space");
-  this->WatchFrames(0.0, 5);
+  this->WatchTimeSteps(0.0, 5);
 }
 
 TEST_F(StylePlayback, AMaskOfTheSameShapeIsNoComponent)
@@ -214,7 +216,7 @@ TEST_F(StylePlayback, AMaskOfTheSameShapeIsNoComponent)
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetPlayback()->HasFrames();
+      return this->Device->GetPlayback()->HasTimeSteps();
     }));
   this->Run(20);
   EXPECT_EQ(this->GetShown(), mask);
@@ -231,13 +233,13 @@ TEST_F(StylePlayback, AVolumeThatShowsSomethingElseIsLeftAlone)
     [this]
     {
       this->Style->UpdateHaptics();
-      return this->Device->GetPlayback()->HasFrames();
+      return this->Device->GetPlayback()->HasTimeSteps();
     }));
   this->Run(20);
   EXPECT_EQ(this->GetShown(), other);
 }
 
-TEST_F(StylePlayback, KeysGoFromFrameToFrame)
+TEST_F(StylePlayback, KeysGoFromTimeStepToTimeStep)
 {
   this->Start();
   const auto expect = [this](const char* key, double time)
@@ -248,10 +250,10 @@ TEST_F(StylePlayback, KeysGoFromFrameToFrame)
       [&]
       {
         this->Style->UpdateHaptics();
-        return this->Device->GetPlayback()->HasFrames() &&
+        return this->Device->GetPlayback()->HasTimeSteps() &&
           this->Device->GetPlayback()->GetDataTime() == time &&
           !this->Device->GetPlayback()->IsWaitingForData() &&
-          this->Device->GetPlayback()->GetFrameTime() == time;
+          this->Device->GetPlayback()->GetTimeStepValue() == time;
       }))
       << key << " " << time << ", but at " << this->Device->GetPlayback()->GetDataTime();
   };
@@ -317,24 +319,24 @@ TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
   EXPECT_FALSE(this->Device->GetPlayback()->IsPlaying());
 }
 
-TEST_F(StylePlayback, TheFrameSourceKeepsTheOrderOfTimesAndRefusesWhatIsNone)
+TEST_F(StylePlayback, TheSourceKeepsTheOrderOfTimesAndRefusesWhatIsNoTimeStep)
 {
-  vtkNew<vtkHapticFrameSource> source;
+  vtkNew<vtkHapticTimeStepSource> source;
   const MessageLog log(source);
-  EXPECT_FALSE(source->AddFrame(nullptr, 0.0));
-  EXPECT_FALSE(source->AddFrame(MakeNumbered(0), std::nan("")));
+  EXPECT_FALSE(source->AddTimeStep(nullptr, 0.0));
+  EXPECT_FALSE(source->AddTimeStep(MakeNumbered(0), std::nan("")));
   source->Update();
   ASSERT_EQ(log.Errors.size(), 3U);
   EXPECT_NE(log.Errors[2].find("There are no frames"), std::string::npos);
   source->Update(); // VTK asks for the data only
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_TRUE(source->AddFrame(MakeNumbered(1), 5.0));
-  EXPECT_TRUE(source->AddFrame(MakeNumbered(0), -1.0));
-  EXPECT_TRUE(source->AddFrame(MakeNumbered(2), 5.0));
-  ASSERT_EQ(source->GetNumberOfFrames(), 2);
-  EXPECT_EQ(source->GetFrameTime(0), -1.0);
-  EXPECT_EQ(source->GetFrame(1)->GetScalarComponentAsDouble(0, 0, 0, 0), 200.0);
-  EXPECT_EQ(source->GetFrame(2), nullptr);
+  EXPECT_TRUE(source->AddTimeStep(MakeNumbered(1), 5.0));
+  EXPECT_TRUE(source->AddTimeStep(MakeNumbered(0), -1.0));
+  EXPECT_TRUE(source->AddTimeStep(MakeNumbered(2), 5.0));
+  ASSERT_EQ(source->GetNumberOfTimeSteps(), 2);
+  EXPECT_EQ(source->GetTimeStepValue(0), -1.0);
+  EXPECT_EQ(source->GetTimeStepImage(1)->GetScalarComponentAsDouble(0, 0, 0, 0), 200.0);
+  EXPECT_EQ(source->GetTimeStepImage(2), nullptr);
   for (const double time : { -9.0, -1.0, 4.9, 5.0, 9.0 })
   {
     source->UpdateTimeStep(time);

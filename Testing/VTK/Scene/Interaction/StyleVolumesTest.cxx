@@ -100,7 +100,7 @@ protected:
       }));
   }
   /// The largest change of the force between two ticks (N), until none is left.
-  double FindLargestStep(LoopPauses& pauses)
+  double MeasureLargestStep(LoopPauses& pauses)
   {
     double last = Length(this->Device->GetState()->GetForce());
     double largest = 0.0;
@@ -340,7 +340,7 @@ TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
       pauses.Forget();
       force = Length(this->Device->GetState()->GetForce());
       isRemoved ? this->Renderer->RemoveVolume(this->Volume) : this->Volume->VisibilityOff();
-      step = this->FindLargestStep(pauses);
+      step = this->MeasureLargestStep(pauses);
       this->Log.Warnings.clear();
       this->Volume->VisibilityOn();
       this->Renderer->AddVolume(this->Volume);

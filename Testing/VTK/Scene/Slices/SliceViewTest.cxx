@@ -68,7 +68,7 @@ protected:
     this->View->SetRenderWindow(this->Window);
     this->Style->SetSliceView(this->View);
   }
-  std::array<int, 2> FindMiddle(int slice)
+  std::array<int, 2> ComputeMiddle(int slice)
   {
     const int* const origin = this->View->GetRenderer(slice)->GetOrigin();
     const int* const size = this->View->GetRenderer(slice)->GetSize();
@@ -163,7 +163,7 @@ TEST_F(SliceViewTest, AnatomicalSlicesLieAsRadiologistsLookAtThem)
   const int upSign[3] = { -1, 1, 1 };
   for (int slice = 0; slice < 3; ++slice)
   {
-    const auto [x, y] = this->FindMiddle(slice);
+    const auto [x, y] = this->ComputeMiddle(slice);
     const SlicePlace here = this->Ask(slice, x, y);
     const SlicePlace beside = this->Ask(slice, x + 5, y);
     const SlicePlace above = this->Ask(slice, x, y + 5);
@@ -183,7 +183,7 @@ TEST_F(SliceViewTest, AnatomicalSlicesLieAsRadiologistsLookAtThem)
 TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
 {
   this->OpenAndStart();
-  const auto [x, y] = this->FindMiddle(0);
+  const auto [x, y] = this->ComputeMiddle(0);
   const SlicePlace begin = this->Ask(0, x + 10, y);
   this->Pointer(x + 10, y, vtkCommand::LeftButtonPressEvent);
   this->Pointer(x + 10, y, vtkCommand::LeftButtonReleaseEvent);
@@ -225,7 +225,7 @@ TEST_F(SliceViewTest, AClickBeginsTheTouchThereAndTheNextOneLeadsTheTip)
 TEST_F(SliceViewTest, WithoutATouchTheWheelLooksThroughTheSlices)
 {
   this->OpenAndStart();
-  const auto [x, y] = this->FindMiddle(2);
+  const auto [x, y] = this->ComputeMiddle(2);
   this->Pointer(x, y, vtkCommand::MouseWheelForwardEvent);
   this->Pointer(x, y, vtkCommand::MouseWheelForwardEvent);
   double shown[3];
@@ -240,7 +240,7 @@ TEST_F(SliceViewTest, DragsWindowAndLevelAsTheStyleForImagesDoes)
   this->OpenAndStart();
   this->View->SetColorWindow(300.0);
   this->View->SetColorLevel(-20.0);
-  const auto [x, y] = this->FindMiddle(1);
+  const auto [x, y] = this->ComputeMiddle(1);
   const int* const size = this->View->GetRenderer(1)->GetSize();
   const double position[3] = { this->Renderer->GetActiveCamera()->GetPosition()[0],
     this->Renderer->GetActiveCamera()->GetPosition()[1],

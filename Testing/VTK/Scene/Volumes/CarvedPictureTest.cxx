@@ -78,8 +78,8 @@ public:
   }
   std::vector<int> DrawReference()
   {
-    this->Reference.Mapper->SetInputDataObject(
-      MakeCarved(this->Image, this->Burr.Shares, this->Component, this->Picture->GetArray().Air));
+    this->Reference.Mapper->SetInputDataObject(MakeCarved(
+      this->Image, this->Burr.Fractions, this->Component, this->Picture->GetArray().Air));
     return this->Reference.Draw();
   }
   void ExpectUntouched()
@@ -276,7 +276,7 @@ TEST(CarvedPicture, WithAirBeyondTheRangeIsACopy)
   EXPECT_FALSE(rig.Picture->HasTexture());
 }
 
-TEST(CarvedPicture, OfARegionTakesTheSharesOfTheRegion)
+TEST(CarvedPicture, OfARegionTakesTheFractionsOfTheRegion)
 {
   OfTexture rig(Byte);
   rig.Picture = nullptr;
@@ -284,9 +284,9 @@ TEST(CarvedPicture, OfARegionTakesTheSharesOfTheRegion)
   std::copy(first, first + 3, rig.Burr.First);
   rig.Begin(rig.Values.Air);
   // Bricks beyond the region are left alone.
-  SetShare(rig.Burr.Removal->Bricks, 20, 20, 20, 0);
-  SetShare(rig.Burr.Removal->Bricks, 99, 55, 10, 0);
-  SetShare(rig.Burr.Removal->Bricks, 150, 55, 10, 0);
+  SetFraction(rig.Burr.Removal->Bricks, 20, 20, 20, 0);
+  SetFraction(rig.Burr.Removal->Bricks, 99, 55, 10, 0);
+  SetFraction(rig.Burr.Removal->Bricks, 150, 55, 10, 0);
   rig.CheckAll();
 }
 
@@ -332,7 +332,7 @@ TEST(CarvedPicture, OfOneOfSeveralVolumesOfAMapper)
   const auto drawReference = [&rig]
   {
     rig.Reference.Mapper->SetInputDataObject(
-      1, MakeCarved(rig.Image, rig.Burr.Shares, 0, rig.Values.Air));
+      1, MakeCarved(rig.Image, rig.Burr.Fractions, 0, rig.Values.Air));
     return rig.Reference.Draw();
   };
   const std::vector<int> whole = rig.Scene.Draw();

@@ -87,10 +87,10 @@ TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
   EXPECT_GT(differences[1], 20);
   // The copy stands for the application's image.
   EXPECT_NE(copied->GetInput(), this->Image);
-  EXPECT_EQ(this->Pictures.FindImage(copied), this->Image);
-  EXPECT_EQ(this->Pictures.FindImage(this->Scene.Mapper), this->Image);
+  EXPECT_EQ(this->Pictures.GetImage(copied), this->Image);
+  EXPECT_EQ(this->Pictures.GetImage(this->Scene.Mapper), this->Image);
   EXPECT_EQ(
-    this->Pictures.FindInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
+    this->Pictures.GetGivenInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
 
   // The removal of another filter, and none.
   CarvedArray other = this->MakeArray();
@@ -119,7 +119,7 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   this->Scene.Mapper->SetInputDataObject(this->Image);
   EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
   EXPECT_EQ(this->Scene.Mapper->GetInputDataObject(0, 0), this->Image) << "by its texture";
-  EXPECT_EQ(this->Pictures.FindImage(nullptr), nullptr);
+  EXPECT_EQ(this->Pictures.GetImage(nullptr), nullptr);
   this->Pictures.Clear();
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
 }
@@ -137,7 +137,7 @@ TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
     vtkHapticRemoval::TOUCHED_ARRAY(), this->Image->GetPointData()->GetScalars());
   this->Burr.At(28.0, 19.0, 30.0, 7.0);
   const vtkSmartPointer<vtkImageData> reference =
-    MakeCarved(other, this->Burr.Shares, 0, this->MakeArray().Air);
+    MakeCarved(other, this->Burr.Fractions, 0, this->MakeArray().Air);
   this->Scene.Mapper->SetInputDataObject(other);
   const std::vector<int> whole = this->Scene.Draw();
   this->Scene.Mapper->SetInputDataObject(reference);
@@ -234,11 +234,11 @@ TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
       EXPECT_FALSE(scene.Picture->Update());
       this->Burr.At(28.0, 19.0, 30.0, 9.0);
       EXPECT_TRUE(scene.Picture->Update());
-      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 1, air)));
+      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Fractions, 1, air)));
       EXPECT_FALSE(scene.Picture->Update());
       this->Burr.At(18.0, 9.0, 20.0, 9.0);
       EXPECT_TRUE(scene.Picture->Update());
-      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 1, air)));
+      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Fractions, 1, air)));
     }
   }
 }
@@ -265,5 +265,5 @@ TEST_F(CarvedPicturesScene, FollowsAnotherThread)
   servo.join();
   scene.Picture->Update();
   EXPECT_GT(changes, 1);
-  EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 0, 0.0)));
+  EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Fractions, 0, 0.0)));
 }

@@ -59,11 +59,11 @@ inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double 
       for (int i = 0; i < Size[0]; ++i, ++at)
       {
         const double from = std::hypot(i - 20.0, j - 17.0, k - 19.0);
-        const double share = std::clamp((15.0 - from) / 6.0, 0.0, 0.95);
+        const double fraction = std::clamp((15.0 - from) / 6.0, 0.0, 0.95);
         for (int c = 0; c < components; ++c)
         {
           const double wave = c == 0 ? 0.0 : 0.1 * std::sin(0.4 * i + c);
-          array->SetComponent(at, c, air + (tissue - air) * std::clamp(share + wave, 0.0, 0.95));
+          array->SetComponent(at, c, air + (tissue - air) * std::clamp(fraction + wave, 0.0, 0.95));
         }
       }
     }
@@ -76,9 +76,9 @@ inline vtkSmartPointer<vtkImageData> MakeImage(int type, int components, double 
   return image;
 }
 
-/// V' = V - (1 - rho) (V - V_air), rho the share: FRONTIER 3.3.
+/// V' = V - (1 - rho) (V - V_air), rho the fraction: FRONTIER 3.3.
 inline vtkSmartPointer<vtkImageData> MakeCarved(
-  vtkImageData* image, const std::vector<std::uint8_t>& shares, int component, double air)
+  vtkImageData* image, const std::vector<std::uint8_t>& fractions, int component, double air)
 {
   auto carved = vtkSmartPointer<vtkImageData>::New();
   carved->DeepCopy(image);
@@ -87,7 +87,7 @@ inline vtkSmartPointer<vtkImageData> MakeCarved(
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     const double value = array->GetComponent(i, component);
-    const double rho = shares[static_cast<std::size_t>(i)] / 255.0;
+    const double rho = fractions[static_cast<std::size_t>(i)] / 255.0;
     const double left = value - (1.0 - rho) * (value - air);
     const double inRange = std::clamp(left, array->GetDataTypeMin(), array->GetDataTypeMax());
     array->SetComponent(i, component, isWhole ? std::round(inRange) : inRange);
@@ -101,12 +101,12 @@ class Carving
 public:
   void At(double x, double y, double z, double radius)
   {
-    CarveSlowly(this->Shares, Size, Vector3{ x, y, z }, radius);
+    CarveSlowly(this->Fractions, Size, Vector3{ x, y, z }, radius);
     this->Write();
   }
   void Reset()
   {
-    std::fill(this->Shares.begin(), this->Shares.end(), std::uint8_t{ 255 });
+    std::fill(this->Fractions.begin(), this->Fractions.end(), std::uint8_t{ 255 });
     this->Write();
   }
   /// Writes to bricks that lack the first samples of the image, or are of a region.
@@ -120,9 +120,9 @@ public:
         for (std::int64_t i = 0; i < Size[0]; ++i, ++at)
         {
           const std::int64_t x[3] = { this->First[0] + i, this->First[1] + j, this->First[2] + k };
-          if (this->Removal->Bricks.GetShare(x[0], x[1], x[2]) != this->Shares[at])
+          if (this->Removal->Bricks.GetFraction(x[0], x[1], x[2]) != this->Fractions[at])
           {
-            SetShare(this->Removal->Bricks, x[0], x[1], x[2], this->Shares[at]);
+            SetFraction(this->Removal->Bricks, x[0], x[1], x[2], this->Fractions[at]);
           }
         }
       }
@@ -131,7 +131,7 @@ public:
 
   std::int64_t First[3] = { 0, 0, 0 };
   std::shared_ptr<TissueRemoval> Removal = std::make_shared<TissueRemoval>(1024);
-  std::vector<std::uint8_t> Shares =
+  std::vector<std::uint8_t> Fractions =
     std::vector<std::uint8_t>(static_cast<std::size_t>(Size[0] * Size[1] * Size[2]), 255);
 };
 

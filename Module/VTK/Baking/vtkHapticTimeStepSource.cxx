@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkHapticFrameSource.h"
+#include "vtkHapticTimeStepSource.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -17,34 +17,34 @@
 #include <map>
 #include <vector>
 
-vtkStandardNewMacro(vtkHapticFrameSource);
+vtkStandardNewMacro(vtkHapticTimeStepSource);
 
 //------------------------------------------------------------------------------
-struct vtkHapticFrameSource::vtkInternals
+struct vtkHapticTimeStepSource::vtkInternals
 {
   using Map = std::map<double, vtkSmartPointer<vtkImageData>>;
-  Map Frames; ///< sorted by time
+  Map TimeSteps; ///< sorted by time
 
   Map::iterator Find(int number)
   {
-    return number >= 0 && number < static_cast<int>(this->Frames.size())
-      ? std::next(this->Frames.begin(), number)
-      : this->Frames.end();
+    return number >= 0 && number < static_cast<int>(this->TimeSteps.size())
+      ? std::next(this->TimeSteps.begin(), number)
+      : this->TimeSteps.end();
   }
 };
 
 //------------------------------------------------------------------------------
-vtkHapticFrameSource::vtkHapticFrameSource()
+vtkHapticTimeStepSource::vtkHapticTimeStepSource()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(0);
 }
 
 //------------------------------------------------------------------------------
-vtkHapticFrameSource::~vtkHapticFrameSource() = default;
+vtkHapticTimeStepSource::~vtkHapticTimeStepSource() = default;
 
 //------------------------------------------------------------------------------
-bool vtkHapticFrameSource::AddFrame(vtkImageData* image, double time)
+bool vtkHapticTimeStepSource::AddTimeStep(vtkImageData* image, double time)
 {
   if (!image || !std::isfinite(time))
   {
@@ -52,70 +52,70 @@ bool vtkHapticFrameSource::AddFrame(vtkImageData* image, double time)
       << (image ? "the time " : "no image, and the time ") << time << ": it is left out.");
     return false;
   }
-  this->Internals->Frames[time] = image;
+  this->Internals->TimeSteps[time] = image;
   this->Modified();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFrameSource::RemoveAllFrames()
+void vtkHapticTimeStepSource::RemoveAllTimeSteps()
 {
-  if (!this->Internals->Frames.empty())
+  if (!this->Internals->TimeSteps.empty())
   {
-    this->Internals->Frames.clear();
+    this->Internals->TimeSteps.clear();
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticFrameSource::GetNumberOfFrames()
+int vtkHapticTimeStepSource::GetNumberOfTimeSteps()
 {
-  return static_cast<int>(this->Internals->Frames.size());
+  return static_cast<int>(this->Internals->TimeSteps.size());
 }
 
 //------------------------------------------------------------------------------
-vtkImageData* vtkHapticFrameSource::GetFrame(int number)
+vtkImageData* vtkHapticTimeStepSource::GetTimeStepImage(int number)
 {
-  const auto frame = this->Internals->Find(number);
-  return frame == this->Internals->Frames.end() ? nullptr : frame->second.GetPointer();
+  const auto timeStep = this->Internals->Find(number);
+  return timeStep == this->Internals->TimeSteps.end() ? nullptr : timeStep->second.GetPointer();
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticFrameSource::GetFrameTime(int number)
+double vtkHapticTimeStepSource::GetTimeStepValue(int number)
 {
-  const auto frame = this->Internals->Find(number);
-  return frame == this->Internals->Frames.end() ? 0.0 : frame->first;
+  const auto timeStep = this->Internals->Find(number);
+  return timeStep == this->Internals->TimeSteps.end() ? 0.0 : timeStep->first;
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkHapticFrameSource::GetMTime()
+vtkMTimeType vtkHapticTimeStepSource::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (const auto& frame : this->Internals->Frames)
+  for (const auto& timeStep : this->Internals->TimeSteps)
   {
-    time = std::max(time, frame.second->GetMTime());
+    time = std::max(time, timeStep.second->GetMTime());
   }
   return time;
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticFrameSource::RequestInformation(
+int vtkHapticTimeStepSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-  if (this->Internals->Frames.empty())
+  if (this->Internals->TimeSteps.empty())
   {
-    vtkErrorMacro("There are no frames: call AddFrame() for each of them first.");
+    vtkErrorMacro("There are no frames: call AddTimeStep() for each of them first.");
     return 0;
   }
   std::vector<double> times;
-  for (const auto& frame : this->Internals->Frames)
+  for (const auto& timeStep : this->Internals->TimeSteps)
   {
-    times.push_back(frame.first);
+    times.push_back(timeStep.first);
   }
   vtkInformation* const info = outputs->GetInformationObject(0);
-  vtkImageData* const first = this->Internals->Frames.begin()->second;
+  vtkImageData* const first = this->Internals->TimeSteps.begin()->second;
   info->Set(Pipeline::WHOLE_EXTENT(), first->GetExtent(), 6);
   info->Set(vtkDataObject::SPACING(), first->GetSpacing(), 3);
   info->Set(vtkDataObject::ORIGIN(), first->GetOrigin(), 3);
@@ -127,34 +127,34 @@ int vtkHapticFrameSource::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticFrameSource::RequestData(
+int vtkHapticTimeStepSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-  const auto& frames = this->Internals->Frames;
-  if (frames.empty())
+  const auto& timeSteps = this->Internals->TimeSteps;
+  if (timeSteps.empty())
   {
     return 0; // RequestInformation() has reported this; VTK does not call it again
   }
   vtkInformation* const info = outputs->GetInformationObject(0);
   const bool asksTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;
-  auto frame = frames.begin();
+  auto timeStep = timeSteps.begin();
   if (asksTime)
   {
-    const auto after = frames.upper_bound(info->Get(Pipeline::UPDATE_TIME_STEP()));
-    frame = after == frames.begin() ? after : std::prev(after);
+    const auto after = timeSteps.upper_bound(info->Get(Pipeline::UPDATE_TIME_STEP()));
+    timeStep = after == timeSteps.begin() ? after : std::prev(after);
   }
   vtkImageData* const output = vtkImageData::GetData(info);
-  output->ShallowCopy(frame->second);
-  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), frame->first);
+  output->ShallowCopy(timeStep->second);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), timeStep->first);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFrameSource::PrintSelf(ostream& os, vtkIndent indent)
+void vtkHapticTimeStepSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfFrames: " << this->GetNumberOfFrames() << "\n";
+  os << indent << "NumberOfFrames: " << this->GetNumberOfTimeSteps() << "\n";
   os << indent << "Streamed: " << (this->Streamed ? "On" : "Off") << "\n";
 }

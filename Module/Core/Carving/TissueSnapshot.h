@@ -4,8 +4,8 @@
  * @file
  * A copy of all shares at one tick; the thread that ticks copies only the last changes.
  */
-#ifndef ShareSnapshot_h
-#define ShareSnapshot_h
+#ifndef TissueSnapshot_h
+#define TissueSnapshot_h
 
 #include "Core/Carving/CarvedBricks.h"
 
@@ -18,29 +18,29 @@
 namespace VolumeHaptics
 {
 
-/** The shares of a brick. */
-struct BrickShares
+/** The fractions of a brick. */
+struct BrickTissue
 {
   std::uint64_t Key;
   std::array<std::uint64_t, CarvedBricks::Rows> Rows;
 };
 
 /** The bricks that are not whole. From any thread, but from different moments if they change. */
-std::vector<BrickShares> CopyBricks(const CarvedBricks& bricks);
+std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
 /** Called by the writer: returns false if there is no room for all of them. */
-bool WriteBricks(const std::vector<BrickShares>& shares, CarvedBricks& bricks) noexcept;
+bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept;
 
-class ShareSnapshot
+class TissueSnapshot
 {
 public:
   /** The limit of bricks that change until the tick that completes the snapshot: 1 MiB. */
   static constexpr std::size_t MostLate = 2048;
 
   /** Copies all bricks, while they may change. Borrows the bricks. Allocates. */
-  explicit ShareSnapshot(CarvedBricks& bricks);
-  ~ShareSnapshot();
-  ShareSnapshot(const ShareSnapshot&) = delete;
-  ShareSnapshot& operator=(const ShareSnapshot&) = delete;
+  explicit TissueSnapshot(CarvedBricks& bricks);
+  ~TissueSnapshot();
+  TissueSnapshot(const TissueSnapshot&) = delete;
+  TissueSnapshot& operator=(const TissueSnapshot&) = delete;
 
   /**
    * Called by the writer of the bricks: copies the bricks that have changed meanwhile. False if
@@ -53,7 +53,7 @@ public:
    * All bricks, in their order, including whole ones, since they take up room, too. Empty if the
    * snapshot is not complete.
    */
-  std::vector<BrickShares> Collect() const;
+  std::vector<BrickTissue> Collect() const;
 
 private:
   enum Stage : std::uint8_t
@@ -65,11 +65,11 @@ private:
 
   CarvedBricks& Bricks;
   const int Follower;
-  std::vector<BrickShares> Copies; ///< by the brick's number
+  std::vector<BrickTissue> Copies; ///< by the brick's number
   struct Change
   {
     std::uint32_t Brick;
-    BrickShares Shares;
+    BrickTissue Fractions;
   };
   std::vector<Change> Changes;
   std::size_t Count = 0; ///< number of changes

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Device/Playback/FrameMesher.h"
+#include "VTK/Device/Playback/TimeStepMesher.h"
 
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Base/ArrayMemory.h"
@@ -63,64 +63,65 @@ vtkSmartPointer<vtkDataArray> ExtractComponent(vtkDataArray* from, int component
 
 } // namespace
 
-void FrameImage::Clear()
+void TimeStepImage::Clear()
 {
   this->Image = nullptr;
   this->Array = nullptr;
 }
 
-vtkImageData* FrameImage::Show(const HapticFrame& frame, bool isComponent, vtkImageData* shape)
+vtkImageData* TimeStepImage::Show(
+  const ImageTimeStep& timeStep, bool isComponent, vtkImageData* shape)
 {
-  const bool isSame = this->Image && this->Array == frame.Array &&
-    this->Changed == frame.Array->GetMTime() && this->Component == frame.Component;
+  const bool isSame = this->Image && this->Array == timeStep.Array &&
+    this->Changed == timeStep.Array->GetMTime() && this->Component == timeStep.Component;
   if (!isSame)
   {
-    this->Array = frame.Array;
-    this->Changed = frame.Array->GetMTime();
-    this->Component = frame.Component;
+    this->Array = timeStep.Array;
+    this->Changed = timeStep.Array->GetMTime();
+    this->Component = timeStep.Component;
     this->Image = vtkSmartPointer<vtkImageData>::New();
     this->Image->CopyStructure(shape);
     this->Image->GetPointData()->SetScalars(
-      isComponent ? ExtractComponent(frame.Array, frame.Component) : frame.Array);
+      isComponent ? ExtractComponent(timeStep.Array, timeStep.Component) : timeStep.Array);
   }
   return this->Image;
 }
 
-bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components,
-  double value, const Affine3& indexToWorld)
+bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
+  const std::vector<int>& components, double value, const Affine3& indexToWorld)
 {
-  for (std::size_t i = 0; i < frames.size() && (i + 1 < frames.size() || i == 0); ++i)
+  for (std::size_t i = 0; i < timeSteps.size() && (i + 1 < timeSteps.size() || i == 0); ++i)
   {
-    if (frames[i].Mesh)
+    if (timeSteps[i].Mesh)
     {
       continue;
     }
-    const std::size_t after = std::min(i + 1, frames.size() - 1);
-    const auto make =
-      [frame = frames[i], next = frames[after], component = components[i], value, indexToWorld]
-    { return MeshFrame(frame, next, component, value, indexToWorld); };
+    const std::size_t after = std::min(i + 1, timeSteps.size() - 1);
+    const auto make = [timeStep = timeSteps[i], next = timeSteps[after], component = components[i],
+                        value, indexToWorld]
+    { return MeshTimeStep(timeStep, next, component, value, indexToWorld); };
     // Arrays of other layouts copy their values for readers, into one copy for all threads. See
     // ShareArray() of the model's builder.
-    auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frames[i].Samples.get()));
+    auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeSteps[i].Samples.get()));
     if (!scalars->HasStandardMemoryLayout())
     {
-      frames[i].Mesh = make();
+      timeSteps[i].Mesh = make();
       continue;
     }
-    const Key key{ frames[i].Samples.get(), frames[after].Samples.get(), components[i] };
+    const Key key{ timeSteps[i].Samples.get(), timeSteps[after].Samples.get(), components[i] };
     if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
     {
       this->Meshing.Abandon(); // ends without waiting
       return false;
     }
     const auto* const made =
-      this->Meshing.Follow(key, [make](WorkMonitor&) { return std::optional(make()); });
+      this->Meshing.Poll(key, [make](WorkMonitor&) { return std::optional(make()); });
     if (!made)
     {
       return false;
     }
-    frames[i].Mesh = *made;
-    this->Meshing.Forget(); // other frames may get the same address
+    timeSteps[i].Mesh = *made;
+    this->Meshing.Forget(); // other time steps may get the same address
   }
   return true;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Large meshes of the first frames of a volume that moves, which a worker makes. Where the test
+ * Large meshes of the first time steps of a volume that moves, which a worker makes. Where the test
  * holds the worker up, a device that waited for it would wait for ever.
  */
 
@@ -11,7 +11,7 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
-#include <vtkHapticFrameSource.h>
+#include <vtkHapticTimeStepSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
@@ -24,16 +24,16 @@ constexpr double MeshedStiffness = 500.0;
 constexpr double MeshedRadius = 0.5;
 constexpr double MeshedTip = 6.5;
 
-/// Frames of V = 100 (z + t): the surface at 750 comes by 1 mm in a unit of data time. The sphere
-/// of the proxy is 0.5 mm before it at 0.
-class MeshedFrames : public DeviceTest
+/// Time steps of V = 100 (z + t): the surface at 750 comes by 1 mm in a unit of data time. The
+/// sphere of the proxy is 0.5 mm before it at 0.
+class MeshedTimeSteps : public DeviceTest
 {
 protected:
-  MeshedFrames()
+  MeshedTimeSteps()
   {
-    for (vtkSmartPointer<GatedArray>& frame : this->Frames)
+    for (vtkSmartPointer<GatedArray>& timeStep : this->TimeSteps)
     {
-      frame = vtkSmartPointer<GatedArray>::New();
+      timeStep = vtkSmartPointer<GatedArray>::New();
     }
     this->Source->StreamedOn();
     this->Give(0);
@@ -45,25 +45,25 @@ protected:
     this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   }
   /// However the test ends.
-  ~MeshedFrames() override { this->LetTheWorkerGoOn(); }
+  ~MeshedTimeSteps() override { this->LetTheWorkerGoOn(); }
 
   void LetTheWorkerGoOn()
   {
-    for (GatedArray* const frame : this->Frames)
+    for (GatedArray* const timeStep : this->TimeSteps)
     {
-      frame->IsOpen = true;
+      timeStep->IsOpen = true;
     }
   }
-  bool IsWorkerHeldUp() { return this->Frames[0]->Asked > 0 && !this->Frames[0]->IsOpen; }
-  /// A frame and the next one.
+  bool IsWorkerHeldUp() { return this->TimeSteps[0]->Asked > 0 && !this->TimeSteps[0]->IsOpen; }
+  /// A time step and the next one.
   void Give(int first)
   {
     // 33 000 triangles.
     constexpr int n = 130;
-    this->Source->RemoveAllFrames();
+    this->Source->RemoveAllTimeSteps();
     for (int i = first; i < first + 2; ++i)
     {
-      GatedArray* const values = this->Frames[i];
+      GatedArray* const values = this->TimeSteps[i];
       if (values->GetNumberOfValues() == 0)
       {
         values->SetNumberOfValues(vtkIdType{ n } * n * n);
@@ -75,7 +75,7 @@ protected:
       vtkNew<vtkImageData> image;
       image->SetDimensions(n, n, n);
       image->GetPointData()->SetScalars(values);
-      this->Source->AddFrame(image, i);
+      this->Source->AddTimeStep(image, i);
     }
   }
   void BeginToPlay()
@@ -102,19 +102,19 @@ protected:
       Length(this->Device->GetState()->GetComputedForce()), 0.001 * MeshedStiffness * deep, 2e-3);
   }
 
-  vtkSmartPointer<GatedArray> Frames[3];
-  vtkNew<vtkHapticFrameSource> Source;
+  vtkSmartPointer<GatedArray> TimeSteps[3];
+  vtkNew<vtkHapticTimeStepSource> Source;
 };
 } // namespace
 
-TEST_F(MeshedFrames, AreNotWaitedFor)
+TEST_F(MeshedTimeSteps, AreNotWaitedFor)
 {
   this->BeginToPlay();
   ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
   ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_TRUE(this->Says("Meanwhile the surfaces of the frames are meshed."))
     << this->Device->GetStatusText();
-  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
+  EXPECT_FALSE(this->Device->GetPlayback()->HasTimeSteps());
   EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
   EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 0.0);
   // A change of mind does not wait either.
@@ -124,7 +124,7 @@ TEST_F(MeshedFrames, AreNotWaitedFor)
   ASSERT_TRUE(this->Device->Publish());
   this->Device->GetPlayback()->Hold();
   this->LetTheWorkerGoOn();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->HasFrames(); }));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->HasTimeSteps(); }));
   EXPECT_FALSE(this->Says("meshed"));
   ASSERT_TRUE(this->WaitTicks(5));
   this->ExpectForce();
@@ -163,20 +163,20 @@ TEST_F(MeshedFrames, AreNotWaitedFor)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// Frames that come faster than meshes would else be left out for ever.
-TEST_F(MeshedFrames, OfAStreamAreFeltBeforeTheNextOnes)
+/// Time steps that come faster than meshes would else be left out for ever.
+TEST_F(MeshedTimeSteps, OfAStreamAreFeltBeforeTheNextOnes)
 {
   this->BeginToPlay();
   ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
   this->Give(1);
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_FALSE(this->Device->GetPlayback()->HasFrames());
+  EXPECT_FALSE(this->Device->GetPlayback()->HasTimeSteps());
   this->LetTheWorkerGoOn();
   double least = 2.0;
   ASSERT_TRUE(this->Wait(
     [&]
     {
-      least = this->Device->GetPlayback()->HasFrames()
+      least = this->Device->GetPlayback()->HasTimeSteps()
         ? std::min(least, this->Device->GetPlayback()->GetDataTime())
         : least;
       return this->Device->GetPlayback()->GetDataTime() == 2.0;
@@ -188,7 +188,7 @@ TEST_F(MeshedFrames, OfAStreamAreFeltBeforeTheNextOnes)
 }
 
 /// The servo goes on with what it has while another one is made.
-TEST_F(MeshedFrames, GoOnWhileOthersAreMade)
+TEST_F(MeshedTimeSteps, GoOnWhileOthersAreMade)
 {
   this->Filter->SetTimeUnitsPerSecond(0.0);
   this->Filter->SetMethodToProxy();

@@ -16,20 +16,20 @@ using namespace VolumeHaptics;
 
 namespace
 {
-using KeptShares = std::map<std::uint64_t, std::array<std::uint64_t, CarvedBricks::Rows>>;
+using KeptTissue = std::map<std::uint64_t, std::array<std::uint64_t, CarvedBricks::Rows>>;
 
-void ChangeKept(TissueRemoval& removal, std::uint64_t key, std::uint64_t shares)
+void ChangeKept(TissueRemoval& removal, std::uint64_t key, std::uint64_t fractions)
 {
   const std::uint32_t brick = removal.Bricks.FindOrAdd(key);
   ASSERT_NE(brick, CarvedBricks::None);
   removal.Journal.Keep(brick);
-  removal.Bricks.SetRow(brick, static_cast<int>(key % CarvedBricks::Rows), shares);
+  removal.Bricks.SetRow(brick, static_cast<int>(key % CarvedBricks::Rows), fractions);
   removal.Bricks.MarkChanged(brick);
 }
 
-KeptShares ReadKept(const CarvedBricks& bricks)
+KeptTissue ReadKept(const CarvedBricks& bricks)
 {
-  KeptShares all;
+  KeptTissue all;
   for (std::uint32_t brick = 0; brick < bricks.GetCount(); ++brick)
   {
     for (int row = 0; row < CarvedBricks::Rows; ++row)
@@ -40,10 +40,10 @@ KeptShares ReadKept(const CarvedBricks& bricks)
   return all;
 }
 
-KeptShares EndKept(TissueRemoval& removal)
+KeptTissue EndKept(TissueRemoval& removal)
 {
-  KeptShares all;
-  for (const BrickShares& brick : removal.EndSnapshot())
+  KeptTissue all;
+  for (const BrickTissue& brick : removal.EndSnapshot())
   {
     all[brick.Key] = brick.Rows;
   }
@@ -51,7 +51,7 @@ KeptShares EndKept(TissueRemoval& removal)
 }
 } // namespace
 
-TEST(ShareSnapshot, HasWhatWasRemovedUntilItIsTaken)
+TEST(TissueSnapshot, HasWhatWasRemovedUntilItIsTaken)
 {
   TissueRemoval removal;
   std::mt19937_64 engine(5);
@@ -65,7 +65,7 @@ TEST(ShareSnapshot, HasWhatWasRemovedUntilItIsTaken)
   {
     ChangeKept(removal, engine() % 400, i);
   }
-  const KeptShares expected = ReadKept(removal.Bricks);
+  const KeptTissue expected = ReadKept(removal.Bricks);
   EXPECT_TRUE(removal.TakeSnapshot());
   EXPECT_FALSE(removal.TakeSnapshot()) << "it is complete";
   ChangeKept(removal, 7, 0);
@@ -73,24 +73,24 @@ TEST(ShareSnapshot, HasWhatWasRemovedUntilItIsTaken)
   EXPECT_TRUE(EndKept(removal).empty()) << "it has ended";
 }
 
-TEST(ShareSnapshot, HasWholeBricksInTheirOrder)
+TEST(TissueSnapshot, HasWholeBricksInTheirOrder)
 {
   TissueRemoval removal;
   ChangeKept(removal, 3, 0);
   ChangeKept(removal, 4, CarvedBricks::WholeRow);
   removal.BeginSnapshot();
   ASSERT_TRUE(removal.TakeSnapshot());
-  const std::vector<BrickShares> shares = removal.EndSnapshot();
-  ASSERT_EQ(shares.size(), 2u);
-  EXPECT_EQ(shares[0].Key, 3u);
-  EXPECT_EQ(shares[1].Key, 4u);
-  const std::vector<BrickShares> used = CopyBricks(removal.Bricks);
+  const std::vector<BrickTissue> fractions = removal.EndSnapshot();
+  ASSERT_EQ(fractions.size(), 2u);
+  EXPECT_EQ(fractions[0].Key, 3u);
+  EXPECT_EQ(fractions[1].Key, 4u);
+  const std::vector<BrickTissue> used = CopyBricks(removal.Bricks);
   ASSERT_EQ(used.size(), 1u);
   EXPECT_EQ(used[0].Key, 3u);
   EXPECT_FALSE(removal.Bricks.IsWhole());
 }
 
-TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
+TEST(TissueSnapshot, EndsTheStrokesThatCanBeUndone)
 {
   TissueRemoval removal;
   for (std::uint64_t key = 0; key < 3; ++key)
@@ -110,7 +110,7 @@ TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
   EXPECT_EQ(removal.Journal.GetUndoable(), 0u);
   EXPECT_EQ(removal.Journal.GetRedoable(), 0u);
   EXPECT_FALSE(removal.Journal.IsOpen());
-  const KeptShares before = EndKept(removal);
+  const KeptTissue before = EndKept(removal);
   removal.Journal.Begin();
   ChangeKept(removal, 10, 8);
   EXPECT_TRUE(removal.Request(RemovalRequest::Undo));
@@ -120,7 +120,7 @@ TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
   }
   removal.BeginSnapshot();
   ASSERT_TRUE(removal.TakeSnapshot());
-  KeptShares after = EndKept(removal);
+  KeptTissue after = EndKept(removal);
   for (const std::uint64_t row : after[10])
   {
     EXPECT_EQ(row, CarvedBricks::WholeRow);
@@ -129,7 +129,7 @@ TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
   EXPECT_EQ(after, before) << "only the stroke after it is undone";
 }
 
-TEST(ShareSnapshot, WaitsForTheEndOfARequest)
+TEST(TissueSnapshot, WaitsForTheEndOfARequest)
 {
   TissueRemoval removal;
   removal.Journal.Begin();
@@ -151,11 +151,11 @@ TEST(ShareSnapshot, WaitsForTheEndOfARequest)
   EXPECT_TRUE(removal.Bricks.IsWhole()) << "all tissue is back";
 }
 
-TEST(ShareSnapshot, ThatIsTooLateIsBegunAgain)
+TEST(TissueSnapshot, ThatIsTooLateIsBegunAgain)
 {
   TissueRemoval removal;
   removal.BeginSnapshot();
-  for (std::uint64_t key = 0; key <= ShareSnapshot::MostLate; ++key)
+  for (std::uint64_t key = 0; key <= TissueSnapshot::MostLate; ++key)
   {
     ChangeKept(removal, key, 1);
   }

@@ -5,7 +5,7 @@
  * B4: what was removed, as an image and back, to the bit.
  */
 
-#include "Core/Carving/ShareImage.h"
+#include "Core/Carving/TissueImage.h"
 #include "Rigs/CarvingRig.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace coretest;
 namespace
 {
 constexpr std::int64_t Lengths[3] = { 37, 29, 21 };
-constexpr ShareBox WholeBox{ { 0, 0, 0 }, { 37, 29, 21 } };
+constexpr TissueBox WholeBox{ { 0, 0, 0 }, { 37, 29, 21 } };
 
 void RemoveSome(CarvedBricks& bricks, std::uint64_t seed, int samples)
 {
@@ -26,87 +26,88 @@ void RemoveSome(CarvedBricks& bricks, std::uint64_t seed, int samples)
     { return static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(length)); };
     const std::int64_t i = along(30); // bricks beyond are whole
     const std::int64_t j = along(Lengths[1]);
-    SetShare(bricks, i, j, along(Lengths[2]), static_cast<std::uint8_t>(engine()));
+    SetFraction(bricks, i, j, along(Lengths[2]), static_cast<std::uint8_t>(engine()));
   }
 }
 
-std::vector<std::uint8_t> Write(const CarvedBricks& bricks, const ShareBox& box)
+std::vector<std::uint8_t> Write(const CarvedBricks& bricks, const TissueBox& box)
 {
   std::vector<std::uint8_t> image(
     static_cast<std::size_t>(box.Size[0] * box.Size[1] * box.Size[2]), 7);
-  WriteShares(bricks, box, image.data());
+  WriteTissue(bricks, box, image.data());
   return image;
 }
 } // namespace
 
-TEST(ShareImage, HasTheShareOfEachSample)
+TEST(TissueImage, HasTheTissueOfEachSample)
 {
   CarvedBricks bricks(100);
   EXPECT_EQ(Write(bricks, WholeBox), std::vector<std::uint8_t>(37 * 29 * 21, 255));
   RemoveSome(bricks, 1, 3000);
-  EXPECT_EQ(Write(bricks, WholeBox), CopyShares(bricks, Lengths));
+  EXPECT_EQ(Write(bricks, WholeBox), CopyTissue(bricks, Lengths));
   // A part of it, and one that is beyond all bricks.
-  const ShareBox part{ { 5, 8, 3 }, { 20, 13, 16 } };
+  const TissueBox part{ { 5, 8, 3 }, { 20, 13, 16 } };
   const std::vector<std::uint8_t> image = Write(bricks, part);
   for (std::int64_t at = 0; at < 20 * 13 * 16; ++at)
   {
     ASSERT_EQ(image[static_cast<std::size_t>(at)],
-      bricks.GetShare(5 + at % 20, 8 + at / 20 % 13, 3 + at / 260));
+      bricks.GetFraction(5 + at % 20, 8 + at / 20 % 13, 3 + at / 260));
   }
   EXPECT_EQ(Write(bricks, { { 500, 0, 0 }, { 3, 3, 3 } }), std::vector<std::uint8_t>(27, 255));
 }
 
-TEST(ShareImage, IsReadToTheBit)
+TEST(TissueImage, IsReadToTheBit)
 {
   CarvedBricks bricks(100);
   RemoveSome(bricks, 2, 3000);
   const std::vector<std::uint8_t> image = Write(bricks, WholeBox);
   CarvedBricks copy(100);
-  ASSERT_TRUE(ReadShares(copy, WholeBox, image.data()));
-  EXPECT_EQ(CopyShares(copy, Lengths), CopyShares(bricks, Lengths));
+  ASSERT_TRUE(ReadTissue(copy, WholeBox, image.data()));
+  EXPECT_EQ(CopyTissue(copy, Lengths), CopyTissue(bricks, Lengths));
   EXPECT_EQ(copy.GetCount(), bricks.GetCount()) << "whole bricks need no memory";
   // Over other removal, of which nothing is left.
   CarvedBricks other(100);
   RemoveSome(other, 3, 500);
-  SetShare(other, 90, 0, 0, 3);
+  SetFraction(other, 90, 0, 0, 3);
   const int follower = other.AddFollower();
-  ASSERT_TRUE(ReadShares(other, WholeBox, image.data()));
-  EXPECT_EQ(CopyShares(other, Lengths), CopyShares(bricks, Lengths));
-  EXPECT_EQ(other.GetShare(90, 0, 0), CarvedBricks::Whole);
+  ASSERT_TRUE(ReadTissue(other, WholeBox, image.data()));
+  EXPECT_EQ(CopyTissue(other, Lengths), CopyTissue(bricks, Lengths));
+  EXPECT_EQ(other.GetFraction(90, 0, 0), CarvedBricks::Whole);
   std::size_t changed = 0;
-  other.TakeChanged(follower, [&changed](std::uint32_t) { ++changed; });
+  other.DrainChanged(follower, [&changed](std::uint32_t) { ++changed; });
   EXPECT_EQ(changed, other.GetCount());
 }
 
-TEST(ShareImage, ThatHasNoRoomChangesNothing)
+TEST(TissueImage, ThatHasNoRoomChangesNothing)
 {
   CarvedBricks bricks(100);
   RemoveSome(bricks, 4, 3000);
   const std::vector<std::uint8_t> image = Write(bricks, WholeBox);
   CarvedBricks few(bricks.GetCount() - 1);
-  SetShare(few, 3, 3, 3, 11);
-  const std::vector<std::uint8_t> before = CopyShares(few, Lengths);
-  EXPECT_FALSE(ReadShares(few, WholeBox, image.data()));
-  EXPECT_EQ(CopyShares(few, Lengths), before);
+  SetFraction(few, 3, 3, 3, 11);
+  const std::vector<std::uint8_t> before = CopyTissue(few, Lengths);
+  EXPECT_FALSE(ReadTissue(few, WholeBox, image.data()));
+  EXPECT_EQ(CopyTissue(few, Lengths), before);
   EXPECT_EQ(few.GetCount(), 1u);
-  for (const ShareBox& bad : { ShareBox{ { -1, 0, 0 }, { 37, 29, 21 } },
-         ShareBox{ { 0, 0, 0 }, { 37, 0, 21 } }, ShareBox{ { 0, 0, 1LL << 24 }, { 37, 29, 21 } } })
+  for (const TissueBox& bad :
+    { TissueBox{ { -1, 0, 0 }, { 37, 29, 21 } }, TissueBox{ { 0, 0, 0 }, { 37, 0, 21 } },
+      TissueBox{ { 0, 0, 1LL << 24 }, { 37, 29, 21 } } })
   {
-    EXPECT_FALSE(ReadShares(bricks, bad, image.data()));
+    EXPECT_FALSE(ReadTissue(bricks, bad, image.data()));
   }
 }
 
 /// A reader that writes only the bricks that were changed has the whole image.
-TEST(ShareImage, IsFollowedBrickByBrick)
+TEST(TissueImage, IsFollowedBrickByBrick)
 {
   CarvedBricks bricks(100);
-  const ShareBox box{ { 2, 3, 1 }, { 30, 25, 19 } };
+  const TissueBox box{ { 2, 3, 1 }, { 30, 25, 19 } };
   std::vector<std::uint8_t> image = Write(bricks, box);
   const int follower = bricks.AddFollower();
   for (std::uint64_t round = 0; round < 20; ++round)
   {
     RemoveSome(bricks, 10 + round, 40);
-    bricks.TakeChanged(
+    bricks.DrainChanged(
       follower, [&](std::uint32_t brick) { WriteBrick(bricks, brick, box, image.data()); });
     ASSERT_EQ(image, Write(bricks, box));
   }

@@ -4,39 +4,40 @@
  * @file
  * The data times of a volume that moves.
  *
- * A series begins with the frame at First and ends with the one at Last. If it is played in a loop,
- * the last frame is blended into the first one in a further interval:
+ * A series begins with the time step at First and ends with the one at Last. If it is played in a
+ * loop, the last time step is blended into the first one in a further interval:
  *
  *   First ... Last ... First + GetPeriod(), which is First again.
  *
- * A model may hold a part of the series only, the *window*: some of the frames, in this order. A
- * window that crosses the end of a loop ends at an earlier time than it begins. A window of one
- * frame has only the time of that frame.
+ * A model may hold a part of the series only, the *time span*: some of the time steps, in this
+ * order. A time span that crosses the end of a loop ends at an earlier time than it begins. A time
+ * span of one time step has only the time of that time step.
  */
-#ifndef FrameSeries_h
-#define FrameSeries_h
+#ifndef TimeStepSeries_h
+#define TimeStepSeries_h
 
 #include <limits>
 
 namespace VolumeHaptics
 {
 
-struct FrameSeries
+struct TimeStepSeries
 {
   double First = 0.0;
   double Last = 0.0;
-  double LoopInterval = 0.0; ///< more than 0, if there are frames
+  double LoopInterval = 0.0; ///< more than 0, if there are time steps
 
   double GetPeriod() const noexcept { return this->Last - this->First + this->LoopInterval; }
 };
 
-/** The times for which a model has the frames. */
-struct FrameWindow
+/** The times for which a model has the time steps. */
+struct TimeSpan
 {
-  FrameSeries Series;
-  double Front = 0.0;     ///< the first frame's time
-  double Back = 0.0;      ///< the last frame's time; equals Front if the window has the whole loop
-  bool IsInstant = false; ///< it has one frame only
+  TimeStepSeries Series;
+  double Front = 0.0; ///< the first time step's time
+  /** The last time step's time; equals Front if the time span has the whole loop. */
+  double Back = 0.0;
+  bool IsInstant = false; ///< it has one time step only
 
   bool IsLoop() const noexcept { return this->Front == this->Back && !this->IsInstant; }
   bool Has(double time) const noexcept
@@ -45,7 +46,7 @@ struct FrameWindow
                                                        : time >= this->Front || time <= this->Back;
   }
   ///@{
-  /** The data time that the window has beyond `time`, forward and backward. */
+  /** The data time that the time span has beyond `time`, forward and backward. */
   double GetAhead(double time) const noexcept { return this->Measure(this->Back - time); }
   double GetBehind(double time) const noexcept { return this->Measure(time - this->Front); }
   ///@}

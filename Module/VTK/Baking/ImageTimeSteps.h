@@ -4,8 +4,8 @@
  * @file
  * Reads the time steps of a volume that moves.
  */
-#ifndef HapticFrames_h
-#define HapticFrames_h
+#ifndef ImageTimeSteps_h
+#define ImageTimeSteps_h
 
 #include "Core/Model/HapticModelDescription.h"
 
@@ -27,7 +27,7 @@ class SurfaceMesh;
 struct BakedVolume;
 
 /** The volume at a time step. */
-struct HapticFrame
+struct ImageTimeStep
 {
   double Time;                         ///< time of the step (the source's units)
   vtkSmartPointer<vtkImageData> Image; ///< geometry and field data
@@ -38,28 +38,28 @@ struct HapticFrame
    */
   vtkSmartPointer<vtkDataArray> Displacements;
   int Component = 0; ///< component of Array that is touched
-  /** Isosurface on its way to the next frame; null if the model builder has to make it. */
+  /** Isosurface on its way to the next time step; null if the model builder has to make it. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
-/** Some frames of a series; empty if the volume does not move. */
-struct HapticFrames
+/** Some time steps of a series; empty if the volume does not move. */
+struct ImageTimeSteps
 {
-  std::vector<HapticFrame> Frames;
-  FrameSeries Series;
+  std::vector<ImageTimeStep> TimeSteps;
+  TimeStepSeries Series;
 };
 
 /** Reads the time steps of an input, ascending; empty if there are fewer than two. */
 std::vector<double> ReadTimeSteps(vtkInformation* input);
 
 /** Makes the series of at least two time steps. */
-FrameSeries MakeSeries(const std::vector<double>& steps);
+TimeStepSeries MakeSeries(const std::vector<double>& steps);
 
 /** Returns the point array of an image that is touched; null if there is none. */
 using TouchedArrayOf = std::function<vtkDataArray*(vtkImageData*)>;
 
 /** Says which arrays of a time step are read. */
-struct FrameReading
+struct TimeStepReading
 {
   TouchedArrayOf GetArray;
   int Component;             ///< component of the touched array
@@ -69,36 +69,38 @@ struct FrameReading
 /**
  * Requests a time step from the source of a filter's input port 0, and copies the array that is
  * touched, because a source may write each step to the same memory. The array of a
- * vtkHapticFrameSource is not copied. False if the source fails.
+ * vtkHapticTimeStepSource is not copied. False if the source fails.
  */
-bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame);
+bool ReadTimeStep(
+  vtkAlgorithm* filter, double step, const TimeStepReading& reading, ImageTimeStep& timeStep);
 
 /**
  * Requests the time steps from the first one up to the one at or after `last` from the source of a
  * filter's input port 0, and copies the array that is touched: a source may write each step to the
  * same memory. The source stays at the first step. Empty if the source fails.
  */
-std::vector<HapticFrame> CollectFrames(
-  vtkAlgorithm* filter, const std::vector<double>& steps, double last, const FrameReading& reading);
+std::vector<ImageTimeStep> CollectTimeSteps(vtkAlgorithm* filter, const std::vector<double>& steps,
+  double last, const TimeStepReading& reading);
 
 /**
- * Returns an array's components as frames at data times 0, `spacing`, and so on. Copies nothing.
+ * Returns an array's components as time steps at data times 0, `spacing`, and so on. Copies
+ * nothing.
  */
-std::vector<HapticFrame> MakeComponentFrames(
+std::vector<ImageTimeStep> MakeComponentTimeSteps(
   vtkImageData* image, vtkDataArray* array, double spacing);
 
 /**
- * Sets the displacements of a model's frame from a time step. False, with the reason and the cure
- * in `error`, if they are missing or do not fit the frame's points.
+ * Sets the displacements of a model's time step from a time step. False, with the reason and the
+ * cure in `error`, if they are missing or do not fit the time step's points.
  * @param name name of the array
  */
 bool ReadDisplacements(
-  const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error);
+  const ImageTimeStep& step, const std::string& name, VolumeTimeStep& timeStep, std::string& error);
 
 /**
- * Warns of frames whose edges move by more than twice their width until the next frame. The text
- * names the cures; it is empty if there are no such frames.
- * @param pairs numbers of the frames to examine; each takes some milliseconds
+ * Warns of time steps whose edges move by more than twice their width until the next time step. The
+ * text names the cures; it is empty if there are no such time steps.
+ * @param pairs numbers of the time steps to examine; each takes some milliseconds
  * @param noise standard deviation of the samples' noise
  */
 std::string DescribeFastMotion(

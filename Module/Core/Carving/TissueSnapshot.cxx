@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-void CopyBrick(const CarvedBricks& bricks, std::uint32_t brick, BrickShares& to) noexcept
+void CopyBrick(const CarvedBricks& bricks, std::uint32_t brick, BrickTissue& to) noexcept
 {
   to.Key = bricks.GetKey(brick);
   for (int row = 0; row < CarvedBricks::Rows; ++row)
@@ -20,9 +20,9 @@ void CopyBrick(const CarvedBricks& bricks, std::uint32_t brick, BrickShares& to)
 
 } // namespace
 
-std::vector<BrickShares> CopyBricks(const CarvedBricks& bricks)
+std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks)
 {
-  std::vector<BrickShares> all;
+  std::vector<BrickTissue> all;
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)
   {
@@ -35,10 +35,10 @@ std::vector<BrickShares> CopyBricks(const CarvedBricks& bricks)
   return all;
 }
 
-bool WriteBricks(const std::vector<BrickShares>& shares, CarvedBricks& bricks) noexcept
+bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept
 {
-  return std::all_of(shares.begin(), shares.end(),
-    [&bricks](const BrickShares& from)
+  return std::all_of(fractions.begin(), fractions.end(),
+    [&bricks](const BrickTissue& from)
     {
       const std::uint32_t brick = bricks.FindOrAdd(from.Key);
       if (brick == CarvedBricks::None)
@@ -54,7 +54,7 @@ bool WriteBricks(const std::vector<BrickShares>& shares, CarvedBricks& bricks) n
     });
 }
 
-ShareSnapshot::ShareSnapshot(CarvedBricks& bricks)
+TissueSnapshot::TissueSnapshot(CarvedBricks& bricks)
   : Bricks(bricks)
   , Follower(bricks.AddFollower())
   , Changes(MostLate)
@@ -64,7 +64,7 @@ ShareSnapshot::ShareSnapshot(CarvedBricks& bricks)
     this->State.store(Late);
     return;
   }
-  bricks.TakeChanged(this->Follower,
+  bricks.DrainChanged(this->Follower,
     [&](std::uint32_t brick)
     {
       if (brick >= this->Copies.size())
@@ -75,7 +75,7 @@ ShareSnapshot::ShareSnapshot(CarvedBricks& bricks)
     });
 }
 
-ShareSnapshot::~ShareSnapshot()
+TissueSnapshot::~TissueSnapshot()
 {
   if (this->Follower >= 0)
   {
@@ -83,14 +83,14 @@ ShareSnapshot::~ShareSnapshot()
   }
 }
 
-bool ShareSnapshot::Complete() noexcept
+bool TissueSnapshot::Complete() noexcept
 {
   if (this->State.load(std::memory_order_relaxed) != Open)
   {
     return false;
   }
   bool isLate = false;
-  this->Bricks.TakeChanged(this->Follower,
+  this->Bricks.DrainChanged(this->Follower,
     [&](std::uint32_t brick)
     {
       isLate = this->Count == this->Changes.size();
@@ -98,16 +98,16 @@ bool ShareSnapshot::Complete() noexcept
       {
         Change& change = this->Changes[this->Count++];
         change.Brick = brick;
-        CopyBrick(this->Bricks, brick, change.Shares);
+        CopyBrick(this->Bricks, brick, change.Fractions);
       }
     });
   this->State.store(isLate ? Late : Done, std::memory_order_release);
   return !isLate;
 }
 
-std::vector<BrickShares> ShareSnapshot::Collect() const
+std::vector<BrickTissue> TissueSnapshot::Collect() const
 {
-  std::vector<BrickShares> all;
+  std::vector<BrickTissue> all;
   if (this->State.load(std::memory_order_acquire) != Done)
   {
     return all;
@@ -117,7 +117,7 @@ std::vector<BrickShares> ShareSnapshot::Collect() const
   {
     const Change& change = this->Changes[i];
     all.resize(std::max<std::size_t>(all.size(), change.Brick + std::size_t{ 1 }));
-    all[change.Brick] = change.Shares;
+    all[change.Brick] = change.Fractions;
   }
   return all;
 }

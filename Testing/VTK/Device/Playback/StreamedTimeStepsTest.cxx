@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Frames that come one by one: a wall at x = 9 + t comes towards a tip that rests at 12, 1 mm a
- * frame, and the force is the spring's to where it is.
+ * Time steps that come one by one: a wall at x = 9 + t comes towards a tip that rests at 12, 1 mm a
+ * time step, and the force is the spring's to where it is.
  */
 
 #include "Rigs/DeviceRig.h"
 
 #include <vtkAlgorithmOutput.h>
-#include <vtkHapticFrameSource.h>
 #include <vtkHapticRegionFilter.h>
+#include <vtkHapticTimeStepSource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +29,10 @@ double ForceOfTheStreamedWall(double time, double radius)
   return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time + radius - StreamedTip);
 }
 
-class StreamedFrames : public DeviceTest
+class StreamedTimeSteps : public DeviceTest
 {
 protected:
-  StreamedFrames()
+  StreamedTimeSteps()
   {
     SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 3.0);
     this->Filter->SetMaterialPlacementToKernel();
@@ -57,9 +57,9 @@ protected:
   }
   void Give(double from, double to, const int* region = nullptr)
   {
-    this->Source->RemoveAllFrames();
-    this->Source->AddFrame(this->MakeFrame(from, region), from);
-    this->Source->AddFrame(this->MakeFrame(to, region), to);
+    this->Source->RemoveAllTimeSteps();
+    this->Source->AddTimeStep(this->MakeFrame(from, region), from);
+    this->Source->AddTimeStep(this->MakeFrame(to, region), to);
   }
   void Begin(double end = 1.0)
   {
@@ -104,7 +104,7 @@ protected:
     this->Speed = std::max(this->Speed, std::abs(speed)); // the last one may be that still
     this->Device->GetPlayback()->SetSpeed(speed);
   }
-  vtkNew<vtkHapticFrameSource> Source;
+  vtkNew<vtkHapticTimeStepSource> Source;
   double Radius = 0.0;
   double Tolerance = 0.02; ///< N
   double Speed = 20.0;     ///< data time in a second, at most
@@ -114,7 +114,7 @@ protected:
 } // namespace
 
 /// Steps of 6 mm, which a blend can't show.
-TEST_F(StreamedFrames, ThatAreTooFastForABlendAreToldOnce)
+TEST_F(StreamedTimeSteps, ThatAreTooFastForABlendAreToldOnce)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
   this->Device->GetVirtualHand()->SetPosition(StreamedTip, 19.0, 19.0);
@@ -132,7 +132,7 @@ TEST_F(StreamedFrames, ThatAreTooFastForABlendAreToldOnce)
   }
 }
 
-TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
+TEST_F(StreamedTimeSteps, PushAHandThatRestsAndComeBack)
 {
   this->Give(0.0, 1.0);
   this->Begin();
@@ -155,14 +155,14 @@ TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
 
 /// As from a source that is now slow and now quick, while the servo goes on at its own pace: those
 /// that come early wait, and where they are late, time does. The contact is never lost.
-TEST_F(StreamedFrames, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
+TEST_F(StreamedTimeSteps, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
   const int other[] = { 0, 38, 0, 34, 2, 36 };
   std::mt19937 random(3);
   this->Give(0.0, 1.0, region);
   this->Begin();
-  this->SetSpeed(10.0); // 100 ms a frame
+  this->SetSpeed(10.0); // 100 ms a time step
   double at = 1.0;
   int waited = 0;
   for (int i = 0; i < 24; ++i)
@@ -201,7 +201,7 @@ TEST_F(StreamedFrames, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
 
 /// The last one that was felt is joined to the next ones, so that the wall goes over what is
 /// missing.
-TEST_F(StreamedFrames, ThatWereLeftOutAreGoneOver)
+TEST_F(StreamedTimeSteps, ThatWereLeftOutAreGoneOver)
 {
   this->Tolerance = 0.03;
   this->Give(2.0, 3.0);
@@ -221,7 +221,7 @@ TEST_F(StreamedFrames, ThatWereLeftOutAreGoneOver)
   ASSERT_TRUE(this->Device->Publish());
   this->GoTo(6.4);
   EXPECT_GT(this->Device->GetState()->GetComputedForce()[0], 1.65);
-  // Backwards, and while time holds between two frames.
+  // Backwards, and while time holds between two time steps.
   this->Give(4.6, 5.4);
   ASSERT_TRUE(this->Device->Publish());
   this->SetSpeed(-2.0);
@@ -242,7 +242,7 @@ TEST_F(StreamedFrames, ThatWereLeftOutAreGoneOver)
 }
 
 /// Where the hand has left the region that is in memory, the wall waits for it.
-TEST_F(StreamedFrames, HoldTimeWhileARegionIsLate)
+TEST_F(StreamedTimeSteps, HoldTimeWhileARegionIsLate)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
   const int other[] = { 0, 35, 0, 37, 0, 25 };
@@ -273,7 +273,7 @@ TEST_F(StreamedFrames, HoldTimeWhileARegionIsLate)
 }
 
 /// The servo goes on with another region, as if it had the whole.
-TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
+TEST_F(StreamedTimeSteps, MayBeRegionsOfAVolume)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
   const int other[] = { 0, 38, 0, 34, 2, 36 };
@@ -298,7 +298,7 @@ TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
 }
 
 /// Each has its mesh on the way to the next one, also if the regions change.
-TEST_F(StreamedFrames, MayBeMeshes)
+TEST_F(StreamedTimeSteps, MayBeMeshes)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
   this->Radius = 1.0;
@@ -317,19 +317,19 @@ TEST_F(StreamedFrames, MayBeMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// What is no frame of the volume is another volume, or an error, and never lost.
-TEST_F(StreamedFrames, OfAnotherShapeAreAnotherVolume)
+/// What is no time step of the volume is another volume, or an error, and never lost.
+TEST_F(StreamedTimeSteps, OfAnotherShapeAreAnotherVolume)
 {
   this->Give(0.0, 1.0);
   this->Begin();
   const auto small = MakeImage(30, VTK_FLOAT, [](const Point&) { return 7.0; });
-  this->Source->RemoveAllFrames();
-  this->Source->AddFrame(small, 1.0);
-  this->Source->AddFrame(small, 2.0);
+  this->Source->RemoveAllTimeSteps();
+  this->Source->AddTimeStep(small, 1.0);
+  this->Source->AddTimeStep(small, 2.0);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() == 2.0; }));
   EXPECT_EQ(Length(this->Device->GetState()->GetComputedForce()), 0.0);
-  this->Source->AddFrame(this->MakeFrame(3.0), 3.0);
+  this->Source->AddTimeStep(this->MakeFrame(3.0), 3.0);
   EXPECT_FALSE(this->Device->Publish());
   ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
   EXPECT_NE(this->FilterLog.Errors[0].find("has another geometry"), std::string::npos);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Tools/ShareArrays.h"
+#include "VTK/Tools/TissueArrays.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -14,16 +14,16 @@
 namespace VolumeHaptics
 {
 
-std::array<std::int32_t, 3> PlaceOfBrick(const BrickShares& brick)
+std::array<std::int32_t, 3> PlaceOfBrick(const BrickTissue& brick)
 {
   const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);
   return { static_cast<std::int32_t>(place.X), static_cast<std::int32_t>(place.Y),
     static_cast<std::int32_t>(place.Z) };
 }
 
-std::array<unsigned char, SharesOfBrick> SharesAsBytes(const BrickShares& brick)
+std::array<unsigned char, SamplesOfBrick> TissueAsBytes(const BrickTissue& brick)
 {
-  std::array<unsigned char, SharesOfBrick> bytes{};
+  std::array<unsigned char, SamplesOfBrick> bytes{};
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     const std::uint64_t row = brick.Rows[i / CarvedBricks::Side];
@@ -32,49 +32,50 @@ std::array<unsigned char, SharesOfBrick> SharesAsBytes(const BrickShares& brick)
   return bytes;
 }
 
-void AddShareArrays(
-  const std::vector<BrickShares>& bricks, const ShareArrayNames& names, vtkFieldData* data)
+void AddTissueArrays(
+  const std::vector<BrickTissue>& bricks, const TissueArrayNames& names, vtkFieldData* data)
 {
   vtkNew<vtkIntArray> places;
   places->SetName(names.Bricks);
   places->SetNumberOfComponents(3);
-  vtkNew<vtkUnsignedCharArray> shares;
-  shares->SetName(names.Shares);
-  shares->SetNumberOfComponents(SharesOfBrick);
-  for (const BrickShares& brick : bricks)
+  vtkNew<vtkUnsignedCharArray> fractions;
+  fractions->SetName(names.Fractions);
+  fractions->SetNumberOfComponents(SamplesOfBrick);
+  for (const BrickTissue& brick : bricks)
   {
     places->InsertNextTypedTuple(PlaceOfBrick(brick).data());
-    shares->InsertNextTypedTuple(SharesAsBytes(brick).data());
+    fractions->InsertNextTypedTuple(TissueAsBytes(brick).data());
   }
   data->AddArray(places);
-  data->AddArray(shares);
+  data->AddArray(fractions);
 }
 
-bool ReadShareArrays(vtkFieldData* data, const ShareArrayNames& names,
-  std::vector<BrickShares>& bricks, std::string& flaw)
+bool ReadTissueArrays(vtkFieldData* data, const TissueArrayNames& names,
+  std::vector<BrickTissue>& bricks, std::string& flaw)
 {
   bricks.clear();
   vtkDataArray* const places = data->GetArray(names.Bricks);
-  vtkDataArray* const shares = data->GetArray(names.Shares);
-  if (!places && !shares)
+  vtkDataArray* const fractions = data->GetArray(names.Fractions);
+  if (!places && !fractions)
   {
     return true;
   }
-  if (!places || !shares)
+  if (!places || !fractions)
   {
-    flaw = std::string("its array \"") + (places ? names.Shares : names.Bricks) + "\" is missing";
+    flaw =
+      std::string("its array \"") + (places ? names.Fractions : names.Bricks) + "\" is missing";
     return false;
   }
   const vtkIdType count = places->GetNumberOfTuples();
-  if (places->GetNumberOfComponents() != 3 || shares->GetNumberOfComponents() != SharesOfBrick ||
-    shares->GetNumberOfTuples() != count)
+  if (places->GetNumberOfComponents() != 3 ||
+    fractions->GetNumberOfComponents() != SamplesOfBrick || fractions->GetNumberOfTuples() != count)
   {
-    flaw = std::string("its arrays \"") + names.Bricks + "\" and \"" + names.Shares +
-      "\" don't have as many tuples of 3 and " + std::to_string(SharesOfBrick) + " components";
+    flaw = std::string("its arrays \"") + names.Bricks + "\" and \"" + names.Fractions +
+      "\" don't have as many tuples of 3 and " + std::to_string(SamplesOfBrick) + " components";
     return false;
   }
   std::set<std::uint64_t> keys;
-  std::array<double, SharesOfBrick> bytes{};
+  std::array<double, SamplesOfBrick> bytes{};
   for (vtkIdType i = 0; i < count; ++i)
   {
     double place[3];
@@ -85,14 +86,14 @@ bool ReadShareArrays(vtkFieldData* data, const ShareArrayNames& names,
       isGood = isGood && x >= 0.0 && x < static_cast<double>(CarvedBricks::PlaceLimit) &&
         x == std::floor(x);
     }
-    BrickShares brick{};
+    BrickTissue brick{};
     if (isGood)
     {
       brick.Key = CarvedBricks::KeyOf({ static_cast<std::int64_t>(place[0]),
         static_cast<std::int64_t>(place[1]), static_cast<std::int64_t>(place[2]) });
       isGood = keys.insert(brick.Key).second;
     }
-    shares->GetTuple(i, bytes.data());
+    fractions->GetTuple(i, bytes.data());
     for (std::size_t k = 0; k < bytes.size(); ++k)
     {
       isGood = isGood && bytes[k] >= 0.0 && bytes[k] <= CarvedBricks::Whole;
@@ -102,7 +103,7 @@ bool ReadShareArrays(vtkFieldData* data, const ShareArrayNames& names,
     if (!isGood)
     {
       flaw = "tuple " + std::to_string(i) + " of its arrays \"" + names.Bricks + "\" and \"" +
-        names.Shares + "\" is not the place of a brick and shares from 0 to 255";
+        names.Fractions + "\" is not the place of a brick and shares from 0 to 255";
       return false;
     }
     bricks.push_back(brick);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Scene/Volumes/HapticShownFrames.h"
+#include "VTK/Scene/Volumes/HapticShownTimeSteps.h"
 
 #include "VTK/Filter/HapticBaker.h"
 
@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-vtkImageData* FindInput(vtkVolumeMapper* mapper)
+vtkImageData* GetGivenInput(vtkVolumeMapper* mapper)
 {
   return mapper && mapper->GetNumberOfInputConnections(0) > 0
     ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0))
@@ -41,20 +41,20 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
  * Whether an array is a component of another array, as far as some samples show: a mask of the same
  * shape, for example, is none.
  */
-bool IsComponentOf(vtkDataArray* array, vtkDataArray* frames)
+bool IsComponentOf(vtkDataArray* array, vtkDataArray* timeSteps)
 {
   constexpr vtkIdType looks = 1000;
-  const vtkIdType count = frames ? frames->GetNumberOfTuples() : 0;
+  const vtkIdType count = timeSteps ? timeSteps->GetNumberOfTuples() : 0;
   if (!array || array->GetNumberOfTuples() != count || count == 0 ||
-    array->GetNumberOfComponents() != 1 || array->GetDataType() != frames->GetDataType())
+    array->GetNumberOfComponents() != 1 || array->GetDataType() != timeSteps->GetDataType())
   {
     return false;
   }
   const vtkIdType step = count / looks + 1;
-  for (int component = 0; component < frames->GetNumberOfComponents(); ++component)
+  for (int component = 0; component < timeSteps->GetNumberOfComponents(); ++component)
   {
     vtkIdType at = 0;
-    while (at < count && array->GetComponent(at, 0) == frames->GetComponent(at, component))
+    while (at < count && array->GetComponent(at, 0) == timeSteps->GetComponent(at, component))
     {
       at += step;
     }
@@ -66,11 +66,11 @@ bool IsComponentOf(vtkDataArray* array, vtkDataArray* frames)
   return false;
 }
 
-bool ShowsFelt(vtkImageData* shown, vtkImageData* felt, vtkDataArray* frames)
+bool ShowsFelt(vtkImageData* shown, vtkImageData* felt, vtkDataArray* timeSteps)
 {
   return HasSamplesOf(shown, felt) ||
-    (frames && HasShapeOf(shown, felt) &&
-      IsComponentOf(shown->GetPointData()->GetScalars(), frames));
+    (timeSteps && HasShapeOf(shown, felt) &&
+      IsComponentOf(shown->GetPointData()->GetScalars(), timeSteps));
 }
 
 } // namespace
@@ -81,12 +81,12 @@ bool HasSamplesOf(vtkImageData* shown, vtkImageData* image)
   return shown == image || (scalars && shown->GetPointData()->GetScalars() == scalars);
 }
 
-void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
+void HapticShownTimeSteps::Collect(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   auto* const felt =
     filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
-  vtkDataArray* const frames = felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
+  vtkDataArray* const timeSteps = felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
     ? filter->GetBaker().GetTouched()[0].Array
     : nullptr;
   std::vector<Shown> now;
@@ -97,7 +97,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    vtkImageData* const input = FindInput(mapper);
+    vtkImageData* const input = GetGivenInput(mapper);
     if (!input)
     {
       continue;
@@ -111,7 +111,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
       now.push_back(std::move(*known));
       known->Mapper = nullptr;
     }
-    else if (felt && ShowsFelt(input, felt, frames))
+    else if (felt && ShowsFelt(input, felt, timeSteps))
     {
       now.push_back({ volume, mapper, input, nullptr, nullptr });
     }
@@ -121,19 +121,19 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
   this->All = std::move(now);
 }
 
-bool HapticShownFrames::Show(vtkHapticDevice* device)
+bool HapticShownTimeSteps::Show(vtkHapticDevice* device)
 {
   if (this->All.empty())
   {
     return false;
   }
-  vtkImageData* const frame = device->GetPlayback()->GetFrameImage();
-  if (!frame)
+  vtkImageData* const timeStep = device->GetPlayback()->GetTimeStepImage();
+  if (!timeStep)
   {
     this->Restore();
     return false;
   }
-  vtkDataArray* const scalars = frame->GetPointData()->GetScalars();
+  vtkDataArray* const scalars = timeStep->GetPointData()->GetScalars();
   bool isNew = false;
   for (Shown& shown : this->All)
   {
@@ -155,7 +155,7 @@ bool HapticShownFrames::Show(vtkHapticDevice* device)
       shown.Picture->Modified();
       isNew = true;
     }
-    if (FindInput(mapper) != shown.Picture)
+    if (GetGivenInput(mapper) != shown.Picture)
     {
       mapper->SetInputDataObject(0, shown.Picture);
     }
@@ -163,10 +163,10 @@ bool HapticShownFrames::Show(vtkHapticDevice* device)
   return isNew;
 }
 
-void HapticShownFrames::Restore(Shown& shown)
+void HapticShownTimeSteps::Restore(Shown& shown)
 {
   vtkVolumeMapper* const mapper = shown.Mapper;
-  if (mapper && shown.Picture && FindInput(mapper) == shown.Picture)
+  if (mapper && shown.Picture && GetGivenInput(mapper) == shown.Picture)
   {
     mapper->SetInputConnection(0, shown.Before->GetOutputPort(shown.Port));
   }
@@ -174,7 +174,7 @@ void HapticShownFrames::Restore(Shown& shown)
   shown.Before = nullptr;
 }
 
-void HapticShownFrames::Restore()
+void HapticShownTimeSteps::Restore()
 {
   for (Shown& shown : this->All)
   {
@@ -182,7 +182,7 @@ void HapticShownFrames::Restore()
   }
 }
 
-bool HapticShownFrames::IsPicture(vtkImageData* image) const
+bool HapticShownTimeSteps::IsPicture(vtkImageData* image) const
 {
   return image &&
     std::any_of(this->All.begin(), this->All.end(),

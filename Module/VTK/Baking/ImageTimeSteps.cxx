@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/ImageTimeSteps.h"
 
 #include "Core/Field/Estimates/EdgeMotion.h"
 #include "Core/Model/BakedVolume.h"
@@ -9,7 +9,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
-#include "vtkHapticFrameSource.h"
+#include "vtkHapticTimeStepSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -26,7 +26,7 @@ namespace
 {
 
 /** Width by which an estimator blurs edges (samples). */
-double FindBlur(const GradientKernel& kernel)
+double ComputeBlur(const GradientKernel& kernel)
 {
   switch (kernel.Estimator)
   {
@@ -65,28 +65,28 @@ vtkIdType FindNotFinite(vtkDataArray* array)
 }
 
 /** @param isKept whether the source writes no other time step to the array's memory */
-HapticFrame CopyFrame(vtkImageData* image, vtkDataArray* array, double time,
+ImageTimeStep CopyTimeStep(vtkImageData* image, vtkDataArray* array, double time,
   const std::string& displacements, bool isKept)
 {
-  HapticFrame frame{ time, vtkSmartPointer<vtkImageData>::New(), nullptr, nullptr };
+  ImageTimeStep timeStep{ time, vtkSmartPointer<vtkImageData>::New(), nullptr, nullptr };
   vtkDataArray* const motion =
     displacements.empty() ? nullptr : image->GetPointData()->GetArray(displacements.c_str());
   if (motion)
   {
-    frame.Displacements = CopyDisplacements(motion);
+    timeStep.Displacements = CopyDisplacements(motion);
   }
-  frame.Image->CopyStructure(image);
-  frame.Image->SetFieldData(image->GetFieldData());
+  timeStep.Image->CopyStructure(image);
+  timeStep.Image->SetFieldData(image->GetFieldData());
   if (isKept)
   {
-    frame.Array = array;
+    timeStep.Array = array;
   }
   else if (array)
   {
-    frame.Array = CopyArray(array);
-    frame.Array->SetName(array->GetName());
+    timeStep.Array = CopyArray(array);
+    timeStep.Array->SetName(array->GetName());
   }
-  return frame;
+  return timeStep;
 }
 
 } // namespace
@@ -107,14 +107,15 @@ std::vector<double> ReadTimeSteps(vtkInformation* input)
   return steps.size() > 1 ? steps : std::vector<double>();
 }
 
-FrameSeries MakeSeries(const std::vector<double>& steps)
+TimeStepSeries MakeSeries(const std::vector<double>& steps)
 {
   const double first = steps.front();
   const double last = steps.back();
   return { first, last, (last - first) / static_cast<double>(steps.size() - 1) };
 }
 
-bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame)
+bool ReadTimeStep(
+  vtkAlgorithm* filter, double step, const TimeStepReading& reading, ImageTimeStep& timeStep)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   // Not CONTINUE_EXECUTING: with it, VTK's executive repeats the request for ever if a source
@@ -129,46 +130,46 @@ bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, H
     return false;
   }
   const bool isKept =
-    vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) != nullptr;
-  frame = CopyFrame(image, reading.GetArray(image), step, reading.Displacements, isKept);
-  frame.Component = reading.Component;
+    vtkHapticTimeStepSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) != nullptr;
+  timeStep = CopyTimeStep(image, reading.GetArray(image), step, reading.Displacements, isKept);
+  timeStep.Component = reading.Component;
   return true;
 }
 
-std::vector<HapticFrame> CollectFrames(
-  vtkAlgorithm* filter, const std::vector<double>& steps, double last, const FrameReading& reading)
+std::vector<ImageTimeStep> CollectTimeSteps(vtkAlgorithm* filter, const std::vector<double>& steps,
+  double last, const TimeStepReading& reading)
 {
   const auto after = std::lower_bound(steps.begin() + 1, steps.end(), last);
   const auto end = after == steps.end() ? after : after + 1;
-  std::vector<HapticFrame> frames;
+  std::vector<ImageTimeStep> timeSteps;
   for (auto step = std::make_reverse_iterator(end); step != steps.rend(); ++step)
   {
-    frames.emplace_back();
-    if (!ReadFrame(filter, *step, reading, frames.back()))
+    timeSteps.emplace_back();
+    if (!ReadTimeStep(filter, *step, reading, timeSteps.back()))
     {
       return {};
     }
   }
-  std::reverse(frames.begin(), frames.end());
-  return frames;
+  std::reverse(timeSteps.begin(), timeSteps.end());
+  return timeSteps;
 }
 
-std::vector<HapticFrame> MakeComponentFrames(
+std::vector<ImageTimeStep> MakeComponentTimeSteps(
   vtkImageData* image, vtkDataArray* array, double spacing)
 {
-  std::vector<HapticFrame> frames;
+  std::vector<ImageTimeStep> timeSteps;
   for (int component = 0; component < array->GetNumberOfComponents(); ++component)
   {
-    frames.push_back({ spacing * component, image, array, nullptr, component });
+    timeSteps.push_back({ spacing * component, image, array, nullptr, component });
   }
-  return frames;
+  return timeSteps;
 }
 
 bool ReadDisplacements(
-  const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error)
+  const ImageTimeStep& step, const std::string& name, VolumeTimeStep& timeStep, std::string& error)
 {
   vtkDataArray* const array = step.Displacements;
-  const std::int64_t* const n = frame.View.Dimensions;
+  const std::int64_t* const n = timeStep.View.Dimensions;
   const std::string cure = " Correct it, or blend the time steps in place with "
                            "SetDisplacementArrayName(\"\").";
   std::ostringstream message;
@@ -199,9 +200,9 @@ bool ReadDisplacements(
   else
   {
     array->Register(nullptr);
-    frame.DisplacementSamples = { static_cast<const void*>(array),
+    timeStep.DisplacementSamples = { static_cast<const void*>(array),
       [array](const void*) { array->UnRegister(nullptr); } };
-    frame.Displacements = { array->GetVoidPointer(0),
+    timeStep.Displacements = { array->GetVoidPointer(0),
       array->GetDataType() == VTK_FLOAT ? ScalarType::Float32 : ScalarType::Float64 };
     return true;
   }
@@ -212,13 +213,14 @@ bool ReadDisplacements(
 std::string DescribeFastMotion(
   const BakedVolume& volume, const std::vector<std::size_t>& pairs, double noise)
 {
-  const std::vector<FieldFrame>& frames = volume.Frames;
+  const std::vector<FieldTimeStep>& timeSteps = volume.TimeSteps;
   EdgeMotion worst;
   std::size_t at = 0;
   for (const std::size_t i : pairs)
   {
-    const EdgeMotion found = FindEdgeMotion(frames[i].Field.GetView(),
-      frames[i + 1].Field.GetView(), volume.IndexToWorld.Linear, FindBlur(volume.Kernel), noise);
+    const EdgeMotion found =
+      MeasureEdgeMotion(timeSteps[i].Field.GetView(), timeSteps[i + 1].Field.GetView(),
+        volume.IndexToWorld.Linear, ComputeBlur(volume.Kernel), noise);
     if (found.IsFast() &&
       (worst.Fast == 0 || found.Motion * worst.Width > worst.Motion * found.Width))
     {
@@ -232,8 +234,8 @@ std::string DescribeFastMotion(
   }
   std::ostringstream message;
   message << "Edges of the image on input port 0 move by about " << worst.Motion
-          << " world units from time " << frames[at].Time << " to time " << frames[at + 1].Time
-          << ", and are only " << worst.Width
+          << " world units from time " << timeSteps[at].Time << " to time "
+          << timeSteps[at + 1].Time << ", and are only " << worst.Width
           << " wide, as the kernel smooths them. A blend of frames is a motion up to twice that "
              "width; beyond, surfaces fade out here and in there. Smooth the image to a width of "
           << 0.5 * worst.Motion

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Filter/FilterFrames.h"
+#include "VTK/Filter/FilterTimeSteps.h"
 
 #include "Core/Model/BakedVolume.h"
 #include "VTK/Base/HapticFiles.h"
@@ -11,8 +11,8 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"
-#include "vtkHapticFrameSource.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticTimeStepSource.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
@@ -21,24 +21,25 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Numbers of pairs of frames whose edges are compared: at once, and in a series. */
+/** Numbers of pairs of time steps whose edges are compared: at once, and in a series. */
 constexpr std::size_t PairsAtOnce = 8;
 constexpr std::size_t MostPairs = 64;
 
-double FindLastDataTime(const RecordedPath& recording)
+double ComputeLastDataTime(const RecordedPath& recording)
 {
   return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
 }
 
 /**
- * Repeats the first frame at the end if the recording continued from the last frame to the first.
+ * Repeats the first time step at the end if the recording continued from the last time step to the
+ * first.
  */
-void AddLoop(const RecordedPath& recording, std::vector<HapticFrame>& frames)
+void AddLoop(const RecordedPath& recording, std::vector<ImageTimeStep>& timeSteps)
 {
-  if (!frames.empty() && FindLastDataTime(recording) > frames.back().Time)
+  if (!timeSteps.empty() && ComputeLastDataTime(recording) > timeSteps.back().Time)
   {
-    const HapticFrame first = frames.front();
-    frames.push_back(first);
+    const ImageTimeStep first = timeSteps.front();
+    timeSteps.push_back(first);
   }
 }
 } // namespace
@@ -52,7 +53,7 @@ bool AreTimeStepsFelt(vtkVolumeHapticsFilter* filter)
 
 //------------------------------------------------------------------------------
 bool CollectComponents(
-  vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames, std::string& error)
+  vtkVolumeHapticsFilter* filter, std::vector<ImageTimeStep>& timeSteps, std::string& error)
 {
   vtkImageData* const image = filter->GetTouchedImage();
   vtkDataArray* const array = image ? filter->GetBaker().GetReading().GetArray(image) : nullptr;
@@ -77,13 +78,13 @@ bool CollectComponents(
     error = "The input image's " + Printable(DescribeArray(array)) + flaw;
     return false;
   }
-  frames = MakeComponentFrames(image, array, filter->GetFrameSpacing());
+  timeSteps = MakeComponentTimeSteps(image, array, filter->GetFrameSpacing());
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool CollectFramesOfPaths(
-  vtkVolumeHapticsFilter* filter, const TipPaths& paths, HapticFrames& frames, std::string& error)
+bool CollectTimeStepsOfPaths(vtkVolumeHapticsFilter* filter, const TipPaths& paths,
+  ImageTimeSteps& timeSteps, std::string& error)
 {
   const RecordedPath* const recording = paths.GetRecording();
   const bool isMoving = recording && !recording->DataTimes.empty();
@@ -94,10 +95,10 @@ bool CollectFramesOfPaths(
   const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
   if (areComponents && filter->GetTimeUnitsPerSecond() != 0.0)
   {
-    const bool areThere = CollectComponents(filter, frames.Frames, error);
+    const bool areThere = CollectComponents(filter, timeSteps.TimeSteps, error);
     if (isMoving)
     {
-      AddLoop(*recording, frames.Frames);
+      AddLoop(*recording, timeSteps.TimeSteps);
     }
     return areThere;
   }
@@ -115,20 +116,20 @@ bool CollectFramesOfPaths(
     return !isMoving;
   }
   const double last = isMoving
-    ? FindLastDataTime(*recording)
-    : steps.front() + filter->GetTimeUnitsPerSecond() * paths.FindLastTime();
-  frames.Series = MakeSeries(steps);
-  frames.Frames = CollectFrames(filter, steps, last, filter->GetBaker().GetReading());
+    ? ComputeLastDataTime(*recording)
+    : steps.front() + filter->GetTimeUnitsPerSecond() * paths.ComputeLastTime();
+  timeSteps.Series = MakeSeries(steps);
+  timeSteps.TimeSteps = CollectTimeSteps(filter, steps, last, filter->GetBaker().GetReading());
   if (isMoving)
   {
-    AddLoop(*recording, frames.Frames);
+    AddLoop(*recording, timeSteps.TimeSteps);
   }
-  if (frames.Frames.empty())
+  if (timeSteps.TimeSteps.empty())
   {
     error = "A time step of the image on input port 0 can't be read: see the errors of its "
             "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
   }
-  return !frames.Frames.empty();
+  return !timeSteps.TimeSteps.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -136,12 +137,12 @@ std::vector<std::size_t> FastMotionWarning::ChoosePairs(
   const BakedVolume& volume, bool isLoop) const
 {
   std::vector<std::size_t> fresh;
-  for (std::size_t i = 0; i + 1 < volume.Frames.size(); ++i)
+  for (std::size_t i = 0; i + 1 < volume.TimeSteps.size(); ++i)
   {
-    const FieldFrame& frame = volume.Frames[i];
-    const bool isKnown =
-      std::find(this->LookedAt.begin(), this->LookedAt.end(), frame.Time) != this->LookedAt.end();
-    if (!isKnown && !frame.Motion && (isLoop || frame.Time < volume.Series.Last))
+    const FieldTimeStep& timeStep = volume.TimeSteps[i];
+    const bool isKnown = std::find(this->LookedAt.begin(), this->LookedAt.end(), timeStep.Time) !=
+      this->LookedAt.end();
+    if (!isKnown && !timeStep.Motion && (isLoop || timeStep.Time < volume.Series.Last))
     {
       fresh.push_back(i);
     }
@@ -161,7 +162,7 @@ std::string FastMotionWarning::Describe(
   vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop)
 {
   vtkAlgorithm* const producer = filter->GetInputAlgorithm(0, 0);
-  auto* const source = vtkHapticFrameSource::SafeDownCast(producer);
+  auto* const source = vtkHapticTimeStepSource::SafeDownCast(producer);
   const bool isStream = source && source->GetStreamed();
   const SeriesKey series = { producer, isStream ? 0 : producer->GetMTime() };
   if (!filter->GetDisplacementArrayName().empty() || (this->HasWarned && this->Series == series))
@@ -178,7 +179,7 @@ std::string FastMotionWarning::Describe(
     }
     const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
     const int component = areComponents ? 0 : filter->GetProperty()->GetComponent();
-    this->Noise = FindNoise(image, scalars, volume.Field.GetView(), component).Noise;
+    this->Noise = EstimateImageNoise(image, scalars, volume.Field.GetView(), component).Noise;
     this->Series = series;
     this->HasWarned = false;
     this->LookedAt.clear();
@@ -186,7 +187,7 @@ std::string FastMotionWarning::Describe(
   const std::vector<std::size_t> pairs = this->ChoosePairs(volume, isLoop);
   for (const std::size_t i : pairs)
   {
-    this->LookedAt.push_back(volume.Frames[i].Time);
+    this->LookedAt.push_back(volume.TimeSteps[i].Time);
   }
   std::string warning = DescribeFastMotion(volume, pairs, this->Noise);
   this->HasWarned = !warning.empty();

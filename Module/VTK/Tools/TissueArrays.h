@@ -6,13 +6,13 @@
  * numbers for files.
  *
  * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed: its
- * position along each axis, in bricks from the volume's first sample, and the share of tissue that
- * remains at each sample, x first; 255 stands for all of it.
+ * position along each axis, in bricks from the volume's first sample, and the fraction of tissue
+ * that remains at each sample, x first; 255 stands for all of it.
  */
-#ifndef ShareArrays_h
-#define ShareArrays_h
+#ifndef TissueArrays_h
+#define TissueArrays_h
 
-#include "Core/Carving/ShareSnapshot.h"
+#include "Core/Carving/TissueSnapshot.h"
 
 #include <array>
 #include <cstdint>
@@ -24,36 +24,36 @@ class vtkFieldData;
 namespace VolumeHaptics
 {
 
-constexpr int SharesOfBrick = CarvedBricks::Side * CarvedBricks::Rows;
+constexpr int SamplesOfBrick = CarvedBricks::Side * CarvedBricks::Rows;
 
 /** The names of the two arrays. */
-struct ShareArrayNames
+struct TissueArrayNames
 {
   const char* Bricks;
-  const char* Shares;
+  const char* Fractions;
 };
 
 /** Arrays of the tick at which a recording begins. */
-constexpr ShareArrayNames InitialShareNames{ "InitialBricks", "InitialShares" };
+constexpr TissueArrayNames InitialTissueNames{ "InitialBricks", "InitialShares" };
 /** Arrays of the last tick of a trace. */
-constexpr ShareArrayNames FinalShareNames{ "FinalBricks", "FinalShares" };
+constexpr TissueArrayNames FinalTissueNames{ "FinalBricks", "FinalShares" };
 
 ///@{
 /** Return the two tuples of a brick. */
-std::array<std::int32_t, 3> PlaceOfBrick(const BrickShares& brick);
-std::array<unsigned char, SharesOfBrick> SharesAsBytes(const BrickShares& brick);
+std::array<std::int32_t, 3> PlaceOfBrick(const BrickTissue& brick);
+std::array<unsigned char, SamplesOfBrick> TissueAsBytes(const BrickTissue& brick);
 ///@}
 
 /** Adds the arrays; they have no tuples if there are no bricks. */
-void AddShareArrays(
-  const std::vector<BrickShares>& bricks, const ShareArrayNames& names, vtkFieldData* data);
+void AddTissueArrays(
+  const std::vector<BrickTissue>& bricks, const TissueArrayNames& names, vtkFieldData* data);
 
 /**
  * Reads the arrays; if both are missing, all tissue remains. False if they can't be read, with the
  * array and its fault in `flaw`, such as "its array "FinalShares" is missing".
  */
-bool ReadShareArrays(vtkFieldData* data, const ShareArrayNames& names,
-  std::vector<BrickShares>& bricks, std::string& flaw);
+bool ReadTissueArrays(vtkFieldData* data, const TissueArrayNames& names,
+  std::vector<BrickTissue>& bricks, std::string& flaw);
 
 } // namespace VolumeHaptics
 

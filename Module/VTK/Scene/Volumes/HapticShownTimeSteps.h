@@ -4,11 +4,12 @@
  * @file
  * Makes the volumes of a scene show a moving volume in its felt state.
  *
- * The source of the image reads frames ahead of the hand, so its output is not the felt frame.
- * Volumes that show the felt image get a picture instead: the frame nearest to the servo's time.
+ * The source of the image reads time steps ahead of the hand, so its output is not the felt time
+ * step. Volumes that show the felt image get a picture instead: the time step nearest to the
+ * servo's time.
  */
-#ifndef HapticShownFrames_h
-#define HapticShownFrames_h
+#ifndef HapticShownTimeSteps_h
+#define HapticShownTimeSteps_h
 
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"
@@ -28,16 +29,19 @@ namespace VolumeHaptics
 /** Whether a shown image is the given image, or has its scalars. */
 bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
 
-class HapticShownFrames
+class HapticShownTimeSteps
 {
 public:
   /**
-   * Call it before frames are read: finds the volumes that show the image of a device's filter.
-   * They have the image, or its scalars; or if its components are frames, an image of its shape
+   * Call it before time steps are read: finds the volumes that show the image of a device's filter.
+   * They have the image, or its scalars; or if its components are time steps, an image of its shape
    * with one of them.
    */
-  void Find(vtkRenderer* renderer, vtkHapticDevice* device);
-  /** Shows the frame at the device's time in these volumes. Returns whether the frame changed. */
+  void Collect(vtkRenderer* renderer, vtkHapticDevice* device);
+  /**
+   * Shows the time step at the device's time in these volumes. Returns whether the time step
+   * changed.
+   */
   bool Show(vtkHapticDevice* device);
   /** Restores what the volumes showed. */
   void Restore();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Carving/ShareImage.h"
+#include "Core/Carving/TissueImage.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct BrickPart
   std::int64_t Low[3];
   std::int64_t High[3];
 
-  BrickPart(const BrickPlace& place, const ShareBox& box) noexcept
+  BrickPart(const BrickPlace& place, const TissueBox& box) noexcept
   {
     const std::int64_t places[3] = { place.X, place.Y, place.Z };
     for (int a = 0; a < 3; ++a)
@@ -34,7 +34,7 @@ struct BrickPart
    * Calls f(row, begin, place) for each row, with its first sample in the brick and in the image.
    */
   template <typename F>
-  void ForEachRow(const ShareBox& box, F&& f) const
+  void ForEachRow(const TissueBox& box, F&& f) const
   {
     for (std::int64_t k = this->Low[2]; k <= this->High[2]; ++k)
     {
@@ -52,7 +52,7 @@ struct BrickPart
 
 /** Calls f(place) for each brick of a box. */
 template <typename F>
-void ForEachPlace(const ShareBox& box, F&& f)
+void ForEachPlace(const TissueBox& box, F&& f)
 {
   const auto first = [&box](int a) { return box.First[a] / SideOfBrick; };
   const auto last = [&box](int a) { return (box.First[a] + box.Size[a] - 1) / SideOfBrick; };
@@ -68,7 +68,7 @@ void ForEachPlace(const ShareBox& box, F&& f)
   }
 }
 
-bool IsUsable(const ShareBox& box) noexcept
+bool IsUsable(const TissueBox& box) noexcept
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -82,7 +82,7 @@ bool IsUsable(const ShareBox& box) noexcept
 }
 
 /** Whether all tissue of a brick remains in the image. */
-bool IsWhole(const BrickPart& part, const ShareBox& box, const std::uint8_t* from) noexcept
+bool IsWhole(const BrickPart& part, const TissueBox& box, const std::uint8_t* from) noexcept
 {
   bool isWhole = true;
   part.ForEachRow(box,
@@ -90,7 +90,7 @@ bool IsWhole(const BrickPart& part, const ShareBox& box, const std::uint8_t* fro
     {
       isWhole = isWhole &&
         std::all_of(from + place, from + place + part.GetLength(),
-          [](std::uint8_t share) { return share == CarvedBricks::Whole; });
+          [](std::uint8_t fraction) { return fraction == CarvedBricks::Whole; });
     });
   return isWhole;
 }
@@ -98,22 +98,22 @@ bool IsWhole(const BrickPart& part, const ShareBox& box, const std::uint8_t* fro
 } // namespace
 
 void WriteBrick(
-  const CarvedBricks& bricks, std::uint32_t brick, const ShareBox& box, std::uint8_t* to) noexcept
+  const CarvedBricks& bricks, std::uint32_t brick, const TissueBox& box, std::uint8_t* to) noexcept
 {
   const BrickPart part(CarvedBricks::PlaceOf(bricks.GetKey(brick)), box);
   const int length = part.GetLength();
   part.ForEachRow(box,
     [&](int row, int begin, std::int64_t place)
     {
-      const std::uint64_t shares = bricks.GetRow(brick, row);
+      const std::uint64_t fractions = bricks.GetRow(brick, row);
       for (int i = 0; i < length; ++i)
       {
-        to[place + i] = static_cast<std::uint8_t>(shares >> (8 * (begin + i)));
+        to[place + i] = static_cast<std::uint8_t>(fractions >> (8 * (begin + i)));
       }
     });
 }
 
-void WriteShares(const CarvedBricks& bricks, const ShareBox& box, std::uint8_t* to) noexcept
+void WriteTissue(const CarvedBricks& bricks, const TissueBox& box, std::uint8_t* to) noexcept
 {
   if (!IsUsable(box))
   {
@@ -128,7 +128,7 @@ void WriteShares(const CarvedBricks& bricks, const ShareBox& box, std::uint8_t* 
   }
 }
 
-bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* from) noexcept
+bool ReadTissue(CarvedBricks& bricks, const TissueBox& box, const std::uint8_t* from) noexcept
 {
   if (!IsUsable(box))
   {
@@ -167,24 +167,24 @@ bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* f
       part.ForEachRow(box,
         [&](int row, int begin, std::int64_t at)
         {
-          std::uint64_t shares = CarvedBricks::WholeRow;
+          std::uint64_t fractions = CarvedBricks::WholeRow;
           for (int i = 0; i < length; ++i)
           {
             const int shift = 8 * (begin + i);
-            shares &= ~(std::uint64_t{ 255 } << shift);
-            shares |= std::uint64_t{ from[at + i] } << shift;
+            fractions &= ~(std::uint64_t{ 255 } << shift);
+            fractions |= std::uint64_t{ from[at + i] } << shift;
           }
-          bricks.SetRow(brick, row, shares);
+          bricks.SetRow(brick, row, fractions);
         });
       bricks.MarkChanged(brick);
     });
   return true;
 }
 
-std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, const ShareBox& box)
+std::vector<BrickTissue> MoveTissue(const std::vector<BrickTissue>& bricks, const TissueBox& box)
 {
-  std::map<std::uint64_t, BrickShares> moved; // the same order every time
-  for (const BrickShares& brick : bricks)
+  std::map<std::uint64_t, BrickTissue> moved; // the same order every time
+  for (const BrickTissue& brick : bricks)
   {
     const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);
     const std::int64_t first[3] = { place.X * SideOfBrick - box.First[0],
@@ -193,12 +193,12 @@ std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, cons
     {
       const std::int64_t i = sample % SideOfBrick;
       const std::int64_t row = sample / SideOfBrick;
-      const std::uint64_t share = brick.Rows[static_cast<std::size_t>(row)] >> (8 * i) & 255;
+      const std::uint64_t fraction = brick.Rows[static_cast<std::size_t>(row)] >> (8 * i) & 255;
       const std::int64_t x[3] = { first[0] + i, first[1] + row % SideOfBrick,
         first[2] + row / SideOfBrick };
       const bool isInside = x[0] >= 0 && x[1] >= 0 && x[2] >= 0 && x[0] < box.Size[0] &&
         x[1] < box.Size[1] && x[2] < box.Size[2];
-      if (share == CarvedBricks::Whole || !isInside)
+      if (fraction == CarvedBricks::Whole || !isInside)
       {
         continue;
       }
@@ -212,11 +212,11 @@ std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, cons
       }
       const std::int64_t to = x[1] % SideOfBrick + SideOfBrick * (x[2] % SideOfBrick);
       const std::int64_t shift = 8 * (x[0] % SideOfBrick);
-      std::uint64_t& shares = entry->second.Rows[static_cast<std::size_t>(to)];
-      shares = (shares & ~(std::uint64_t{ 255 } << shift)) | share << shift;
+      std::uint64_t& fractions = entry->second.Rows[static_cast<std::size_t>(to)];
+      fractions = (fractions & ~(std::uint64_t{ 255 } << shift)) | fraction << shift;
     }
   }
-  std::vector<BrickShares> all;
+  std::vector<BrickTissue> all;
   all.reserve(moved.size());
   for (const auto& [key, brick] : moved)
   {

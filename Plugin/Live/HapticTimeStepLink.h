@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Turns the times of ParaView's animation into frames of a moving volume, for a filter in the
+ * Turns the times of ParaView's animation into time steps of a moving volume, for a filter in the
  * client.
  */
-#ifndef HapticFrameLink_h
-#define HapticFrameLink_h
+#ifndef HapticTimeStepLink_h
+#define HapticTimeStepLink_h
 
-#include "vtkHapticFrameSource.h"
+#include "vtkHapticTimeStepSource.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -27,7 +27,7 @@ namespace VolumeHapticsLive
  * forward or backward. Nothing is read twice. If the animation is faster than that, images are left
  * out; if it stands still, so does the volume.
  */
-class HapticFrameLink
+class HapticTimeStepLink
 {
 public:
   /** Whether the data of a port have times, and the filter feels the motion between them. */
@@ -61,7 +61,7 @@ private:
   void Send();
   void SetDuration(double seconds, vtkHapticDevice* device);
 
-  vtkSmartPointer<vtkHapticFrameSource> Source;
+  vtkSmartPointer<vtkHapticTimeStepSource> Source;
   vtkWeakPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkImageData> From;
   vtkSmartPointer<vtkImageData> To;

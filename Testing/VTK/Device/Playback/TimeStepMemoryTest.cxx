@@ -11,7 +11,7 @@
 #include "Rigs/TimeSource.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkHapticFrameSource.h>
+#include <vtkHapticTimeStepSource.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 
@@ -47,12 +47,12 @@ private:
   const bool Counts = !OfSource;
 };
 
-class FrameMemory : public DeviceTest
+class TimeStepMemory : public DeviceTest
 {
 protected:
   static constexpr int Steps = 9;
 
-  FrameMemory()
+  TimeStepMemory()
   {
     for (int step = 0; step < Steps; ++step)
     {
@@ -102,23 +102,23 @@ protected:
       this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); });
   }
 
-  /// The value of the frame that is shown at (12, 12, 12); -1 without a frame.
+  /// The value of the time step that is shown at (12, 12, 12); -1 without a time step.
   double GetFelt() const
   {
-    vtkImageData* const image = this->Device->GetPlayback()->GetFrameImage();
+    vtkImageData* const image = this->Device->GetPlayback()->GetTimeStepImage();
     return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
   }
   /// The value there with the wall at an x.
   static double GetValue(double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); }
 
   /// The most steps that were in memory since the last call.
-  static int TakeMost() { return std::exchange(CountedArray::Most, CountedArray::Live); }
+  static int DrainMost() { return std::exchange(CountedArray::Most, CountedArray::Live); }
 
   vtkNew<apitest::TimeSource> Source;
 };
 } // namespace
 
-TEST_F(FrameMemory, HasThreeStepsAtMostWhileTimeRuns)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileTimeRuns)
 {
   this->Device->GetPlayback()->SetModeToLoop();
   this->Begin();
@@ -127,26 +127,26 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhileTimeRuns)
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 2.0; }))
     << "it goes on";
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > 4.0; }));
-  EXPECT_EQ(TakeMost(), 3) << "in a loop";
+  EXPECT_EQ(DrainMost(), 3) << "in a loop";
   this->Device->GetPlayback()->SetModeToPingPong();
   ASSERT_TRUE(
     this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > Steps - 1.5; }));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 2.0; }))
     << "it turns";
-  EXPECT_EQ(TakeMost(), 3) << "to and fro";
+  EXPECT_EQ(DrainMost(), 3) << "to and fro";
   this->Device->GetPlayback()->SetModeToLoop();
   this->Device->GetPlayback()->SetSpeed(-1.0);
   ASSERT_TRUE(
     this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() > Steps - 1.5; }));
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetPlayback()->GetDataTime() < 4.0; }));
-  EXPECT_EQ(TakeMost(), 3) << "backward";
+  EXPECT_EQ(DrainMost(), 3) << "backward";
   this->Device->Stop();
   EXPECT_LE(CountedArray::Live, 3);
 }
 
 /// The servo keeps the pair that is felt until one step of the other one is there, and has that
 /// alone until the rest comes.
-TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
   this->Begin();
   for (const bool plays : { false, true })
@@ -168,7 +168,7 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
           {
             EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
           }
-          EXPECT_LE(TakeMost(), 3) << time;
+          EXPECT_LE(DrainMost(), 3) << time;
         }
       }
     }
@@ -177,7 +177,7 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 }
 
 /// As a slider is drawn: orders come before the last one was followed.
-TEST_F(FrameMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
 {
   this->Begin();
   this->Device->GetPlayback()->Hold();
@@ -191,11 +191,11 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
   }
   ASSERT_TRUE(this->GoTo(3.4));
   EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), 3.4);
-  EXPECT_EQ(TakeMost(), 3);
+  EXPECT_EQ(DrainMost(), 3);
 }
 
 /// While the servo stands, and begins elsewhere.
-TEST_F(FrameMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
 {
   this->Begin();
   for (const double time : { 7.3, 2.0, 5.5 })
@@ -207,24 +207,24 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
     ASSERT_TRUE(this->Wait([this] { return !this->Device->GetPlayback()->IsWaitingForData(); }));
     EXPECT_GE(this->Device->GetPlayback()->GetDataTime(), time);
   }
-  EXPECT_EQ(TakeMost(), 3);
+  EXPECT_EQ(DrainMost(), 3);
 }
 
 /// An image that was asked for once is let go with its step.
-TEST_F(FrameMemory, HasThreeStepsAtMostWhereOneWasShown)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereOneWasShown)
 {
   this->Begin();
   this->Device->GetPlayback()->Hold();
   for (int i = 1; i < 10; ++i)
   {
-    ASSERT_NE(this->Device->GetPlayback()->GetFrameImage(), nullptr);
+    ASSERT_NE(this->Device->GetPlayback()->GetTimeStepImage(), nullptr);
     ASSERT_TRUE(this->GoTo(static_cast<double>(i * 5 % (Steps - 1))));
-    EXPECT_LE(TakeMost(), 3);
+    EXPECT_LE(DrainMost(), 3);
   }
 }
 
 /// So it is with meshes, which take their time.
-TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWithTheirMeshes)
 {
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(500.0);
@@ -236,13 +236,13 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
     ASSERT_TRUE(this->GoTo(time)) << time;
     // A sphere before the wall, which is met at the tip: it has no way into the wall.
     EXPECT_EQ(this->Device->GetPlayback()->GetDataTime(), time);
-    EXPECT_LE(TakeMost(), 3) << time;
+    EXPECT_LE(DrainMost(), 3) << time;
   }
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// A new model has the frames of the last one: no step is copied for it.
-TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
+/// A new model has the time steps of the last one: no step is copied for it.
+TEST_F(TimeStepMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
 {
   this->Filter->SetIsoValue(500.0);
   this->Device->GetPlayback()->SetModeToLoop();
@@ -272,13 +272,13 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
     ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
     ASSERT_TRUE(this->WaitTicks(7 * (i % 5)));
     ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() != before; }));
-    EXPECT_LE(TakeMost(), 3) << i;
+    EXPECT_LE(DrainMost(), 3) << i;
   }
   EXPECT_LE(CountedArray::Live, 3);
 }
 
 /// What the source has changed is read again, as is another array.
-TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
+TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnotherVolume)
 {
   this->Begin();
   this->Device->GetPlayback()->Hold();
@@ -310,7 +310,7 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
 }
 
 /// Nor if an algorithm before the last one gives others.
-TEST_F(FrameMemory, KeepsNoFrameOfAnEarlierStage)
+TEST_F(TimeStepMemory, KeepsNoTimeStepOfAnEarlierStage)
 {
   const vtkNew<apitest::GivenImage> stage;
   stage->SetInputConnection(this->Source->GetOutputPort());
@@ -327,9 +327,9 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnEarlierStage)
 }
 
 /// As ParaView's animation gives them: two images at a time, the last one and the new one.
-TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
+TEST_F(TimeStepMemory, HasThreeStepsOfAStreamAtMost)
 {
-  vtkNew<vtkHapticFrameSource> stream;
+  vtkNew<vtkHapticTimeStepSource> stream;
   stream->StreamedOn();
   vtkSmartPointer<vtkImageData> last = this->MakeCounted(0.0);
   double time = -1.0;
@@ -337,9 +337,9 @@ TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
   {
     // What the servo had before the last one is not needed, so that it is free for this one.
     const vtkSmartPointer<vtkImageData> image = next == time ? last : this->MakeCounted(next);
-    stream->RemoveAllFrames();
-    stream->AddFrame(last, time);
-    stream->AddFrame(image, next);
+    stream->RemoveAllTimeSteps();
+    stream->AddTimeStep(last, time);
+    stream->AddTimeStep(image, next);
     stream->Update();
     last = image;
     this->Device->GetPlayback()->SetSpeed(next < time ? -1.0 : 1.0);
@@ -351,13 +351,13 @@ TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
   this->Device->GetVirtualHand()->SetPosition(12.0, 11.5, 11.5);
   this->Device->GetPlayback()->Play();
   ASSERT_TRUE(this->Device->Start());
-  TakeMost();
+  DrainMost();
   for (const double next : { 1.0, 2.0, 3.0, 7.0, 8.0, 0.0, 8.0, 7.0, 6.0, 2.0, 1.0, 0.0 })
   {
     give(next);
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_TRUE(this->Wait([&] { return this->Device->GetPlayback()->GetDataTime() == next; }))
       << next;
-    EXPECT_LE(TakeMost(), 3) << next;
+    EXPECT_LE(DrainMost(), 3) << next;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HapticFrameLink.h"
+#include "HapticTimeStepLink.h"
 
 #include "VTK/Base/ArrayMemory.h"
 
@@ -32,7 +32,7 @@ constexpr double SingleStep = 0.1;
 /**
  * Feel a step within this fraction of the last step's time, so that it ends before the next step.
  */
-constexpr double StepShare = 0.9;
+constexpr double StepFraction = 0.9;
 /**
  * If the data time stands still for longer than this (s, by the time of the servo's states),
  * IsThere() stops waiting for the servo to get to the next image.
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::stri
 
 } // namespace
 
-bool HapticFrameLink::IsMoving(
+bool HapticTimeStepLink::IsMoving(
   vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter)
 {
   const int method = filter->GetMethod();
@@ -84,7 +84,7 @@ bool HapticFrameLink::IsMoving(
   return data->GetNumberOfTimeSteps() > 1 || range[0] < range[1];
 }
 
-void HapticFrameLink::Begin(
+void HapticTimeStepLink::Begin(
   vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
 {
   // From any position of the servo's clock, this leads to the end.
@@ -93,7 +93,7 @@ void HapticFrameLink::Begin(
   this->FromTime = time - (1.0 + 0.1 * std::abs(time));
   this->ToTime = time;
   this->Filter = filter;
-  this->Source = vtkSmartPointer<vtkHapticFrameSource>::New();
+  this->Source = vtkSmartPointer<vtkHapticTimeStepSource>::New();
   this->Source->StreamedOn();
   this->IsBeginning = true;
   this->Send();
@@ -103,7 +103,8 @@ void HapticFrameLink::Begin(
   this->SetDuration(BeginTime, device);
 }
 
-void HapticFrameLink::Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device)
+void HapticTimeStepLink::Go(
+  vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device)
 {
   const double elapsed = vtkTimerLog::GetUniversalTime() - this->SentAt;
   this->From = from;
@@ -113,25 +114,25 @@ void HapticFrameLink::Go(vtkImageData* from, vtkImageData* to, double time, vtkH
   this->IsBeginning = false;
   this->Send();
   this->SetDuration(
-    elapsed > LongestStep ? SingleStep : StepShare * std::max(elapsed, ShortestStep), device);
+    elapsed > LongestStep ? SingleStep : StepFraction * std::max(elapsed, ShortestStep), device);
 }
 
-void HapticFrameLink::Replace(vtkImageData* from, vtkImageData* to)
+void HapticTimeStepLink::Replace(vtkImageData* from, vtkImageData* to)
 {
   this->From = from;
   this->To = to;
   this->Send();
 }
 
-void HapticFrameLink::Send()
+void HapticTimeStepLink::Send()
 {
-  this->Source->RemoveAllFrames();
-  this->Source->AddFrame(this->From, this->FromTime);
-  this->Source->AddFrame(this->To, this->ToTime);
+  this->Source->RemoveAllTimeSteps();
+  this->Source->AddTimeStep(this->From, this->FromTime);
+  this->Source->AddTimeStep(this->To, this->ToTime);
   this->Source->Update(); // other links compare its image
 }
 
-void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
+void HapticTimeStepLink::SetDuration(double seconds, vtkHapticDevice* device)
 {
   this->SentAt = vtkTimerLog::GetUniversalTime();
   this->SeenAt = 0.0;
@@ -139,14 +140,14 @@ void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
   device->GetPlayback()->SetSpeed(rate / this->Filter->GetTimeUnitsPerSecond());
 }
 
-void HapticFrameLink::Clear()
+void HapticTimeStepLink::Clear()
 {
   this->Source = nullptr;
   this->Filter = nullptr;
   this->From = this->To = nullptr;
 }
 
-bool HapticFrameLink::IsThere(vtkHapticDevice* device)
+bool HapticTimeStepLink::IsThere(vtkHapticDevice* device)
 {
   // Use the time in the servo's states: after a busy user interface, the clock means nothing.
   if (device->GetPlayback()->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)

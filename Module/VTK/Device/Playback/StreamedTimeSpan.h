@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Time spans of a volume whose time steps come one by one, joined so that the volume does not jump.
+ */
+#ifndef StreamedTimeSpan_h
+#define StreamedTimeSpan_h
+
+#include "Core/Model/BakedVolume.h"
+#include "VTK/Device/Playback/HapticChangeTime.h"
+
+#include "vtkType.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Identifies the source of a filter's time steps. While it is unchanged, samples that were read
+ * can be kept: only settings have changed.
+ */
+struct TimeStepOrigin
+{
+  const void* Connection = nullptr; ///< connection to the source; not dereferenced
+  vtkMTimeType Time = 0;            ///< last change of the source, or of what it reads
+  std::string Displacements;        ///< name of the displacements' array
+
+  bool operator==(const TimeStepOrigin& other) const
+  {
+    return this->Connection == other.Connection && this->Time == other.Time &&
+      this->Displacements == other.Displacements;
+  }
+};
+
+inline TimeStepOrigin GetTimeStepOrigin(vtkVolumeHapticsFilter* filter)
+{
+  return { filter->GetInputConnection(0, 0), ComputePipelineTime(filter->GetInputAlgorithm(0, 0)),
+    filter->GetDisplacementArrayName() };
+}
+
+/**
+ * Earlier time spans of a volume that moves. While the servo uses one of them, the time steps that
+ * were released with it are still in memory.
+ */
+class PastTimeSpans
+{
+public:
+  void Record(const std::shared_ptr<const BakedVolume>& span);
+  /**
+   * Whether no earlier time span is in use any more, or a reader of states holds one for too long.
+   */
+  bool AreGone() const;
+
+private:
+  std::vector<std::weak_ptr<const BakedVolume>> Spans;
+  std::int64_t Since = 0; ///< time when the last time span was added (ns)
+};
+
+/** Returns a time step of a time span for use in another time span. */
+VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
+
+/**
+ * Whether time steps at the times `next` give the same volume at a time as time steps at the times
+ * `last`. The time steps that both contain are equal, so this holds at a common time step, or
+ * between two neighbours that both contain. Times are ascending.
+ */
+bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
+
+/**
+ * Joins the time steps of `next` to the two time steps of `last` around a time, if `next` does not
+ * continue `last` there: so the volume moves from its present shape to the next time steps,
+ * whatever was left out. All time spans are whole series of one volume, with the first time step
+ * repeated at their ends. Null if the time spans are of different regions or have meshes, which
+ * would have to be made.
+ */
+std::shared_ptr<const BakedVolume> JoinTimeSpans(
+  const BakedVolume& last, const BakedVolume& next, double time);
+
+} // namespace VolumeHaptics
+
+#endif

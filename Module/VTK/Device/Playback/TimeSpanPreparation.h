@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads the first time steps of a moving volume that a filter bakes.
+ *
+ * For SURFACE_PROXY, their meshes are made in the background if meshing takes long.
+ */
+#ifndef TimeSpanPreparation_h
+#define TimeSpanPreparation_h
+
+#include "VTK/Baking/ImageTimeSteps.h"
+#include "VTK/Device/Playback/TimeStepMesher.h"
+#include "VTK/Device/Playback/TimeSteps.h"
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+struct BakedVolume;
+
+/** Time steps as they were read. */
+struct PreparedTimeSpan
+{
+  bool AreRead = false; ///< false after an error, which the filter has reported
+  TimeSteps Steps;
+  std::size_t First = 0;             ///< number of the first time step's step
+  std::vector<ImageTimeStep> Images; ///< empty if the volume does not move
+};
+
+/** The data time at which time steps are wanted, and the playback there. */
+struct TimeStepPlace
+{
+  std::optional<double> Time; ///< data time; none stands for the first step
+  bool IsBackward;
+  Playback Mode;
+};
+
+/** Prepares a time span. Call it from the owner's thread. */
+class TimeSpanPreparation
+{
+public:
+  /**
+   * Prepares the time steps; whether Drain() has all that takes long. If not, it is being made.
+   * Call this often.
+   * @param last the volume that these time steps continue; null if they begin a new volume
+   * @param kept a time span that has been made of the same source; may be null. Its time steps are
+   *   not copied again.
+   */
+  bool Poll(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* last,
+    const BakedVolume* kept);
+  /** Whether Poll() has read time steps that Drain() has not taken yet. */
+  bool IsBegun() const { return this->Span.has_value(); }
+  /** Whether neither this nor its worker holds time steps. */
+  bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
+  /** Data times of the steps whose time steps have been read; empty before that. */
+  std::vector<double> GetTimes() const
+  {
+    return this->IsBegun() ? this->Span->Steps.Times : std::vector<double>();
+  }
+  /** Estimates how long it takes to make what the time steps still lack (s). */
+  double GetTimeOfRest() const { return this->IsBegun() ? this->TimeOfRest : 0.0; }
+
+  /** Returns the time steps of Poll(); if there are none, reads them now. */
+  PreparedTimeSpan Drain(
+    vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept);
+  /** Whether the source had further time steps when they were taken. */
+  bool WasBehind() const { return this->TookLate; }
+  /** Ends the preparation without waiting for the worker, and discards the time steps. */
+  void End();
+
+private:
+  /** Times of the filter's last changes: all changes, and all but the image's. */
+  struct ChangeTimes
+  {
+    vtkMTimeType All;
+    vtkMTimeType BesideImage;
+  };
+  static ChangeTimes ComputeChangeTimes(vtkVolumeHapticsFilter* filter);
+
+  bool IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const;
+  bool Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last);
+
+  const vtkVolumeHapticsFilter* Of = nullptr; ///< not dereferenced
+  ChangeTimes Times{ 0, 0 };
+  std::optional<PreparedTimeSpan> Span;
+  double TimeOfRest = 0.0;
+  bool TookLate = false;
+  std::vector<VolumeTimeStep> Shaped; ///< time steps that the worker meshes
+  std::vector<int> Components;        ///< components of the time steps' arrays
+  double Value = 0.0;                 ///< value of the isosurface
+  Affine3 IndexToWorld;
+  TimeStepMesher Mesher;
+};
+
+} // namespace VolumeHaptics
+
+#endif

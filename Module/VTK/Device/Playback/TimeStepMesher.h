@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The time steps of a volume that moves, as images, and as meshes for SURFACE_PROXY.
+ */
+#ifndef TimeStepMesher_h
+#define TimeStepMesher_h
+
+#include "Core/Model/HapticModelDescription.h"
+#include "VTK/Baking/ImageTimeSteps.h"
+#include "VTK/Base/BackgroundWork.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The time step of a moving volume that is shown, as an image. */
+class TimeStepImage
+{
+public:
+  /**
+   * Makes an image of a time step's array, with the shape of another image. The samples are copied
+   * only if the time steps are components of one array with several components. Returns the last
+   * image again if the time step is unchanged.
+   */
+  vtkImageData* Show(const ImageTimeStep& timeStep, bool isComponent, vtkImageData* shape);
+  void Clear();
+  /** Returns the array of the time step; null without one. */
+  vtkDataArray* GetArray() const { return this->Array; }
+
+private:
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkDataArray> Array; ///< array that is shown
+  vtkMTimeType Changed = 0;            ///< change time of Array
+  int Component = 0;
+};
+
+/** Meshes time steps in the background. Call it from the owner's thread. */
+class TimeStepMesher
+{
+public:
+  /**
+   * Gives all time steps but the last one the meshes that they lack; a single time step gets a mesh
+   * that does not move. Call this often: false until the time steps have their meshes.
+   * @param components components of the time steps' arrays, one for each time step
+   * @param value value of the isosurface
+   */
+  bool Poll(std::vector<VolumeTimeStep>& timeSteps, const std::vector<int>& components,
+    double value, const Affine3& indexToWorld);
+  /** Ends the work that is under way, without waiting for it. */
+  void End() { this->Meshing.Abandon(); }
+  /**
+   * Whether no worker holds time steps any more. Call it when no time steps wait for their meshes.
+   */
+  bool IsIdle()
+  {
+    if (this->Meshing.IsUnderWay())
+    {
+      return false;
+    }
+    this->Meshing.Forget();
+    return true;
+  }
+
+private:
+  /** The samples of a time step and of the next time step, and the component of the time step. */
+  using Key = std::tuple<const void*, const void*, int>;
+
+  KeyedWork<Key, std::shared_ptr<const SurfaceMesh>> Meshing;
+};
+
+} // namespace VolumeHaptics
+
+#endif

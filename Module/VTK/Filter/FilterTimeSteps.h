@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Time steps of the moving volume of a vtkVolumeHapticsFilter.
+ */
+#ifndef FilterTimeSteps_h
+#define FilterTimeSteps_h
+
+#include "VTK/Baking/ImageTimeSteps.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkImageData;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+class TipPaths;
+struct BakedVolume;
+
+/** Whether paths use the time steps of a filter's input port 0, if it has any. */
+bool AreTimeStepsFelt(vtkVolumeHapticsFilter* filter);
+
+/**
+ * Makes time steps of the components of the touched array; none if the array is missing, an error
+ * that baking reports. False, with the cure in `error`, if the components can't be time steps.
+ */
+bool CollectComponents(
+  vtkVolumeHapticsFilter* filter, std::vector<ImageTimeStep>& timeSteps, std::string& error);
+
+/**
+ * Reads the time steps that paths need; none if the volume does not move. False, with the cure in
+ * `error`, if they can't be read.
+ */
+bool CollectTimeStepsOfPaths(vtkVolumeHapticsFilter* filter, const TipPaths& paths,
+  ImageTimeSteps& timeSteps, std::string& error);
+
+/**
+ * Warns once for each series of time steps if edges move too far between two time steps for a blend
+ * to show the motion.
+ */
+class FastMotionWarning
+{
+public:
+  /**
+   * Calls DescribeFastMotion() for new time steps, eight at most. Always empty after the first
+   * warning of a series, and if displacements describe the motion.
+   * @param isLoop whether the first time step follows the last one
+   */
+  std::string Describe(vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop);
+
+private:
+  /** A source, and its change time unless it is a stream. */
+  using SeriesKey = std::pair<const void*, vtkMTimeType>;
+
+  std::vector<std::size_t> ChoosePairs(const BakedVolume& volume, bool isLoop) const;
+
+  SeriesKey Series{ nullptr, 0 };
+  double Noise = 0.0;
+  bool HasWarned = false;
+  std::vector<double> LookedAt; ///< times of the time steps that were examined
+};
+
+} // namespace VolumeHaptics
+
+#endif
