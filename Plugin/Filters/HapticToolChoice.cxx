@@ -5,31 +5,59 @@
 #include "HapticFunctionText.h"
 
 #include "vtkDataObject.h"
-#include "vtkHapticBurr.h"
-#include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
-#include "vtkNew.h"
+#include "vtkHapticTool.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 
 namespace
 {
 
-constexpr const char* NeedleKind = "Needle";
 constexpr const char* ShellKind = "Point shell";
-constexpr const char* BurrKind = "Burr";
 constexpr const char* NoKind = "None";
 
-void ReadToolText(const std::string& name, const std::string& text, vtkPiecewiseFunction* function,
-  std::string& error)
+/** "PointShell" for "Point shell". */
+std::string ClassOf(const std::string& kind)
 {
-  if (!ReadFunctionText(text, function))
+  std::string name;
+  for (std::size_t i = 0; i < kind.size(); ++i)
   {
-    error += name + " is \"" + text +
-      "\". Give a number, or pairs of a scalar and a number, such as \"-100 0, 300 50\". ";
+    const bool begins = i == 0 || kind[i - 1] == ' ';
+    if (kind[i] != ' ')
+    {
+      const auto letter = static_cast<unsigned char>(kind[i]);
+      name += begins ? static_cast<char>(std::toupper(letter)) : kind[i];
+    }
   }
+  return name;
+}
+
+/** "Burr Specific Energy" for "Burr.SpecificEnergy", as ParaView shows it. */
+std::string LabelOf(const std::string& setting)
+{
+  std::string label;
+  for (const char c : setting)
+  {
+    if (c == '.')
+    {
+      continue;
+    }
+    label += !label.empty() && std::isupper(static_cast<unsigned char>(c)) ? " " : "";
+    label += c;
+  }
+  return label;
+}
+
+/** The name of a setting of a kind; empty for those of other kinds. */
+std::string NameIn(const std::string& setting, const std::string& kind)
+{
+  const bool isOfKind = setting.compare(0, kind.size() + 1, kind + ".") == 0;
+  return isOfKind ? setting.substr(kind.size() + 1) : std::string();
 }
 
 } // namespace
@@ -37,8 +65,7 @@ void ReadToolText(const std::string& name, const std::string& text, vtkPiecewise
 //------------------------------------------------------------------------------
 std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
 {
-  const bool isShell = this->Kind == ShellKind;
-  vtkDataObject* const shape = isShell && filter->GetNumberOfInputConnections(2) > 0
+  vtkDataObject* const shape = this->Kind == ShellKind && filter->GetNumberOfInputConnections(2) > 0
     ? filter->GetInputDataObject(2, 0)
     : nullptr;
   if (!this->IsDirty && shape == this->Shape)
@@ -47,76 +74,70 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
   }
   this->IsDirty = false; // the calls below call this function again
   this->Shape = shape;
-  std::string error;
-  if (isShell)
-  {
-    this->SetShell(filter, error);
-  }
-  else if (this->Kind == NeedleKind)
-  {
-    this->SetNeedle(filter, error);
-  }
-  else if (this->Kind == BurrKind)
-  {
-    this->SetBurr(filter, error);
-  }
-  else
-  {
-    filter->SetTool(nullptr);
-    error = this->Kind == NoKind ? ""
-                                 : "There is no tool \"" + this->Kind + "\". Use \"" + NoKind +
-        "\", \"" + NeedleKind + "\", \"" + ShellKind + "\" or \"" + BurrKind + "\".";
-  }
+  const std::string error = this->Make(filter);
   this->IsMade = error.empty();
   return error;
 }
 
 //------------------------------------------------------------------------------
-void HapticToolChoice::SetNeedle(vtkVolumeHapticsFilter* filter, std::string& error) const
+std::string HapticToolChoice::Make(vtkVolumeHapticsFilter* filter) const
 {
-  vtkNew<vtkHapticNeedle> needle;
-  needle->SetLateralStrength(this->LateralStrength);
-  ReadToolText("Needle Shaft Friction", this->ShaftFriction, needle->GetShaftFriction(), error);
-  ReadToolText("Needle Cutting Force", this->CuttingForce, needle->GetCuttingForce(), error);
-  filter->SetTool(needle);
-}
-
-//------------------------------------------------------------------------------
-void HapticToolChoice::SetShell(vtkVolumeHapticsFilter* filter, std::string& error) const
-{
-  auto* const mesh = vtkPolyData::SafeDownCast(this->Shape);
-  if (!mesh)
+  const std::string kind = ClassOf(this->Kind);
+  const auto tool = vtkSmartPointer<vtkHapticTool>::Take(vtkHapticTool::Make(kind.c_str()));
+  if (!tool)
   {
-    error = "The tool Point shell has no shape. Choose closed polygons as Surface, such as those "
-            "of an STL file.";
+    filter->SetTool(nullptr);
+    return this->Kind == NoKind ? std::string()
+                                : "There is no tool \"" + this->Kind + "\". Use \"" + NoKind +
+        "\", \"Needle\", \"" + ShellKind + "\", \"Burr\", or another one of the list Tool.";
   }
-  vtkNew<vtkHapticPointShell> shell;
-  shell->SetMesh(mesh);
-  shell->SetNumberOfPoints(this->Points);
-  shell->SetContactArea(this->ContactArea);
-  filter->SetTool(shell);
-}
-
-//------------------------------------------------------------------------------
-void HapticToolChoice::SetBurr(vtkVolumeHapticsFilter* filter, std::string& error) const
-{
-  vtkNew<vtkHapticBurr> burr;
-  burr->SetRadius(this->BurrRadius);
-  burr->SetSpeed(this->BurrSpeed);
-  ReadToolText("Burr Specific Energy", this->SpecificEnergy, burr->GetSpecificEnergy(), error);
-  filter->SetTool(burr);
+  std::string error;
+  if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
+  {
+    auto* const mesh = vtkPolyData::SafeDownCast(this->Shape);
+    if (!mesh)
+    {
+      error = "The tool Point shell has no shape. Choose closed polygons as Surface, such as those "
+              "of an STL file.";
+    }
+    shell->SetMesh(mesh);
+  }
+  for (const auto& [setting, value] : this->Numbers)
+  {
+    const std::string name = NameIn(setting, kind);
+    if (!name.empty() && !tool->SetNumber(name.c_str(), value))
+    {
+      error += setting + " is not a number of a tool. ";
+    }
+  }
+  for (const auto& [setting, text] : this->Functions)
+  {
+    const std::string name = NameIn(setting, kind);
+    vtkPiecewiseFunction* const function = name.empty() ? nullptr : tool->GetFunction(name.c_str());
+    if (!name.empty() && !function)
+    {
+      error += setting + " is not a function of a tool. ";
+    }
+    else if (function && !ReadFunctionText(text, function))
+    {
+      error += LabelOf(setting) + " is \"" + text +
+        "\". Give a number, or pairs of a scalar and a number, such as \"-100 0, 300 50\". ";
+    }
+  }
+  filter->SetTool(tool);
+  return error;
 }
 
 //------------------------------------------------------------------------------
 void HapticToolChoice::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "ToolKind: " << this->Kind << "\n";
-  os << indent << "NeedleShaftFriction: " << this->ShaftFriction << "\n";
-  os << indent << "NeedleCuttingForce: " << this->CuttingForce << "\n";
-  os << indent << "NeedleLateralStrength: " << this->LateralStrength << " N\n";
-  os << indent << "ShellPoints: " << this->Points << "\n";
-  os << indent << "ShellContactArea: " << this->ContactArea << "\n";
-  os << indent << "BurrRadius: " << this->BurrRadius << "\n";
-  os << indent << "BurrSpeed: " << this->BurrSpeed << " 1/min\n";
-  os << indent << "BurrSpecificEnergy: " << this->SpecificEnergy << "\n";
+  for (const auto& [setting, value] : this->Numbers)
+  {
+    os << indent << setting << ": " << value << "\n";
+  }
+  for (const auto& [setting, text] : this->Functions)
+  {
+    os << indent << setting << ": " << text << "\n";
+  }
 }

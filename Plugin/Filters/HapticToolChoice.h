@@ -12,6 +12,7 @@
 #include "vtkWeakPointer.h"
 
 #include <iosfwd>
+#include <map>
 #include <string>
 
 class vtkDataObject;
@@ -23,21 +24,9 @@ class HapticToolChoice
 public:
   std::string Kind = "None";
   ///@{
-  /** Settings of a needle. */
-  std::string ShaftFriction;
-  std::string CuttingForce;
-  double LateralStrength = 1.0; ///< N
-  ///@}
-  ///@{
-  /** Settings of a point shell. */
-  int Points = 2000;
-  double ContactArea = 25.0; ///< square world units
-  ///@}
-  ///@{
-  /** Settings of a burr. */
-  double BurrRadius = 2.0;    ///< world units
-  double BurrSpeed = 60000.0; ///< 1/min
-  std::string SpecificEnergy;
+  /** Settings of the kinds, by KIND.NAME: numbers, and the texts of functions. */
+  std::map<std::string, double> Numbers;
+  std::map<std::string, std::string> Functions;
   ///@}
 
   /** Call after a setting has changed. */
@@ -51,9 +40,7 @@ public:
   void Print(std::ostream& os, vtkIndent indent) const;
 
 private:
-  void SetNeedle(vtkVolumeHapticsFilter* filter, std::string& error) const;
-  void SetShell(vtkVolumeHapticsFilter* filter, std::string& error) const;
-  void SetBurr(vtkVolumeHapticsFilter* filter, std::string& error) const;
+  std::string Make(vtkVolumeHapticsFilter* filter) const;
 
   vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell
   bool IsDirty = false;

@@ -454,51 +454,15 @@ void vtkPVVolumeHapticsFilter::SetToolKind(const char* kind)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetNeedleShaftFriction(const char* friction)
+void vtkPVVolumeHapticsFilter::SetToolNumber(const char* setting, double value)
 {
-  this->ChooseTool(this->Tools.ShaftFriction, std::string(friction ? friction : ""));
+  this->ChooseTool(this->Tools.Numbers[setting], value);
 }
 
 //------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetNeedleCuttingForce(const char* force)
+void vtkPVVolumeHapticsFilter::SetToolFunction(const char* setting, const char* text)
 {
-  this->ChooseTool(this->Tools.CuttingForce, std::string(force ? force : ""));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetNeedleLateralStrength(double strength)
-{
-  this->ChooseTool(this->Tools.LateralStrength, strength);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetShellPoints(int points)
-{
-  this->ChooseTool(this->Tools.Points, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetShellContactArea(double area)
-{
-  this->ChooseTool(this->Tools.ContactArea, area);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetBurrRadius(double radius)
-{
-  this->ChooseTool(this->Tools.BurrRadius, radius);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetBurrSpeed(double speed)
-{
-  this->ChooseTool(this->Tools.BurrSpeed, speed);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::SetBurrSpecificEnergy(const char* energy)
-{
-  this->ChooseTool(this->Tools.SpecificEnergy, std::string(energy ? energy : ""));
+  this->ChooseTool(this->Tools.Functions[setting], std::string(text ? text : ""));
 }
 
 //------------------------------------------------------------------------------

@@ -135,24 +135,14 @@ public:
 
   ///@{
   /**
-   * What the hand holds: "None" (default); "Needle", a vtkHapticNeedle; "Point shell", a
-   * vtkHapticPointShell of the polygons on port 2; or "Burr", a vtkHapticBurr. The functions of a
-   * needle are texts as in AddModeRow, against the scalar: N per metre of its shaft, empty for 0;
-   * and N to cut, empty for the viscosity of the material; then the newtons that hold it across its
-   * axis, default 1. Of a shell: the number of points, default 2000, and the ContactArea, default
-   * 25. Of a burr: the radius (world units), default 2, the speed (1/min), default 60000, and the
-   * energy (J/mm^3) against the scalar, empty for 10. What can't be read is an error, and the
-   * output is empty.
+   * What the hand holds: "None" (default), or the kind of a vtkHapticTool, such as "Needle" or
+   * "Point shell", whose shape is the polygons on port 2. Settings of every kind, such as
+   * "Burr.Radius", are numbers, or functions of the scalar as texts as in AddModeRow. What can't be
+   * read is an error, and the output is empty.
    */
   void SetToolKind(const char* kind);
-  void SetNeedleShaftFriction(const char* friction);
-  void SetNeedleCuttingForce(const char* force);
-  void SetNeedleLateralStrength(double strength);
-  void SetShellPoints(int points);
-  void SetShellContactArea(double area);
-  void SetBurrRadius(double radius);
-  void SetBurrSpeed(double speed);
-  void SetBurrSpecificEnergy(const char* energy);
+  void SetToolNumber(const char* setting, double value);
+  void SetToolFunction(const char* setting, const char* text);
   ///@}
 
   ///@{

@@ -47,8 +47,8 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Follow the changes of the proxy's settings; nullptr ends that. */
-  void Update(vtkSMProxy* touch);
+  /** Watch the changes of the proxy's settings; nullptr ends that. */
+  void Watch(vtkSMProxy* touch);
 
   /** Null without a proxy, or if it is no vtkVolumeHapticsFilter. */
   vtkVolumeHapticsFilter* GetFilter() const;
