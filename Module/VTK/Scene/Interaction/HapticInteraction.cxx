@@ -113,13 +113,27 @@ void HapticInteraction::LeaveDevice()
 }
 
 //------------------------------------------------------------------------------
+vtkHapticDevice* HapticInteraction::GetDevice() const
+{
+  return this->NextDevice ? this->NextDevice->GetPointer() : this->Scene.Device.GetPointer();
+}
+
+//------------------------------------------------------------------------------
 bool HapticInteraction::SetDevice(vtkHapticDevice* device)
 {
-  if (this->Scene.Device == device)
+  if (this->GetDevice() == device)
   {
     return false;
   }
+  if (this->IsUpdating)
+  {
+    this->NextDevice = vtkSmartPointer<vtkHapticDevice>(device);
+  }
   this->LetGo(); // an observer of this event may remove the device, too
+  if (this->IsUpdating)
+  {
+    return true;
+  }
   this->LeaveDevice();
   this->Scene.Device = device;
   if (device)
@@ -498,9 +512,28 @@ bool HapticInteraction::SwapSettings()
 //------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
+  // Observers of an update may remove the style, and may change its device, which waits for the end.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  const bool isOuter = !std::exchange(this->IsUpdating, true);
+  const bool isNew = this->Update(style);
+  if (!isOuter)
+  {
+    return isNew;
+  }
+  this->IsUpdating = false;
+  if (!this->NextDevice)
+  {
+    return isNew;
+  }
+  const vtkSmartPointer<vtkHapticDevice> next = *std::exchange(this->NextDevice, std::nullopt);
+  this->SetDevice(next);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
+{
   auto& scene = this->Scene;
-  // Keep these objects: observers of the following events may remove any of them.
-  const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
   this->Window.LookAt(scene.ChooseRenderer());
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
@@ -515,41 +548,25 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
+  vtkHapticDevice* const device = scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = scene.ChooseRenderer();
   // Send changes to the servo first, so that they are felt before they are seen.
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
-  if (scene.Device != device)
-  {
-    return false;
-  }
   if ((this->Touch.IsOn() || device->IsArmOrdered()) && this->Window.HasVanished())
   {
     this->FadeOut();
   }
-  if (scene.Device != device)
-  {
-    return false;
-  }
   this->UpdateVolumes();
-  if (scene.Device != device)
-  {
-    return false;
-  }
   this->Touched.ChooseAhead(renderer);
-  if (scene.Device != device)
-  {
-    return false;
-  }
   this->Publisher.Update(isPlaced);
 
-  if (renderer && scene.Device == device)
+  if (renderer)
   {
     this->ShownTimeSteps.Collect(renderer, device);
   }
   bool isNew = device->UpdateState();
-  if (scene.Device != device || !device->IsRunning())
+  if (!device->IsRunning())
   {
     return false;
   }
@@ -568,15 +585,7 @@ bool HapticInteraction::UpdateHaptics()
       this->Frames.RecordEvent();
     }
   }
-  if (scene.Device != device)
-  {
-    return false;
-  }
   this->Workspace.KeepClutch();
-  if (scene.Device != device)
-  {
-    return false;
-  }
   device->GetState()->Drain(this->States, this->Reader);
   isNew = isNew || this->States->GetNumberOfRows() > 0;
   if (scene.Display)

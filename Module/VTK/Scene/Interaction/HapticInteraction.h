@@ -27,6 +27,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,11 +74,13 @@ public:
   HapticInteraction& operator=(const HapticInteraction&) = delete;
 
   ///@{
-  /** False if nothing changed. */
+  /** False if nothing changed. During an update, a device changes at its end. */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
+
+  vtkHapticDevice* GetDevice() const;
 
   /** Stops observing the device and the editor, before the style is deleted. */
   void Leave();
@@ -136,6 +139,7 @@ public:
 
 private:
   void LeaveDevice();
+  bool Update(vtkInteractorStyleHaptic* style);
   /** Feels what the touched volumes show, and releases volumes that are no longer shown. */
   void UpdateVolumes();
   /** Makes volumes show the tissue that a tool has left. */
@@ -155,6 +159,9 @@ private:
   HapticStateWatch Watch;
   int Reader = 0;       ///< this reader's number for the device's states
   double Updated = 0.0; ///< s, the device's time at the last update
+  bool IsUpdating = false;
+  /// what an observer of the present update has set
+  std::optional<vtkSmartPointer<vtkHapticDevice>> NextDevice;
   bool EditorHasMouse = false;
   bool ListHasMouse = false; ///< the list of modes has the mouse
   vtkNew<vtkCallbackCommand> DisarmObserver;

@@ -115,7 +115,7 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
 //------------------------------------------------------------------------------
 vtkHapticDevice* vtkInteractorStyleHaptic::GetDevice()
 {
-  return this->Internals->Interaction.Scene.Device;
+  return this->Internals->Interaction.GetDevice();
 }
 
 //------------------------------------------------------------------------------

@@ -159,6 +159,26 @@ TEST_F(StyleObservers, OfAnUpdateTakeTheDevice)
   EXPECT_FALSE(this->Style->GetDevice());
 }
 
+TEST_F(StyleObservers, OfAnUpdateGiveAnotherDevice)
+{
+  this->GiveSurface();
+  ASSERT_NO_FATAL_FAILURE(this->Start(false));
+  this->AtWork(
+    [this]
+    {
+      this->Style->SetDevice(nullptr);
+      EXPECT_FALSE(this->Style->GetDevice()) << "within the update";
+      this->Style->SetDevice(this->Other);
+      EXPECT_EQ(this->Style->GetDevice(), this->Other.GetPointer());
+    });
+  this->Filter->SetMethodToSurfaceProxy();
+  EXPECT_FALSE(this->Style->UpdateHaptics()) << "states are of the device that the style has";
+  EXPECT_EQ(this->Calls, 1);
+  EXPECT_EQ(this->Style->GetDevice(), this->Other.GetPointer());
+  EXPECT_FALSE(this->Style->UpdateHaptics()) << "the other device does not run";
+  this->ExpectLetGo("another device");
+}
+
 TEST_F(StyleObservers, OfTheNextMethodTakeTheDevice)
 {
   this->GiveSurface();
