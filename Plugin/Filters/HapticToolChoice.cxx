@@ -88,8 +88,9 @@ std::string HapticToolChoice::Make(vtkVolumeHapticsFilter* filter) const
   {
     filter->SetTool(nullptr);
     return this->Kind == NoKind ? std::string()
-                                : "There is no tool \"" + this->Kind + "\". Use \"" + NoKind +
-        "\", \"Needle\", \"" + ShellKind + "\", \"Burr\", or another one of the list Tool.";
+                                : "There is no tool \"" + this->Kind +
+        "\". Choose one of the list Tool, such as \"Needle\", \"Point shell\" or \"Burr\", or \"" +
+        NoKind + "\".";
   }
   std::string error;
   if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))

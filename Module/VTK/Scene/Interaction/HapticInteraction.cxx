@@ -512,7 +512,7 @@ bool HapticInteraction::SwapSettings()
 //------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
-  // Observers of an update may remove the style, and may change its device, which waits for the end.
+  // Observers of an update may remove the style. If they change its device, that waits for the end.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const bool isOuter = !std::exchange(this->IsUpdating, true);
   const bool isNew = this->Update(style);
