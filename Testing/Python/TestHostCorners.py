@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectf, vtkTable
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkInteractionWidgets import (
+    vtkButtonWidget,
     vtkCameraOrientationWidget,
     vtkLogoRepresentation,
     vtkLogoWidget,
@@ -25,6 +26,7 @@ from vtkmodules.vtkInteractionWidgets import (
     vtkSliderWidget,
     vtkTextRepresentation,
     vtkTextWidget,
+    vtkTexturedButtonRepresentation2D,
 )
 from vtkmodules.vtkRenderingAnnotation import (
     vtkAxesActor,
@@ -205,6 +207,15 @@ def put_logo_widget(program, x, y):
     logo = vtkLogoRepresentation()
     logo.SetImage(make_picture())
     return show_border(program, vtkLogoWidget(), logo, x, y)
+
+
+def put_button(program, x, y):
+    """As PyVista's."""
+    button = vtkTexturedButtonRepresentation2D()
+    button.SetNumberOfStates(1)
+    button.SetButtonTexture(0, make_picture())
+    button.PlaceWidget([x, x + 40, y, y + 40, 0.0, 0.0])
+    return show_widget(program, vtkButtonWidget(), button)
 
 
 def put_marker(program, x, y):

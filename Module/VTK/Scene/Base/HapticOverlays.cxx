@@ -24,6 +24,12 @@
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
+#if __has_include("vtkTexturedButtonRepresentation2D.h") // the module of widgets is not linked
+#include "vtkBalloonRepresentation.h"
+#include "vtkTexturedActor2D.h"
+#include "vtkTexturedButtonRepresentation2D.h"
+#define VOLUMEHAPTICS_HAS_BUTTONS
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +58,17 @@ struct CornerTexts : vtkCornerAnnotation
     return (annotation->*(&CornerTexts::TextActor))[corner];
   }
 };
+
+#ifdef VOLUMEHAPTICS_HAS_BUTTONS
+/** The picture of a button, such as PyVista's, whose place VTK keeps to itself. */
+struct ButtonPicture : vtkBalloonRepresentation
+{
+  static vtkActor2D* Get(vtkTexturedButtonRepresentation2D* button)
+  {
+    return button->GetBalloon()->*(&ButtonPicture::TextureActor);
+  }
+};
+#endif
 
 bool ShowsSomething(vtkRenderer* renderer)
 {
@@ -158,6 +175,12 @@ void FindActors(vtkProp* prop, vtkPropCollection* actors)
       actors->AddItem(CornerTexts::Get(annotation, corner));
     }
   }
+#ifdef VOLUMEHAPTICS_HAS_BUTTONS
+  if (auto* const button = vtkTexturedButtonRepresentation2D::SafeDownCast(prop))
+  {
+    actors->AddItem(ButtonPicture::Get(button));
+  }
+#endif
   if (auto* const scale = vtkLegendScaleActor::SafeDownCast(prop))
   {
     const std::pair<vtkAxisActor2D*, bool> axes[] = { { scale->GetLeftAxis(),

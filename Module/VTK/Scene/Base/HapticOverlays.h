@@ -20,10 +20,10 @@ namespace VolumeHaptics
 using ViewportBox = std::array<double, 4>;
 
 /**
- * The boxes of the 2D actors of a renderer, such as texts, scalar bars, and the sliders of VTK and
- * FURY, also those that are parts of its other props, and the boxes of its charts. Leaves out
- * actors wider and higher than half of the viewport, labels of points, which are all over it, and
- * VTK's textured buttons, which do not tell their place.
+ * The boxes of the 2D actors of a renderer, such as texts, scalar bars, buttons, and the sliders of
+ * VTK and FURY, also those that are parts of its other props, and the boxes of its charts. Leaves
+ * out actors wider and higher than half of the viewport, and labels of points, which are all over
+ * it.
  */
 std::vector<ViewportBox> CollectActorBoxes(vtkRenderer* renderer);
 
