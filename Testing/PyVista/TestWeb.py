@@ -13,6 +13,7 @@ import sys
 import time
 
 import pytest
+import volumehaptics
 
 web = pytest.importorskip("volumehaptics.web", reason="needs trame: pip install trame trame-vuetify trame-rca")
 pytest.importorskip("selenium", reason="pip install selenium")
@@ -174,6 +175,67 @@ def test_the_mouse_touches(window, hands, browser):
         await page.wait(lambda: not style.GetTouchMode() and page.force() == 0.0, "a closed page goes on pressing")
 
     run_in_page(browser, haptics, steps)
+
+
+def test_a_hidden_page_lets_go(window, hands, browser):
+    haptics = hands().haptics
+    page_of_server = browser.current_window_handle
+
+    async def steps(page):
+        await page.click("touch")
+        await page.wait(page.is_armed, "it does not arm")
+        await page.do(browser.switch_to.new_window, "tab")
+        try:
+            await page.wait(lambda: not haptics.style.GetTouchMode() and page.force() == 0.0, "a hidden page goes on")
+        finally:
+            await page.do(browser.close)
+            await page.do(browser.switch_to.window, page_of_server)
+        await page.click("touch")
+        await page.wait(page.is_armed, "it does not arm again")
+
+    run_in_page(browser, haptics, steps)
+
+
+def test_a_hidden_page_of_a_program_with_a_view_of_trame_lets_go(window, hands, browser):
+    """The view stands for trame's VtkRemoteView, as in TestTrame.py; server, page and browser are real."""
+    from trame.app import get_server
+    from trame.ui.vuetify3 import VAppLayout
+    from trame.widgets import html
+
+    class View:
+        def __init__(self, server, window):
+            self.server, self.__view = server, window
+
+        def update(self):
+            pass
+
+    plotter = hands().plotter
+    plotter.show(auto_close=False)
+    server = get_server("hides", client_type="vue3")
+    haptics = volumehaptics.add_haptics(View(server, plotter.render_window))
+    with VAppLayout(server):
+        html.Div("a program", data_id="program", __properties=[("data_id", "data-id")])
+
+    async def run():
+        server.start(exec_mode="task", port=0, open_browser=False, show_connection_info=False, timeout=0)
+        await server.ready
+        page = Page(browser, haptics)
+        page_of_server = browser.current_window_handle
+        try:
+            await page.do(browser.get, f"http://localhost:{server.port}/index.html")
+            await page.wait_for_page(lambda: browser.find_elements(By.CSS_SELECTOR, "[data-id=program]"), "no page")
+            haptics.widget.TouchModeOn()  # a button of the program
+            await page.wait(page.is_armed, "it does not arm")
+            await page.do(browser.switch_to.new_window, "tab")
+            await page.wait(lambda: not haptics.widget.GetTouchMode() and page.force() == 0.0, "a hidden page goes on")
+            await page.do(browser.close)
+            await page.do(browser.switch_to.window, page_of_server)
+        finally:
+            haptics.close()
+            await page.do(browser.get, "about:blank")
+            await server.stop()
+
+    asyncio.run(run())
 
 
 def test_a_page_that_does_not_answer_lets_go(window, hands, browser):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives the hand in a view of trame, whose server has no VTK timers, and ends the touch when a browser leaves."""
+"""Drives the hand in a view of trame, whose server has no VTK timers, and ends the touch when a browser leaves or hides
+the page."""
 
 from __future__ import annotations
 
@@ -8,9 +9,13 @@ import asyncio
 import importlib
 import time
 import weakref
-from typing import Any
+from typing import Any, Callable
+from urllib.parse import quote
 
 PICTURES = 20.0  # a second at most, sent to the browser
+HIDDEN = "volumehaptics_hidden"
+_TELL = f"document.addEventListener('visibilitychange',()=>document.hidden&&window.trame.trigger('{HIDDEN}'))"
+_PAGE = {"scripts": [f"data:text/javascript,{quote(_TELL)}"]}  # trame loads it once a server
 
 
 def is_view(target: Any) -> bool:
@@ -22,6 +27,15 @@ def is_view(target: Any) -> bool:
 def window_of(view: Any) -> Any:
     """The window that a view was made with: trame's classes keep it in a private attribute."""
     return next((value for name, value in vars(view).items() if name.endswith("__view")), None)
+
+
+def on_hidden(server: Any, call: Callable[[], None]) -> None:
+    """Calls a function when a browser hides a page that it opens from now on: another tab, or a minimised window."""
+    server = server.root_server
+    server.enable_module(_PAGE)
+    if not server.controller[HIDDEN].exists():
+        server.trigger(HIDDEN)(server.controller[HIDDEN])
+    server.controller[HIDDEN].add(call)
 
 
 def drive(view: Any, haptics: Any) -> None:
@@ -45,6 +59,12 @@ def drive(view: Any, haptics: Any) -> None:
             del haptics  # the task ends with its owner
             await asyncio.sleep(pause)
 
+    def let_go() -> None:
+        haptics = itself()
+        if haptics is not None and not haptics.closed:
+            haptics.style.FadeOut()
+
+    on_hidden(server, let_go)
     tasks = []  # asyncio keeps weak references only
 
     def start(**_: Any) -> None:
@@ -54,9 +74,7 @@ def drive(view: Any, haptics: Any) -> None:
         """Detects that a browser is closed, or that its heartbeat has stopped."""
 
         def onClose(self, _client: str) -> None:  # noqa: N802 (wslink's name)
-            haptics = itself()
-            if haptics is not None and not haptics.closed:
-                haptics.style.FadeOut()
+            let_go()
 
     if server.protocol is not None:
         server.protocol.registerLinkProtocol(Door())

@@ -25,6 +25,7 @@ from vtkmodules.vtkIOImage import vtkJPEGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from ._touch import apply_preset
+from ._trame import HIDDEN, on_hidden
 from ._webdoor import door_of, page_now
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
@@ -136,6 +137,7 @@ class View:
         self.ui = self._make_page()
         controller = server.controller
         self._door.on_leave.append(self._leave_with)
+        on_hidden(server, self._hide)
         controller.on_server_ready.add(self._begin)
         if server.running:
             self._begin()
@@ -168,6 +170,11 @@ class View:
         self._sizes.pop(page, None)
         self._heard.pop(page, None)
         if page == self.leader:
+            self._leave()
+
+    def _hide(self) -> None:
+        """Frees the mouse if the page that led the hand is hidden."""
+        if page_now() == self.leader:
             self._leave()
 
     # -- the page --
@@ -418,6 +425,7 @@ class View:
         self.interactor.RemoveObserver(self._tag)
         self.haptics.style.RemoveObserver(self._style_tag)
         self._door.on_leave.remove(self._leave_with)
+        self.server.root_server.controller[HIDDEN].discard(self._hide)
         self.server.controller.on_server_ready.discard(self._begin)
         if self._task is not None:
             self._task.cancel()

@@ -9,7 +9,7 @@
     volumehaptics.web.serve(haptics)                 # in a script; the plotter is not shown before
 
 The servo runs beside the server at its own rate: the connection to the browser delays pictures and the mouse, but never
-the force. If the leading page closes, or does not answer for 3 s, the touch ends.
+the force. If the leading page closes or is hidden, or does not answer for 3 s, the touch ends.
 
 Needs PyVista, and trame: pip install pyvista trame trame-vuetify trame-rca.
 """
