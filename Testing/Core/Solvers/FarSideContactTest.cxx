@@ -609,3 +609,62 @@ TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
     }
   }
 }
+
+TEST(FarSideContact, APressIsTheSameInTicksOfAnyLength)
+{
+  // A ball of 30 mm whose wall holds T = 2 N (eq. 12), with a spring of 500 N/m: a press takes
+  // min(k lag, T), however far the tip goes in a tick. Behind a wall of 2 mm, beyond which the
+  // values are even, there is nothing to hold the proxy. It is met up to two voxels, the reach of
+  // the kernel, outside of 30 mm.
+  constexpr double stiffness = 0.5; // N/mm
+  constexpr double strength = 2.0;  // N
+  constexpr double radius = 30.0;
+  constexpr double reach = 2.0;
+  const Vector3 out = (1.0 / 2.3) * Vector3{ 1.0, 2.0, -0.54 }; // any direction
+  const Vector3 middle = { 36.0, 36.0, 36.0 };
+  for (const bool isEven : { false, true })
+  {
+    TestVolume volume(ScalarType::Float32, { 73, 73, 73 });
+    volume.Fill<float>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const double depth = radius - Norm(Vector3{ double(i), double(j), double(k) } - middle);
+        return static_cast<float>(1000.0 * (isEven ? depth : std::clamp(depth, -1.0, 1.0)));
+      });
+    HapticModelDescription description = DescribeFar(volume);
+    description.Material.SurfaceStrength = ConstantPolyline(strength);
+    description.Material.ScalarVisibility = { { -100.0, 0.0 }, { 100.0, 1.0 } };
+    const HapticModel model(description);
+    for (const double depth : { 1.5, 2.5, 3.5, 11.5 })
+    {
+      for (const int ticks : { 1, 2, 3, 12, 100, 2000 })
+      {
+        SCOPED_TRACE(testing::Message()
+          << (isEven ? "even" : "a wall") << ", " << depth << " mm deep in " << ticks << " ticks");
+        ServoState state;
+        TickRecord record;
+        const auto tick = [&](double height)
+        { Tick(model, state, 0.001 * (middle + (radius + height) / Norm(out) * out), record); };
+        tick(5.0);
+        for (int i = 1; i <= ticks; ++i)
+        {
+          tick(5.0 - (5.0 + depth) * i / ticks);
+        }
+        for (int i = 0; i < 200; ++i) // the force of a leap fades
+        {
+          tick(-depth);
+        }
+        const double lag = 1000.0 * Norm(record.Tip - record.Proxy);
+        const double force = Norm(record.Force);
+        if (depth > 10.0 && !isEven)
+        {
+          EXPECT_EQ(force, 0.0);
+          continue;
+        }
+        EXPECT_NEAR(force, std::min(stiffness * lag, strength), 1e-3);
+        EXPECT_GT(lag, std::min(depth, strength / stiffness) - 0.5);
+        EXPECT_LT(lag, std::min(depth + reach, strength / stiffness + 0.01));
+      }
+    }
+  }
+}
