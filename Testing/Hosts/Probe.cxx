@@ -35,6 +35,14 @@ std::string Text(const double* vector)
     std::to_string(vector[2]) + "]";
 }
 
+/** The window's id, and pixels from above. */
+std::string PlaceOn(vtkRenderWindow* window, double x, double y)
+{
+  return "[" + std::to_string(reinterpret_cast<std::uintptr_t>(window->GetGenericWindowId())) +
+    ", " + std::to_string(static_cast<int>(x)) + ", " +
+    std::to_string(window->GetSize()[1] - static_cast<int>(y)) + "]";
+}
+
 class HostProbe : public VolumeHaptics::InteractorFactory
 {
 public:
@@ -105,6 +113,7 @@ private:
     renderer->SetWorldPoint(center[0], center[1], center[2], 1.0);
     renderer->WorldToDisplay();
     const double* const at = renderer->GetDisplayPoint();
+    const int* const pointer = this->Interactor->GetEventPosition();
     const bool touches = device->GetStatus() == vtkHapticDevice::ARMED ||
       device->GetStatus() == vtkHapticDevice::ACTIVE;
     std::string status = device->GetStatusText();
@@ -116,11 +125,10 @@ private:
                                  << ", \"proxy\": " << Text(device->GetState()->GetProxyPosition())
                                  << ", \"center\": " << Text(center) << ", \"keys\": ["
                                  << this->Keys << "], \"status\": \"" << status
-                                 << "\", \"looks\": " << ++this->Looks << ", \"middle\": ["
-                                 << reinterpret_cast<std::uintptr_t>(window->GetGenericWindowId())
-                                 << ", " << static_cast<int>(at[0]) << ", "
-                                 << window->GetSize()[1] - static_cast<int>(at[1])
-                                 << "], \"again\": false, \"lets_go\": \"Escape\"}\n";
+                                 << "\", \"looks\": " << ++this->Looks
+                                 << ", \"middle\": " << PlaceOn(window, at[0], at[1])
+                                 << ", \"pointer\": " << PlaceOn(window, pointer[0], pointer[1])
+                                 << ", \"again\": false, \"lets_go\": \"Escape\"}\n";
     std::rename((file + ".new").c_str(), file.c_str());
   }
 

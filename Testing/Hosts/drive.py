@@ -29,7 +29,8 @@ STIFFNESS = 0.5  # N/mm
 RADIUS = 30.0  # mm, of program.py
 # With the default kernel a surface is met up to two voxels ahead.
 AHEAD = 2.5  # mm
-PATIENCE = 20.0  # s
+STEP = 1.0  # mm, which a step of the wheel presses: a voxel
+PATIENCE = 60.0  # s, for what has to come; nothing depends on how long it takes
 START = 90.0  # s, of a program that imports much on a busy machine
 
 
@@ -92,15 +93,8 @@ class Program:
 
         self.wait("a first look", is_looked_at, START)
 
-        def is_placed():
-            before = self.state()
-            time.sleep(0.5)
-            after = self.state()
-            self.place = after["middle"]
-            # A program that draws its first frame doesn't look where its window is meanwhile.
-            return after["looks"] > before["looks"] and self.place == before["middle"]
-
-        self.wait("a window at its place", is_placed, START)
+        self.wait_until_steady("a window at its place", lambda state: state["middle"], 10, START)
+        self.place = self.state()["middle"]
 
     def state(self):
         return json.loads((self.folder / "state.json").read_text())
@@ -117,6 +111,23 @@ class Program:
 
     def wait_state(self, what, condition, patience=PATIENCE):
         self.wait(what, lambda: condition(self.state()), patience)
+
+    def wait_until_steady(self, what, value, looks=4, patience=PATIENCE):
+        """Until so many looks of the program, in its loop of events, see the same value."""
+        known = {}
+
+        def is_steady():
+            state = self.state()
+            if known.get("value") != value(state):
+                known.update(value=value(state), looks=state["looks"])
+            return state["looks"] >= known["looks"] + looks
+
+        self.wait(what, is_steady, patience)
+
+    def let_run(self, looks=6):
+        """Lets the program handle all that has come to it."""
+        begin = self.state()["looks"]
+        self.wait_state("its loop of events", lambda state: state["looks"] >= begin + looks)
 
     def fail(self, why):
         subprocess.run(["import", "-window", "root", str(self.folder / "failed.png")], check=False)
@@ -141,11 +152,30 @@ class Program:
 
     def point(self, place=None):
         window, x, y = place or self.place
-        xdotool("mousemove", *(["--window", window] if window else []), x, y)
-        time.sleep(0.1)
+        looks = None
+
+        def has_arrived():
+            nonlocal looks
+            state = self.state()
+            if all(abs(a - b) <= 2 for a, b in zip(state["pointer"], (window, x, y))):
+                return True
+            if looks is None or state["looks"] > looks + 10:  # the first motion may only enter the window
+                looks = state["looks"]
+                for aside in (3, 0):
+                    xdotool("mousemove", *(["--window", window] if window else []), x + aside, y)
+            return False
+
+        self.wait(f"the pointer at {x}, {y}", has_arrived)
 
     def focus(self):
-        xdotool("windowactivate", "--sync", self.window)
+        def is_active():
+            subprocess.run(["wmctrl", "-i", "-a", self.window], check=False)
+            return xdotool("getactivewindow").split() == [self.window]
+
+        self.wait("the window's focus", is_active)
+        # While the window manager moves a window that it shows again, the pointer is elsewhere in it.
+        window, x, y = self.place
+        self.point((window, x + 20, y))
         self.point()
 
     def touch(self, radius=RADIUS):
@@ -154,19 +184,25 @@ class Program:
         keys = self.state()["keys"]
         xdotool("key", "t")
         self.wait_state("the touch mode", lambda state: state["touch"])
-        time.sleep(0.8)  # what is pressed before all of the force may flow feels soft
+        # What is pressed before that feels soft.
+        self.wait_state("all of the force", lambda state: "100 % of the force" in state["status"])
         for _ in range(12):
-            if norm(self.state()["force"]) > 0.8 and "feels soft" not in self.state()["status"]:
+            if norm(self.state()["force"]) > 0.8:
                 break
-            xdotool("click", 4)
-            time.sleep(0.15)
-
+            self.press()
         self.is_felt()
         state = self.state()
         out = [proxy - center for proxy, center in zip(state["proxy"], state["center"])]
         self.check(f"the proxy is at the ball: {norm(out)} mm", radius - 0.5 < norm(out) < radius + AHEAD)
         self.check("the force points outwards", sum(a * b for a, b in zip(state["force"], out)) > 0.0)
         self.check("the program did not get t", self.state()["keys"] == keys)
+
+    def press(self):
+        """By a step of the wheel, once the steps before are done: the wall of a ball breaks at 2 N, 4 mm deep."""
+        before = self.state()["tip"]
+        xdotool("click", 4)
+        self.wait_state("a step of the wheel", lambda state: math.dist(state["tip"], before) > 0.9 * STEP)
+        self.wait_until_steady("the hand at rest", lambda state: state["tip"])
 
     def is_felt(self):
         def is_spring(state):
@@ -196,7 +232,7 @@ class Program:
         keys = self.state()["keys"]
         xdotool("key", self.state()["lets_go"])
         self.wait_state("the end of the touch mode", lambda state: not state["touch"] and norm(state["force"]) == 0.0)
-        time.sleep(0.2)
+        self.let_run()
         self.check("the program goes on after Escape", self.process.poll() is None)
         self.check("the program did not get Escape", self.state()["keys"] == keys)
 
@@ -260,10 +296,8 @@ def minimise(program, radius=RADIUS):
         program.touch(radius)
     xdotool("windowminimize", program.window)
     program.feels_nothing("minimised")
+    program.wait_state("the end of the touch mode", lambda state: not state["touch"])
     program.focus()  # the window manager shows it again
-    time.sleep(1.0)
-    if program.state()["touch"]:
-        program.let_go()
     program.touch(radius)
     step("minimised, nothing is felt; then it is touched again")
 
@@ -292,13 +326,13 @@ def main(python, name, folder):
         return print("1 passed, 0 failed")
     program.touch()
     program.run("exec(change_style)")
-    time.sleep(0.3)
+    program.let_run()
     program.is_felt()
     step("the touch goes on with another style of the program")
     program.run("renderer, volume = probe.volume(); volume.VisibilityOff(); probe.draw()")
     program.feels_nothing("hidden")
     program.run("volume.VisibilityOn(); probe.draw()")
-    time.sleep(0.3)
+    program.let_run()
     program.feels_nothing("shown again, but not yet touched")
     if program.state()["touch"]:
         program.let_go()
@@ -321,15 +355,9 @@ def main(python, name, folder):
         program.wait_state("the end of the touch mode", lambda state: not state["touch"])
         program.run("exec(again)")
         program.find()
-        # The first motions only enter the window.
         xdotool("mousemove", 5, 5)
         program.focus()
-        for _ in range(3):
-            time.sleep(0.5)
-            xdotool("mousemove_relative", 2, 2)
-        program.point()
         xdotool("click", 1)
-        time.sleep(0.5)
         program.hears("u")
         program.touch()
         program.let_go()

@@ -141,6 +141,13 @@ class Probe:
         words = str(window.GetGenericWindowId()).split("_")  # such as _000000000040000a_p_void; none once it is closed
         return int(words[1], 16) if len(words) > 1 else 0, x, y
 
+    def pointer(self):
+        """Where the program has last seen it."""
+        window = self.interactor.GetRenderWindow()
+        width, height = window.GetSize() if window else (0, 0)
+        x, y = self.interactor.GetEventPosition()
+        return self.on_screen(x / max(width, 1), y / max(height, 1))
+
     def middle(self):
         """Of the volume."""
         renderer, volume = self.volume()
@@ -186,7 +193,7 @@ class Probe:
             "tip": list(device.GetState().GetTipPosition()), "proxy": list(device.GetState().GetProxyPosition()), "keys": self.keys,
             "status": device.GetStatusText(), "answer": self.answer, "runs": self.runs,
             "looks": self.looks,
-            "said": self.names.get("said", []), "middle": self.middle(),
+            "said": self.names.get("said", []), "middle": self.middle(), "pointer": self.pointer(),
             "center": self.center, "again": "again" in self.names, "lets_go": self.names.get("lets_go", "Escape"),
         }
         if "drag" in self.names:
