@@ -7,6 +7,7 @@
  */
 
 #include "Core/Solvers/Precise/PreciseSolver.h"
+#include "Core/Solvers/Precise/ProxyDisplacement.h"
 #include "Core/State/ServoStateNumbers.h"
 #include "Rigs/CoreScene.h"
 
@@ -152,3 +153,32 @@ TEST_P(PreciseTickState, GoesOnToTheBitIfStored)
 INSTANTIATE_TEST_SUITE_P(All, PreciseTickState,
   testing::Combine(testing::Values(MaterialPlacement::Kernel, MaterialPlacement::FarSide),
     testing::Values(ContactAlignment::Distinctness, ContactAlignment::Edge)));
+
+TEST(PreciseTick, BehindATipOnALineTheProxyStaysOnTheLine)
+{
+  // The tip goes on along z, with a lag that rounding has turned aside by 1e-17 m. A dragged proxy
+  // follows a tractrix, whose angle to the way shrinks: no drag may let it grow.
+  constexpr double k = 400.0;
+  constexpr double rounding = 1e-17;
+  const Vector3 step = { 0.0, 0.0, 1e-4 };
+  for (double drag = 1e-8; drag < 1.0; drag *= 1.7) // N
+  {
+    PrecisePoint here;
+    here.Normal = { 0.6, 0.0, 0.8 };
+    here.Stiffness = k;
+    here.Friction = 0.3;
+    here.Viscosity = drag;
+    const double length = 0.9 * drag / k;
+    for (const Vector3& lagBefore : { Vector3{ rounding, 0.0, 0.0 }, { rounding, 0.0, length } })
+    {
+      const Vector3 lag = lagBefore + step;
+      const SplitLag split = Law::Split(lag, here.Normal);
+      const auto plain = [&]
+      { return Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}); };
+      const Vector3 moved = ProxyDisplacement::Compute(
+        here, k, ProxyDisplacement::LongestMean, lagBefore, lag, split, plain);
+      EXPECT_NEAR(lag.Z - moved.Z, std::min(lag.Z, drag / k), 1e-12 + 1e-9 * drag / k) << drag;
+      EXPECT_LE(std::abs(lag.X - moved.X), 2.0 * rounding) << drag;
+    }
+  }
+}

@@ -65,11 +65,9 @@ protected:
 
   /**
    * Presses into the ball in worlds of other units, against that of mm. Units that are powers of
-   * two round nothing: the law knows no unit. Decimal ones round, and a solver that accepts an end
-   * within a share of 2e-4 of its lag may then accept another one; so it may in a millimetre that
-   * is longer by two roundings.
+   * two round nothing: the law knows no unit. Decimal ones round, by `rounded` (N) at most.
    */
-  void ExpectSameForces(double low, double high, double leastForce)
+  void ExpectSameForces(double low, double high, double leastForce, double rounded = 1e-9)
   {
     this->SetBall(1.0, low, high);
     const auto millimeters = (this->Run(72), Keep(this->Filter));
@@ -80,8 +78,8 @@ protected:
       double Tolerance; // N
     };
     const World worlds[] = { { 1024.0, 1e-9 }, { 0.125, 1e-9 }, { 0x1p-10, 1e-9 },
-      { 0x1p-20, 1e-9 }, { 1e3, 4e-6 }, { 0.1, 4e-6 }, { 1e-3, 4e-6 }, { 1e-6, 4e-6 },
-      { 1.0 + 0x1p-51, 4e-6 } };
+      { 0x1p-20, 1e-9 }, { 1e3, rounded }, { 0.1, rounded }, { 1e-3, rounded }, { 1e-6, rounded },
+      { 1.0 + 0x1p-51, rounded } };
     for (const World& world : worlds)
     {
       SCOPED_TRACE(testing::Message() << world.Units << " units to a millimetre");
@@ -217,7 +215,10 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
       SCOPED_TRACE(testing::Message() << name << ", solver " << solver);
       this->Filter->SetSolver(solver);
       const bool isGrey = name == "MRI" || name == "Micro-CT";
-      this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02);
+      // PAPER reads the material before it moves: rounding grows where a two-sided surface turns.
+      const bool isPaper = solver == vtkVolumeHapticsFilter::PAPER;
+      this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02,
+        isPaper && name == "MRI" ? 2e-7 : 1e-9);
     }
   }
 }

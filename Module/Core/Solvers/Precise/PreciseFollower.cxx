@@ -267,7 +267,8 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   {
     const auto plain = [&] { return Law::Move(here, k, split, this->Last, Vector3{}); };
     motion.Displacement = tipBefore && turns && this->Last.Excess > here.Viscosity
-      ? ProxyDisplacement::Compute(here, k, *tipBefore - this->Proxy, lag, split, plain)
+      ? ProxyDisplacement::Compute(
+          here, k, this->Field.GetLongestMean(), *tipBefore - this->Proxy, lag, split, plain)
       : plain();
   }
   if (!motion.IsHeld)

@@ -10,7 +10,10 @@
 
 #include "Core/Law/MaterialLaw.h"
 #include "Core/Model/HapticModel.h"
+#include "Core/Solvers/Precise/ProxyDisplacement.h"
 #include "Core/State/PreciseState.h"
+
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -83,6 +86,13 @@ public:
   }
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
+
+  /** The longest spring with a mean direction, in radii; the kernel's materials have no limit. */
+  double GetLongestMean() const noexcept
+  {
+    return this->HasWalks ? ProxyDisplacement::LongestMean
+                          : std::numeric_limits<double>::infinity();
+  }
 
   /** The length of a displacement (m) in voxels. */
   double Voxels(const Vector3& displacement) const noexcept

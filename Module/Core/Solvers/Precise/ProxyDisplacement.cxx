@@ -5,7 +5,7 @@
 namespace VolumeHaptics
 {
 
-Vector3 ProxyDisplacement::ComputeInParts(const PrecisePoint& here, double k,
+Vector3 ProxyDisplacement::ComputeInParts(const PrecisePoint& here, double k, double longest,
   const Vector3& lagBefore, const Vector3& lag, double parts) noexcept
 {
   const double compliance = 1.0 / k;
@@ -16,8 +16,8 @@ Vector3 ProxyDisplacement::ComputeInParts(const PrecisePoint& here, double k,
     const Vector3 from = lagBefore + ((part - 1.0) / parts) * step - displacement;
     const Vector3 to = lagBefore + (part / parts) * step - displacement;
     const SplitLag split = Law::Split(to, here.Normal);
-    displacement += ComputePart(here, compliance, from, Law::Split(from, here.Normal), to, split,
-      [&] { return Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}); });
+    displacement += ComputePart(here, compliance, longest, from, Law::Split(from, here.Normal), to,
+      split, [&] { return Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}); });
   }
   return displacement;
 }

@@ -29,6 +29,12 @@ constexpr double FreePart = 0.005;
 constexpr double MostParts = 64.0;
 /** The fraction of a circle's radius beyond which a spring has a direction. */
 constexpr double OnCircle = 0.9;
+/**
+ * The longest spring, in radii, that has a mean direction: beside a step of q radii, a small angle
+ * between spring and step changes by the factor 1/2 + 1/(2 + 2 q) - q/2, which for q above 3.2
+ * makes an angle of rounding grow.
+ */
+constexpr double LongestMean = 2.0;
 
 /**
  * The part of a spring that the surface does not hold, and the circle within which friction and
@@ -61,11 +67,11 @@ VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
 /** One part of a step: in the mean direction if there is one, else `plain()`. */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compliance,
-  const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag, const SplitLag& split,
-  const Plain& plain) noexcept
+  double longest, const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag,
+  const SplitLag& split, const Plain& plain) noexcept
 {
   const UnheldSpring now = ComputeUnheldSpring(here, compliance, lag, split);
-  if (!now.IsCircle || !(now.Length > now.Radius))
+  if (!now.IsCircle || !(now.Length > now.Radius) || now.Length > longest * now.Radius)
   {
     return plain();
   }
@@ -88,7 +94,7 @@ VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compl
 }
 
 /** A step in more than one part. */
-Vector3 ComputeInParts(const PrecisePoint& here, double k, const Vector3& lagBefore,
+Vector3 ComputeInParts(const PrecisePoint& here, double k, double longest, const Vector3& lagBefore,
   const Vector3& lag, double parts) noexcept;
 
 /**
@@ -96,11 +102,12 @@ Vector3 ComputeInParts(const PrecisePoint& here, double k, const Vector3& lagBef
  * one lag (m) to another, whose parts are given, too.
  *
  * Second order in the step if friction and drag hold all directions alike. `plain()` is the
- * displacement by the law at the last lag alone, for steps without a mean direction.
+ * displacement by the law at the last lag alone, for steps without a mean direction; so are parts
+ * whose spring is longer than `longest` radii of the circle.
  */
 template <typename Plain>
-VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, const Vector3& lagBefore,
-  const Vector3& lag, const SplitLag& split, const Plain& plain) noexcept
+VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double longest,
+  const Vector3& lagBefore, const Vector3& lag, const SplitLag& split, const Plain& plain) noexcept
 {
   const SplitLag before = Law::Split(lagBefore, here.Normal);
   const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
@@ -111,8 +118,8 @@ VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, const 
   const Vector3 step = lag - lagBefore;
   const double ratio = std::sqrt(Dot(step, step) / Dot(lag, lag)) / fraction;
   return ratio <= 1.0
-    ? ComputePart(here, 1.0 / k, lagBefore, before, lag, split, plain)
-    : ComputeInParts(here, k, lagBefore, lag, std::min(std::ceil(ratio), MostParts));
+    ? ComputePart(here, 1.0 / k, longest, lagBefore, before, lag, split, plain)
+    : ComputeInParts(here, k, longest, lagBefore, lag, std::min(std::ceil(ratio), MostParts));
 }
 } // namespace ProxyDisplacement
 
