@@ -16,7 +16,8 @@ namespace evaluation
 namespace
 {
 constexpr double Far = 40.0;          // mm, the way through air
-constexpr double Deep = 5.0;          // mm
+constexpr double Deep = 5.0;          // mm, but at least LeastVoxels
+constexpr double LeastVoxels = 3.0;   // a place two voxels behind a surface is in reach
 constexpr double PressStep = 0.1;     // mm a tick
 constexpr double LeastCosine = 0.707; // of a ray to the normal
 constexpr double RayStep = 0.25;      // voxels
@@ -191,10 +192,12 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
 void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
 {
   const Vector3 surface = volume.Scale * ray.At(met.At); // mm of the hand's space
+  const double voxel = volume.Scale * ray.Unit;
+  const double deep = std::max(Deep, LeastVoxels * voxel);
   Path tips = { volume.Scale * ray.At(met.Start) };
-  MoveTo(tips, surface + Deep * ray.Way, PressStep);
+  MoveTo(tips, surface + deep * ray.Way, PressStep);
   const std::size_t pressed = tips.size();
-  MoveTo(tips, surface - Deep * ray.Way, PressStep);
+  MoveTo(tips, surface - deep * ray.Way, PressStep);
   const Trace trace = Play(*volume.Model, tips);
   ++found.Count;
   std::optional<Vector3> felt;
@@ -214,7 +217,6 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
     ++found.Unfelt;
     return;
   }
-  const double voxel = volume.Scale * ray.Unit;
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
   found.Astray += IsAstray(volume, 0.001 * *felt) ? 1 : 0;
   if (const auto half = MeasureHalfOpacity(volume, ray))

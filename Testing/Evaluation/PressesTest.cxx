@@ -23,13 +23,14 @@ namespace
 constexpr double BallRadius = 12.0;
 
 /** A ball of 100 in 0, which holds or does not. */
-PressedVolume MakeBall(
-  double stiffness, vtkSmartPointer<vtkImageData>& image, double radius = BallRadius)
+PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image,
+  double radius = BallRadius, double scale = 1.0)
 {
   image =
     SampleImage([=](const Vector3& x) { return BlurredStep(radius - Norm(x), 1.0, 100.0); }, 20.0);
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(0.001 * scale);
   vtkHapticProperty* const feel = filter->GetProperty();
   SetConstant(feel->GetStiffness(), stiffness);
   SetConstant(feel->GetFriction(), 0.0);
@@ -39,6 +40,7 @@ PressedVolume MakeBall(
   PressedVolume ball;
   ball.Model = ball.Shape = ball.Structures = filter->GetBaker().Bake(1000.0, {}, nullptr);
   ball.Level = 50.0;
+  ball.Scale = scale;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };
   ball.Extinction = [](const Vector3& x) { return Norm(x) < BallRadius ? 50.0 : 0.0; };
@@ -78,6 +80,20 @@ TEST(Presses, WhatIsSoftIsUnfelt)
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, found.Count);
   EXPECT_TRUE(found.OffSurface.empty());
+}
+
+TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
+{
+  // Voxels of 5 mm, and a ball that holds 1.8 voxels behind the surface: 9 mm of the hand's space.
+  constexpr double scale = 5.0;
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(1000.0, image, BallRadius, scale);
+  vtkSmartPointer<vtkImageData> other;
+  ball.Model = MakeBall(1000.0, other, BallRadius - 1.8, scale).Model;
+  const Presses found = PressFromAllSides(ball, 60);
+  EXPECT_GT(found.Count, 30);
+  EXPECT_EQ(found.Unfelt, 0);
+  EXPECT_NEAR(ComputeMedian(found.OffSurface), 1.8, 0.3);
 }
 
 TEST(Presses, GlassIsSeenThrough)

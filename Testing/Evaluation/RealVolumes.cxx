@@ -405,8 +405,8 @@ void PrintLine(const std::vector<std::string>& row)
 Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
 {
   Table table{ "Real volumes: felt and seen",
-    "Presses from outside of the volume, 40 mm away at least, and 5 mm deep, on rays from all "
-    "sides within 45 degrees of the normal; "
+    "Presses from outside of the volume, 40 mm away at least, and 5 mm deep, but at least 3 "
+    "voxels, on rays from all sides within 45 degrees of the normal; "
     "unfelt are those with less than 0.1 N. The felt place is the proxy at 0.1 N: voxels behind "
     "the isosurface of the outer threshold (with \"Micro-CT\", of Otsu's) that the ray meets, "
     "as the kernel smooths it, and from it to half of the opacity along the ray, each the median "
