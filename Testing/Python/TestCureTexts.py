@@ -223,7 +223,10 @@ OUTSIDE = {
     ),
     "a program of others, which Debian does not have or which reads what is not written here": (
         "turn it into NIfTI with 3dAFNItoNIFTI", "turn it into NIfTI with dcm2niix", "mri_convert head.mgz head.nii.gz",
-        "turn it into NIfTI with mnc2nii",
+        "turn it into NIfTI with mnc2nii", "turn them into NIfTI with dcm2niix",
+        "make labels of it first, e.g. with plastimatch convert or 3D Slicer", "write it as a DICOM SEG, or as .seg.nrrd",
+        "resample it on the grid of its volume, e.g. in 3D Slicer", "export it again from the planning system",
+        "a segmentation (SEG) that ends before its pixels…copy or export it again",
     ),
     "another program, or the system, is started, ended or set up": (
         "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",

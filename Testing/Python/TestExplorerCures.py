@@ -170,6 +170,7 @@ COMMANDS = (
     ("{}/ramp.vti --mode surface:V", "leave the array's name out", (f"{{}}/ramp.vti {GUIDED}", )),
     ("{}/noise.vti --preset propose", "--preset propose…take another preset", ("{}/noise.vti --preset MRI", )),
     ("{}/unspaced", "export it again from where it was made, with its PixelSpacing", ("{}/series", )),
+    ("{}/unplaced", "export it again from where it was made, with positions", ("{}/series", )),
     ("{}/ball.stl", "name a volume; --tool and --guide take surfaces", (f"{{}}/ramp.vti {GUIDED}", )),
     ("{}/face.png", "name the volume that it was made of", ("{}/ramp.vti", )),
     ("{}/cut.zarr --write-volume {}/copy.vti", "copy it again, and check that the copy is complete",
@@ -241,7 +242,7 @@ def write_image(path, one):
 
 def fill(folder, values):
     """What the commands name."""
-    for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff", "unspaced"):
+    for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff", "unspaced", "unplaced"):
         (folder / name).mkdir(parents=True)
     texts = {
         "text.vti": "no image", "face.png": "a picture", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
@@ -272,6 +273,7 @@ def fill(folder, values):
         for place in ("series", "folders/one", "cutoff", "twofold"):
             (folder / place / f"{number}.dcm").write_bytes(one)
         (folder / "unspaced" / f"{number}.dcm").write_bytes(one.replace(struct.pack("<HH", 0x28, 0x30), struct.pack("<HH", 0x28, 0x2f)))
+        (folder / "unplaced" / f"{number}.dcm").write_bytes(one.replace(struct.pack("<HH", 0x20, 0x32), struct.pack("<HH", 0x20, 0x31)))
     (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
     (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
     for name, one in {

@@ -82,6 +82,7 @@ set(Explore_SOURCES
   Volume/DicomFolder.cxx
   Volume/DicomHeader.cxx
   Volume/DicomPixels.cxx
+  Volume/DicomSegmentation.cxx
   Volume/DicomSeries.cxx
   Volume/DicomStream.cxx
   Volume/GridLoader.cxx

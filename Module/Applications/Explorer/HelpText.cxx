@@ -96,7 +96,7 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     summary lists them, and key F3 of the window), or which volume along the fourth axis of a
                     NIfTI file, such as a channel (default: all, as times). Key F2, or a file that is dropped on
                     the window, opens another volume
-  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
+  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm: its labels
                     have names in the window, and materials of their own
   --as-labels       the volume is a label map: its values are numbers of labels, which have colours, and
                     the names that the file has for them. The window asks if it looks like one (key F4)

@@ -165,6 +165,10 @@ int WriteVolume(const Explore::Options& options)
     }
     volume.Image = Explore::AlignToAxes(whole);
   }
+  if (volume.LabelTable)
+  {
+    volume.LabelTable->WriteFieldData(volume.Image->GetFieldData());
+  }
   Explore::WriteImage(volume.Image, options.WrittenVolume);
   for (const std::string& note : volume.Notes)
   {
@@ -201,7 +205,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);
   }
-  if (options.AsLabels)
+  if (options.AsLabels || (volume.LabelTable && options.Labels.empty()))
   {
     Explore::UseAsLabels(volume, options.VolumePath, options.Materials);
   }

@@ -22,6 +22,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <random>
+#include <zlib.h>
 
 namespace
 {
@@ -39,7 +41,9 @@ struct SliceFile
   std::string Description = "Thorax";
   int Slice = 0;
   bool IsSagittal = false;
+  std::string Modality = "CT";
   std::string Syntax = EXPLICIT;
+  std::string Instance = "1.2."; // the begin of its unique identifier
   int Columns = DICOM_COLUMNS;
   int Rows = DICOM_ROWS;
   int Frames = 1;
@@ -158,8 +162,9 @@ std::string Encode(const SliceFile& slice)
     Part(0x00020002, "UI", kind, true) + Part(0x00020010, "UI", slice.Syntax, true);
   return std::string(128, '\0') + "DICM" +
     Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta +
-    part(0x00080016, "UI", kind) + part(0x00080018, "UI", "1.2." + std::to_string(slice.Slice)) +
-    part(0x00080060, "CS", "CT") + part(0x0008103e, "LO", slice.Description) +
+    part(0x00080016, "UI", kind) +
+    part(0x00080018, "UI", slice.Instance + std::to_string(slice.Slice)) +
+    part(0x00080060, "CS", slice.Modality) + part(0x0008103e, "LO", slice.Description) +
     (slice.HasStep ? part(0x00180088, "DS", std::to_string(SLICE_STEP)) : "") +
     part(0x0020000e, "UI", slice.Series) +
     part(0x00200011, "IS", std::to_string(slice.SeriesNumber)) +
@@ -443,6 +448,73 @@ void ExpectCutFiles()
     Expect(Explore::ReadDicomHeader(path, header) && header.IsWhole, "a slice is not whole");
   }
 }
+
+/// The file with its data set packed by deflate, as part 5 of the standard says in section A.5.
+std::string Deflate(const std::string& plain)
+{
+  // The meta group is of the plain syntax, whose number is one level shorter.
+  const std::size_t begin = plain.find(Part(0x00080016, "UI", "", true).substr(0, 6));
+  const std::string kind = "1.2.840.10008.5.1.4.1.1.2";
+  const std::string meta =
+    Part(0x00020002, "UI", kind, true) + Part(0x00020010, "UI", "1.2.840.10008.1.2.1.99", true);
+  const std::string data = plain.substr(begin);
+  std::string packed(compressBound(static_cast<uLong>(data.size())) + 64, '\0');
+  z_stream stream = {};
+  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
+  stream.avail_in = static_cast<uInt>(data.size());
+  stream.next_out = reinterpret_cast<Bytef*>(&packed[0]);
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return std::string(128, '\0') + "DICM" +
+    Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta + packed;
+}
+
+/// Any change of a file's bytes is refused in words, or read: nothing else is thrown, and no slice
+/// has more pixels than the file.
+void ExpectSpoiltFiles()
+{
+  SliceFile one, frames, segmentation;
+  frames.Frames = segmentation.Frames = 6;
+  frames.HasGroups = segmentation.HasGroups = true;
+  segmentation.Modality = "SEG";
+  SliceFile implicit = frames;
+  implicit.Syntax = IMPLICIT;
+  const std::string good[] = { Encode(one), Encode(frames), Encode(segmentation), Encode(implicit),
+    Deflate(Encode(frames)) };
+  constexpr std::size_t head = 132;
+  std::mt19937 random(54);
+  std::size_t whole = 0;
+  for (std::size_t round = 0; round < 1500; ++round)
+  {
+    std::string bytes = good[round % std::size(good)];
+    for (unsigned changes = random() % 5; changes > 0; --changes)
+    {
+      const std::size_t at = head + random() % (bytes.size() - head);
+      bytes[at] = static_cast<char>(random() % 2 == 0 ? random() : bytes[at] + 1);
+    }
+    bytes.resize(random() % 8 == 0 ? random() % bytes.size() : bytes.size());
+    const std::string path = WriteDicom("spoilt/I900", bytes);
+    for (const Explore::DicomHeader& slice : Explore::ReadDicomSlices(path))
+    {
+      const bool isTold = slice.IsWhole && slice.IsPlain() && slice.Bits > 1;
+      Expect(!isTold || slice.Pixels + slice.GetSize() <= bytes.size(), "pixels are not there");
+    }
+    Explore::ReadDicomSegments(path);
+    Explore::FindDicomObject(path);
+    try
+    {
+      Explore::LoadVolumes({ path });
+      ++whole;
+    }
+    catch (const Explore::InputError&)
+    {
+    }
+  }
+  Expect(whole > 100, "only " + std::to_string(whole) + " are read");
+}
 } // namespace
 
 int TestExploreDicom(int argc, char* argv[])
@@ -501,7 +573,12 @@ int TestExploreDicom(int argc, char* argv[])
   WriteSlices("many", thorax, 2);
   ExpectFault(folder + "/many", 0, "with 3 frames");
   thorax.Frames = 1;
-  WriteSlices("twice", thorax, 2);
+  WriteSlices("twice", thorax, 5);
+  WriteDicom("twice/copy", Encode(thorax));
+  const Explore::Volume once = Explore::LoadVolumes({ folder + "/twice" });
+  ExpectSlices("slices with a copy", once, 5, false);
+  ExpectNote(once, "1 slice is there twice");
+  thorax.Instance = "1.3.";
   WriteDicom("twice/again", Encode(thorax));
   ExpectFault(folder + "/twice", 0, "two slices at the same place");
   WriteSlices("short", thorax, 3);
@@ -509,6 +586,7 @@ int TestExploreDicom(int argc, char* argv[])
   WriteDicom("short/I900", bytes.substr(0, bytes.size() - 2));
   ExpectFault(folder + "/short", 0, "cut-off slice");
   ExpectCutFiles();
+  ExpectSpoiltFiles();
   ExpectSeriesOption();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

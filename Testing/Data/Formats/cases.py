@@ -25,6 +25,7 @@ class Case:
     steps: tuple[float, float, float] | None = None
     first: tuple[float, float, float] = (0.0, 0.0, 0.0)
     outside: bool = False  #: where nothing was measured, the value is air's or below
+    labels: tuple[str, ...] = ()  #: the file has labels, with these names: 1 is the ball, 2 its left knob
     options: tuple[str, ...] = ()  #: of the explorer
 
 

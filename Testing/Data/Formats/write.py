@@ -9,6 +9,7 @@ from pathlib import Path
 import write_dicom  # noqa: F401 the writers register their cases
 import write_images  # noqa: F401
 import write_nifti  # noqa: F401
+import write_threads  # noqa: F401
 from cases import CASES
 
 folder = Path(sys.argv[1]).resolve()

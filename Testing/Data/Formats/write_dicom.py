@@ -273,7 +273,7 @@ def slice_location(folder):
     return save_all(folder, sets)
 
 
-@case("dicom-no-position", source="dwv#586, dcm2niix#186", refused="position")
+@case("dicom-no-position", source="dwv#586, dcm2niix#186", refused="ImagePositionPatient")
 def no_position(folder):
     sets = slices(GRID)
     for data in sets:
@@ -283,7 +283,7 @@ def no_position(folder):
 
 def dose(name, absolute, scale=2.5e-8):
     @case(f"dicom-rt-dose-{name}", source="dicompyler#78, amide#1; DICOM PS3.3 C.8.8.3.2: GridFrameOffsetVector",
-          tolerance=1e-3, scale=0.05, offset=50.0, options=("--preset", "histogram"))
+          tolerance=1e-3, scale=0.05, offset=50.0, told=("doses in Gy",), options=("--preset", "histogram"))
     def write(folder):
         grid = GRID
         data = header(RTDoseStorage, "RTDOSE", "dose")
@@ -295,7 +295,7 @@ def dose(name, absolute, scale=2.5e-8):
         offsets = grid.spacing[2] * np.arange(grid.size[2]) + (grid.origin[2] if absolute else 0.0)
         data.GridFrameOffsetVector = [f"{number:.6f}" for number in offsets]
         data.FrameIncrementPointer = 0x3004000C
-        frames = np.moveaxis(50.0 + 0.05 * grid.sample(float), 2, 0).transpose(0, 2, 1)
+        frames = np.moveaxis(50.0 + 0.05 * values(grid.points()), 2, 0).transpose(0, 2, 1)
         put_pixels(data, frames, intercept=0.0, slope=scale, bits=32)
         del data.RescaleIntercept, data.RescaleSlope
         data.DoseGridScaling = f"{scale:.10g}"
@@ -306,7 +306,7 @@ dose("relative", False)
 dose("absolute", True)
 
 
-@case("dicom-phases", source="SimpleITK#879, Weasis#701", told=("phase|time",))
+@case("dicom-phases", source="SimpleITK#879, Weasis#701", told=("2 phases", "2 frames"))
 def phases(folder):
     for phase in range(2):
         sets = slices(GRID)
@@ -319,7 +319,7 @@ def phases(folder):
     return folder
 
 
-@case("dicom-phases-by-trigger-time", source="Weasis#701", told=("phase|time",))
+@case("dicom-phases-by-trigger-time", source="Weasis#701", told=("2 phases", "times 0 to 0.3 s"))
 def trigger_time(folder):
     for phase in range(2):
         sets = slices(GRID)
@@ -380,7 +380,7 @@ def segmentation(grid, bits=1):
     return data
 
 
-@case("dicom-seg-beside-ct", source="dcmqi#462, OHIF#2164", told=("SEG|segmentation",))
+@case("dicom-seg-beside-ct", source="dcmqi#462, OHIF#2164", told=("seg.dcm is a segmentation",))
 def seg_beside(folder):
     save_all(folder, slices(GRID))
     save(folder, segmentation(Grid(size=(88, 80, 84), spacing=(0.75, 0.8, 0.85))), "seg.dcm")
@@ -718,7 +718,7 @@ def no_rescale(folder):
 
 
 def seg_alone(name, bits):
-    @case(f"dicom-seg-{name}-alone", source="dcmqi#462; liver_1frame.dcm of pydicom", scale=0.0, tolerance=1e9)
+    @case(f"dicom-seg-{name}-alone", source="dcmqi#462; liver_1frame.dcm of pydicom", labels=("ball", "knob"))
     def write(folder):
         return save(folder, segmentation(GRID, bits), "seg.dcm")
 

@@ -309,7 +309,7 @@ refused_case("par-rec", "head.par", b"# === DATA DESCRIPTION FILE ===\n", "PAR|d
 refused_case("zip", "head.zip", b"PK\3\4" + bytes(100), "zip|ZIP|unpack")
 refused_case("jpeg", "head.jpg", b"\xff\xd8\xff\xe0" + bytes(100), "jpg|JPEG|picture")
 refused_case("stl", "head.stl", b"solid head\nendsolid head\n", "surface|volume")
-refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "json|volume")
+refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "ending that is not known")
 refused_case("empty-mha", "head.mha", b"", "empty|damaged|cut off|header")
 refused_case("empty-nrrd", "head.nrrd", b"", "empty|damaged|cut off|header|NRRD")
 refused_case("empty-nii", "head.nii", b"", "empty|damaged|cut off|header|NIfTI")

@@ -105,7 +105,8 @@ void SetThresholds(Explore::Analysis& analysis, const std::vector<float>& values
   analysis.DeepThreshold = analysis.Low + (cuts[1] + 1) * width;
 }
 
-void SetKind(Explore::Analysis& analysis, int scalarType, bool isField, bool areLabels)
+void SetKind(
+  Explore::Analysis& analysis, int scalarType, bool isField, bool areLabels, bool mayBeHounsfield)
 {
   std::ostringstream reason;
   reason << "values " << analysis.Range[0] << " to " << analysis.Range[1];
@@ -120,7 +121,7 @@ void SetKind(Explore::Analysis& analysis, int scalarType, bool isField, bool are
     analysis.Kind = Explore::VolumeKind::Field;
     reason << " of a field: thresholds from the histogram";
   }
-  else if (analysis.Range[0] <= -500.0 && analysis.Range[0] >= -4096.0 &&
+  else if (mayBeHounsfield && analysis.Range[0] <= -500.0 && analysis.Range[0] >= -4096.0 &&
     analysis.Range[1] >= 300.0 && analysis.Range[1] <= 40000.0)
   {
     analysis.Kind = Explore::VolumeKind::CT;
@@ -153,12 +154,12 @@ void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 
 namespace Explore
 {
-Analysis AnalyseVolume(vtkImageData* image, bool isField, bool areLabels)
+Analysis AnalyseVolume(vtkImageData* image, bool isField, bool areLabels, bool mayBeHounsfield)
 {
   Analysis analysis;
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   scalars->GetFiniteRange(analysis.Range, 0);
-  SetKind(analysis, scalars->GetDataType(), isField, areLabels);
+  SetKind(analysis, scalars->GetDataType(), isField, areLabels, mayBeHounsfield);
   std::vector<float> values = SampleValues(scalars);
   analysis.Low = Percentile(values, 0.005);
   analysis.High = Percentile(values, 0.995);

@@ -35,8 +35,10 @@ struct Analysis
 };
 
 /// Everything except the position of the body. A large volume is sampled sparsely. The values of a
-/// field or of labels are not interpreted, whatever they look like.
-Analysis AnalyseVolume(vtkImageData* image, bool isField = false, bool areLabels = false);
+/// field or of labels are not interpreted, whatever they look like. Without `mayBeHounsfield` they
+/// are no CT.
+Analysis AnalyseVolume(
+  vtkImageData* image, bool isField = false, bool areLabels = false, bool mayBeHounsfield = true);
 
 /// Adds the position of the voxels above the outer threshold: Centre and BodyBounds.
 void MeasureBody(Analysis& analysis, vtkImageData* image);

@@ -9,6 +9,7 @@
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
+#include "Applications/Explorer/Volume/VolumeChecks.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -168,7 +169,8 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   Exploration result;
   tell("Finding the body", 0.4);
   result.Input = volume;
-  result.Values = AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
+  result.Values =
+    AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels, MayBeHounsfield(volume.Modality));
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
   if (result.Values.Kind == VolumeKind::CT && scalars)
   {

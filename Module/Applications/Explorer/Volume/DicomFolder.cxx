@@ -4,24 +4,21 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/DicomPixels.h"
+#include "Applications/Explorer/Volume/DicomSegmentation.h"
 #include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/DicomUnpacking.h"
 #include "Applications/Explorer/Volume/SliceGeometry.h"
+#include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
-#include "VTK/Base/ArrayMemory.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
-#include "vtkPointData.h"
 
+#include <vtksys/Directory.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -48,17 +45,34 @@ std::string ListSeries(const std::vector<DicomSeries>& all)
   return list;
 }
 
-void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices)
+void CheckSlices(
+  const std::string& path, const std::vector<DicomHeader>& slices, bool isPlacedByLocation)
 {
   for (const DicomHeader& slice : slices)
   {
-    // A slice that is deflated as a whole has no readable size.
-    if (!slice.IsPlain() && (!Explore::CanUnpackDicom() || slice.Width == 0))
+    if (!slice.IsPlain() && slice.Deflated == 0 && !Explore::CanUnpackDicom())
     {
       throw InputError(path,
         "holds compressed DICOM slices (" + NameOf(slice) + "), which this build can't unpack",
         "build it with GDCM (package libgdcm-dev), or unpack them, e.g. with gdcmconv --raw "
         "(package libgdcm-tools) or dcmdjpeg (dcmtk)");
+    }
+    if (!slice.IsWhole)
+    {
+      throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
+        "copy or export the series again, or take that file away");
+    }
+    if (slice.ImageType.find("MOSAIC") != std::string::npos && slice.Frames == 1)
+    {
+      throw InputError(path,
+        "holds mosaics, which have all slices of a Siemens MR volume in one picture (" +
+          NameOf(slice) + ")",
+        "turn them into NIfTI with dcm2niix");
+    }
+    if (slice.Modality == "RTDOSE" && !slice.DoseScale)
+    {
+      throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
+        "export it again from the planning system");
     }
     if (!slice.HasPlaces)
     {
@@ -72,10 +86,12 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
       throw InputError(path, "gives no distance of its pixels (PixelSpacing) in " + NameOf(slice),
         "export it again from where it was made, with its PixelSpacing");
     }
-    if (!slice.IsWhole)
+    if (!slice.HasPosition && slice.Frames == 1 && slices.size() > 1 && !isPlacedByLocation)
     {
-      throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
-        "copy or export the series again, or take that file away");
+      throw InputError(path,
+        "gives no position of its slices (ImagePositionPatient, or SliceLocation) in " +
+          NameOf(slice),
+        "export it again from where it was made, with positions");
     }
   }
 }
@@ -214,7 +230,10 @@ std::vector<double> FindPlaces(
   return along;
 }
 
-/// Throws unless the first pixels of all slices are on one line.
+} // namespace
+
+namespace Explore
+{
 void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
 {
   const DicomHeader& first = slices.front();
@@ -242,202 +261,6 @@ void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
   }
 }
 
-struct ValueRange
-{
-  double Low = 0.0;
-  double High = 0.0;
-  bool AreWhole = true;
-};
-
-/// The possible values of the samples of all slices.
-ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
-{
-  ValueRange range;
-  for (const DicomHeader& slice : slices)
-  {
-    const double count = std::pow(2.0, slice.Stored);
-    for (const double sample :
-      { slice.IsSigned ? -0.5 * count : 0.0, (slice.IsSigned ? 0.5 * count : count) - 1.0 })
-    {
-      const double value = slice.Slope * sample + slice.Intercept;
-      range.Low = std::min(range.Low, value);
-      range.High = std::max(range.High, value);
-    }
-    range.AreWhole = range.AreWhole && slice.Slope == std::round(slice.Slope) &&
-      slice.Intercept == std::round(slice.Intercept);
-  }
-  return range;
-}
-
-/// The smallest type that holds all values of a range.
-int ChooseType(const ValueRange& range)
-{
-  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
-  {
-    if (range.AreWhole && range.Low >= vtkDataArray::GetDataTypeMin(type) &&
-      range.High <= vtkDataArray::GetDataTypeMax(type))
-    {
-      return type;
-    }
-  }
-  return VTK_FLOAT;
-}
-
-/// Sample number `at` of a slice. Bits above the stored ones may belong to an overlay.
-double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
-{
-  const auto size = static_cast<std::size_t>(slice.Bits / 8);
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const std::size_t byte = at * size + (slice.IsBig ? i : size - 1 - i);
-    bits = bits << 8 | static_cast<unsigned char>(bytes[byte]);
-  }
-  const std::uint64_t count = std::uint64_t{ 1 } << slice.Stored;
-  bits &= count - 1;
-  const bool isNegative = slice.IsSigned && bits >= count / 2;
-  return static_cast<double>(bits) - (isNegative ? static_cast<double>(count) : 0.0);
-}
-
-template <typename Value>
-void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
-{
-  const auto samples = static_cast<std::size_t>(slice.Samples);
-  const std::size_t pixels = static_cast<std::size_t>(slice.Width) * slice.Height;
-  for (std::size_t i = 0; i < samples * pixels; ++i)
-  {
-    const std::size_t at = slice.ArePlanes ? i % samples * pixels + i / samples : i;
-    values[i] = static_cast<Value>(slice.Slope * Sample(bytes, at, slice) + slice.Intercept);
-  }
-}
-
-/// The value of pixels that were not measured, if the file gives it. Its two bytes may or may not
-/// have a sign, independent of the pixels'.
-std::optional<double> ReadPadding(const DicomHeader& slice)
-{
-  if (!slice.Padding)
-  {
-    return {};
-  }
-  const int sign = slice.IsSigned && *slice.Padding >= 0x8000 ? 0x10000 : 0;
-  return slice.Slope * (*slice.Padding - sign) + slice.Intercept;
-}
-
-/// Sets pixels that were not measured to the least value of the others. Returns their number.
-template <typename Value>
-vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count, Value* values)
-{
-  Value least = std::numeric_limits<Value>::max();
-  vtkIdType replaced = 0;
-  for (const bool isSearch : { true, false })
-  {
-    for (std::size_t k = 0; k < slices.size(); ++k)
-    {
-      const std::optional<double> padding = ReadPadding(slices[k]);
-      Value* const first = values + static_cast<vtkIdType>(k) * count;
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        const bool isPadding = padding && static_cast<double>(first[i]) == *padding;
-        if (isSearch)
-        {
-          least = isPadding ? least : std::min(least, first[i]);
-        }
-        else if (isPadding)
-        {
-          first[i] = least;
-          ++replaced;
-        }
-      }
-    }
-    if (least == std::numeric_limits<Value>::max())
-    {
-      return 0; // nothing was measured
-    }
-  }
-  return replaced;
-}
-
-/// Sets what scanners write outside of their field of view, and tell only by its value, to the
-/// least value that is measured: one and the same value below all that a CT measures, in more than
-/// a thousandth of the voxels. Returns the number of pixels.
-template <typename Value>
-vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
-{
-  constexpr double lowest = -1024.0; // HU
-  constexpr vtkIdType fewestPart = 1000;
-  Value least = std::numeric_limits<Value>::max();
-  const Value outside = *std::min_element(values, values + count);
-  vtkIdType replaced = 0;
-  bool isOne = static_cast<double>(outside) < lowest;
-  for (vtkIdType i = 0; i < count && isOne; ++i)
-  {
-    replaced += values[i] == outside;
-    least = values[i] == outside ? least : std::min(least, values[i]);
-  }
-  isOne = isOne && replaced > count / fewestPart && static_cast<double>(least) >= lowest;
-  if (isOne)
-  {
-    std::replace(values, values + count, outside, least);
-  }
-  return isOne ? replaced : 0;
-}
-
-/// Rows and slices in the order of their places.
-vtkSmartPointer<vtkImageData> ReadSlices(
-  const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
-{
-  const DicomHeader& first = slices.front();
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));
-  VolumeHaptics::AllocateScalars(image, ChooseType(ComputeValues(slices)), first.Samples);
-  image->GetPointData()->GetScalars()->SetName("DICOM");
-  Explore::DicomPixels pixels;
-  for (std::size_t k = 0; k < slices.size(); ++k)
-  {
-    DicomHeader slice = slices[k];
-    const std::string bytes = pixels.Read(path, slice);
-    void* const values = image->GetScalarPointer(0, 0, static_cast<int>(k));
-    switch (image->GetScalarType())
-    {
-      vtkTemplateMacro(Fill(bytes, slice, static_cast<VTK_TT*>(values)));
-    }
-  }
-  const bool isPadded = first.Samples == 1 &&
-    std::any_of(slices.begin(), slices.end(),
-      [](const DicomHeader& slice) { return slice.Padding.has_value(); });
-  vtkIdType replaced = 0;
-  void* const values = image->GetScalarPointer();
-  switch (isPadded ? image->GetScalarType() : VTK_VOID)
-  {
-    vtkTemplateMacro(replaced = ReplacePadding(slices, vtkIdType{ first.Width } * first.Height,
-                       static_cast<VTK_TT*>(values)));
-    default:
-      break;
-  }
-  vtkIdType below = 0;
-  switch (first.Modality == "CT" && first.Samples == 1 ? image->GetScalarType() : VTK_VOID)
-  {
-    vtkTemplateMacro(
-      below = ReplaceBelowAir(image->GetNumberOfPoints(), static_cast<VTK_TT*>(values)));
-    default:
-      break;
-  }
-  if (below > 0)
-  {
-    volume.Notes.push_back(std::to_string(below) +
-      " pixels have one value below -1024: they are outside of the field of view, and are set to "
-      "the "
-      "least value");
-  }
-  if (replaced > 0)
-  {
-    volume.Notes.push_back(std::to_string(replaced) +
-      " pixels were not measured, as the files say: they are outside, with the least value");
-  }
-  return image;
-}
-
-/// Slices may be tilted against the line on which they follow each other.
 void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImageData* image)
 {
   const DicomHeader& first = slices.front();
@@ -453,13 +276,44 @@ void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImage
     axes[3 * axis + 2] =
       length > 0.0 ? slices.back().Position[axis] - first.Position[axis] : first.Normal[axis];
   }
-  Explore::SetFrame(image, axes, first.Position);
+  SetFrame(image, axes, first.Position);
+}
+} // namespace Explore
+
+namespace
+{
+/// What the files of a folder are that are DICOM, but no slices, such as "an RT plan (plan.dcm)",
+/// and the cure.
+Explore::DicomObject FindObjects(const std::string& folder)
+{
+  vtksys::Directory directory;
+  directory.Load(folder);
+  Explore::DicomObject found;
+  for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
+  {
+    const std::string name = directory.GetFile(i);
+    const bool isFile = !vtksys::SystemTools::FileIsDirectory(folder + "/" + name);
+    const auto [kind, cure] =
+      isFile ? Explore::FindDicomObject(folder + "/" + name) : Explore::DicomObject();
+    if (!kind.empty() && found.Name.find(kind) == std::string::npos)
+    {
+      found.Name += (found.Name.empty() ? "" : ", ") + kind + " (" + name + ")";
+      found.Cure = found.Cure.empty() ? cure : found.Cure;
+    }
+  }
+  return found;
 }
 
 /// Throws if there is no such series.
 std::size_t ChooseSeries(
   const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
 {
+  const Explore::DicomObject other = all.empty() ? FindObjects(path) : Explore::DicomObject();
+  if (!other.Name.empty())
+  {
+    throw InputError(
+      path, "is a folder without a single DICOM slice, but has " + other.Name, other.Cure);
+  }
   if (all.empty())
   {
     throw InputError(path, "is a folder without a single DICOM slice",
@@ -475,16 +329,10 @@ std::size_t ChooseSeries(
   return wanted > 0 ? static_cast<std::size_t>(wanted - 1) : Explore::FindLargest(all);
 }
 
-Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
+vtkSmartPointer<vtkImageData> ReadPlaced(const std::string& path,
+  const std::vector<DicomHeader>& slices, const std::vector<double>& along, Volume& volume)
 {
-  Volume volume;
-  volume.Format = "DICOM";
-  volume.Axes = Explore::WorldAxes::Patient;
-  const std::vector<DicomHeader> slices = LeaveOutFar(all[chosen].Slices, volume);
-  CheckSlices(path, slices);
-  const std::vector<double> along = FindPlaces(path, slices, volume);
-  CheckLine(path, slices);
-  volume.Image = ReadSlices(path, slices, volume);
+  vtkSmartPointer<vtkImageData> image = Explore::ReadSlices(path, slices, volume.Notes);
   const double even = along.back() / std::max<double>(1.0, static_cast<double>(along.size() - 1));
   bool isEven = true;
   for (std::size_t i = 0; i < along.size(); ++i)
@@ -493,24 +341,117 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   }
   if (along.size() > 2 && !isEven)
   {
-    volume.Image = Explore::SpaceSlicesEvenly(volume.Image, along);
+    image = Explore::SpaceSlicesEvenly(image, along);
   }
   const double* const from = slices.front().Position;
   const double* const to = slices.back().Position;
-  PlaceSlices(slices, std::sqrt(vtkMath::Distance2BetweenPoints(from, to)), volume.Image);
+  Explore::PlaceSlices(slices, std::sqrt(vtkMath::Distance2BetweenPoints(from, to)), image);
+  return image;
+}
+
+/// What was assumed of a series, and what its values are.
+void AddNotes(const DicomSeries& series, Volume& volume)
+{
+  const DicomHeader& first = series.Slices.front();
+  const auto note = [&](const std::string& text) { volume.Notes.push_back(text); };
+  if (series.Copies > 0)
+  {
+    note(std::to_string(series.Copies) + (series.Copies == 1 ? " slice is" : " slices are") +
+      " there twice (the same SOPInstanceUID): each is read once");
+  }
+  if (series.IsPlacedByLocation)
+  {
+    note("no ImagePositionPatient: slices are placed by SliceLocation, as if axial");
+  }
+  if (first.IsDetectorSpacing)
+  {
+    note("no PixelSpacing: ImagerPixelSpacing is used, which is at the detector, where all looks "
+         "larger");
+  }
+  if (first.Modality == "RTDOSE")
+  {
+    const bool isGray = first.Units == "GY" || first.Units.empty();
+    note(isGray ? "values are doses in Gy"
+                : "values are relative doses (DoseUnits " + first.Units + ")");
+  }
+  else if (!first.Units.empty())
+  {
+    note("values are in " + first.Units + ", as the file says");
+  }
+  if (!series.MorePhases.empty())
+  {
+    note(std::to_string(series.MorePhases.size() + 1) + " phases at the same places, by " +
+      series.PhasesBy + (series.HaveTimes ? "" : ", which is no time: 10 are played in a second"));
+  }
+}
+
+/// Reads the phases of a volume that moves; `along` has the places of the slices.
+void ReadPhases(const std::string& path, const DicomSeries& series,
+  const std::vector<double>& along, Volume& volume)
+{
+  constexpr double perSecond = 10.0; // of those without times
+  const std::vector<std::string> notes = volume.Notes;
+  for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
+  {
+    const std::vector<DicomHeader>& slices = series.MorePhases[i];
+    CheckSlices(path, slices, series.IsPlacedByLocation);
+    const double time = series.Times[i + 1] / (series.HaveTimes ? 1.0 : perSecond);
+    volume.Phases.push_back({ time, ReadPlaced(path, slices, along, volume) });
+  }
+  volume.Notes = notes; // each phase would tell the same
+}
+
+Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
+{
+  Volume volume;
+  const DicomSeries& series = all[chosen];
+  const DicomHeader& one = series.Slices.front();
+  if (one.IsSegmentation())
+  {
+    CheckSlices(path, series.Slices, false);
+    volume = Explore::ReadDicomSegmentation(path, series.Slices);
+  }
+  else
+  {
+    volume.Format = "DICOM";
+    volume.Axes =
+      series.IsPlacedByLocation ? Explore::WorldAxes::Unknown : Explore::WorldAxes::Patient;
+    volume.IsField = one.Modality == "RTDOSE";
+    volume.Modality = one.Modality;
+    const bool isMoving = !series.MorePhases.empty();
+    const std::vector<DicomHeader> slices =
+      isMoving ? series.Slices : LeaveOutFar(series.Slices, volume);
+    CheckSlices(path, slices, series.IsPlacedByLocation);
+    const std::vector<double> along = FindPlaces(path, slices, volume);
+    Explore::CheckLine(path, slices);
+    AddNotes(series, volume);
+    Explore::CheckMemory(
+      path, Explore::MeasureSlices(slices), slices.size() * (1 + series.MorePhases.size()));
+    volume.Image = ReadPlaced(path, slices, along, volume);
+    if (isMoving)
+    {
+      ReadPhases(path, series, along, volume);
+    }
+    volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
+  }
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     volume.Series.push_back(all[i].Describe(i + 1));
   }
   volume.SeriesNumber = static_cast<int>(chosen) + 1;
-  if (all.size() == 1)
-  {
-    volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
-  }
-  else
+  if (all.size() > 1)
   {
     volume.Notes.push_back("series " + all[chosen].Describe(chosen + 1) + ", of " +
       std::to_string(all.size()) + " series; --series N takes another one:" + ListSeries(all));
+  }
+  for (const DicomSeries& other : all)
+  {
+    const DicomHeader& slice = other.Slices.front();
+    if (&other != &series && slice.IsSegmentation())
+    {
+      volume.Notes.push_back(NameOf(slice) + " is a segmentation (SEG): --labels " + NameOf(slice) +
+        " takes its labels");
+    }
   }
   return volume;
 }
@@ -534,14 +475,22 @@ Volume ReadDicomFile(const std::string& path, int series)
   {
     return ReadDicomFolder(folder, series);
   }
+  if (header.Frames > 1 || header.IsSegmentation())
+  {
+    // A whole volume by itself, whatever lies beside it.
+    const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
+    Volume volume = LoadSeries(path, own, FindLargest(own));
+    constexpr unsigned long alone = 3; // with the folder itself, and the one above
+    if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone)
+    {
+      volume.Notes.emplace_back("the file alone is read, not what lies beside it");
+    }
+    return volume;
+  }
   bool hasFolders = false;
   const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders);
-  const auto holds = [&](const DicomSeries& one)
-  {
-    return std::any_of(one.Slices.begin(), one.Slices.end(),
-      [&](const DicomHeader& slice) { return slice.File == whole; });
-  };
-  const auto found = std::find_if(all.begin(), all.end(), holds);
+  const auto found =
+    std::find_if(all.begin(), all.end(), [&](const DicomSeries& one) { return one.Holds(whole); });
   if (found == all.end())
   {
     throw InputError(path, "is not there any more", "name the folder of its series");

@@ -19,6 +19,7 @@ namespace
 {
 using Explore::DEEPEST;
 using Explore::DicomHeader;
+using Explore::DicomSegment;
 using Explore::DicomStream;
 using Explore::ITEM;
 using Explore::ITEM_END;
@@ -26,6 +27,10 @@ using Explore::SEQUENCE_END;
 using Explore::UNKNOWN_LENGTH;
 
 constexpr std::uint32_t PIXELS = 0x7fe00010;
+constexpr std::uint32_t FLOAT_PIXELS = 0x7fe00008;
+constexpr std::uint32_t DOUBLE_PIXELS = 0x7fe00009;
+constexpr std::uint32_t OFFSETS = 0x3004000c; // of the frames of a dose
+constexpr std::uint32_t SEGMENTS = 0x00620002;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
 constexpr std::uint32_t LONGEST_VALUE = 1024; // the longest value that is read
@@ -39,8 +44,41 @@ constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
 struct FramePlaces
 {
   std::vector<DicomHeader> Groups; // per frame: differences from the file's header
-  std::vector<double> Offsets;     // along the normal, mm
-  double Step = 0.0;               // from frame to frame, mm
+  std::vector<double> Offsets;     // along the normal, or z in the patient, mm
+  std::vector<DicomSegment> Segments;
+};
+
+/// Kinds of objects without pixels of a volume, by the begin of their class.
+struct ObjectKind
+{
+  const char* Class;
+  const char* Name;
+  const char* Cure;
+};
+constexpr const char* NAME_IMAGES = "name the folder of its images";
+constexpr ObjectKind OBJECTS[] = {
+  { "1.2.840.10008.5.1.4.1.1.481.3",
+    "an RT structure set (RTSTRUCT), whose contours have no voxels",
+    "make labels of it first, e.g. with plastimatch convert or 3D Slicer, and name them with "
+    "--labels" },
+  { "1.2.840.10008.5.1.4.1.1.481.5", "an RT plan (RTPLAN)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.481.8", "an RT ion plan (RTPLAN)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.481.", "an RT record", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.88.", "a structured report (SR)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.9.", "a waveform, such as an ECG", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.11.", "a presentation state", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.104.", "a document that DICOM wraps", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.1", "a spatial registration (REG)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.2", "a set of fiducials", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.3", "a deformable registration (REG)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.4", "a segmentation (SEG) that ends before its pixels",
+    "copy or export it again" },
+  { "1.2.840.10008.5.1.4.1.1.66.5", "a surface segmentation, which has no voxels",
+    "write it as a DICOM SEG, or as .seg.nrrd" },
+  { "1.2.840.10008.5.1.4.1.1.66.6", "a set of tracts", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66", "raw data, without an image", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.4.2", "a spectrum", NAME_IMAGES },
+  { "1.2.840.10008.1.3.10", "the directory of a medium (DICOMDIR)", NAME_IMAGES },
 };
 
 /// Removes the blank or zero that makes lengths even.
@@ -78,12 +116,96 @@ int ReadWhole(const std::string& text, int unknown)
                                                                   : unknown;
 }
 
+/// Seconds of a time of day, HHMMSS.F.
+double ReadTimeOfDay(const std::string& text)
+{
+  double number = 0.0;
+  const bool isRead = text.size() >= 6 && ReadDecimals(text, &number, 1);
+  const double hours = std::floor(number / 1e4);
+  const double minutes = std::floor((number - 1e4 * hours) / 1e2);
+  return isRead ? 3600.0 * hours + 60.0 * minutes + number - 1e4 * hours - 1e2 * minutes : NAN;
+}
+
+void TakeFact(const DicomStream& stream, const Explore::DicomFact& fact, const std::string& value,
+  DicomHeader& header)
+{
+  double number = NAN;
+  switch (fact.Kind)
+  {
+    case Explore::DicomFact::Decimal:
+      ReadDecimals(value, &number, 1);
+      break;
+    case Explore::DicomFact::TimeOfDay:
+      number = ReadTimeOfDay(TrimValue(value));
+      break;
+    case Explore::DicomFact::Real:
+      number = stream.Real(value);
+      break;
+    case Explore::DicomFact::Whole:
+      number = static_cast<double>(stream.Number(value, 0, 4));
+      break;
+  }
+  if (std::isfinite(number))
+  {
+    header.Facts[fact.Tag] = number;
+  }
+}
+
 void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
   DicomHeader& header, double orientation[6])
 {
   const auto number = [&] { return static_cast<int>(stream.Number(value, 0, 2)); };
   switch (tag)
   {
+    case 0x00080008:
+      header.ImageType = TrimValue(value);
+      break;
+    case 0x00080016:
+      header.Class = TrimValue(value);
+      break;
+    case 0x00080018:
+      header.Instance = TrimValue(value);
+      break;
+    case 0x00180050:
+      ReadDecimals(value, &header.Thickness, 1);
+      break;
+    case 0x00180088:
+      if (ReadDecimals(value, &header.Step, 1))
+      {
+        header.Step = std::abs(header.Step);
+      }
+      break;
+    case 0x00201041:
+    {
+      double location;
+      if (ReadDecimals(value, &location, 1))
+      {
+        header.Location = location;
+      }
+      break;
+    }
+    case 0x00541001:
+    case 0x30040002:
+      header.Units = TrimValue(value);
+      break;
+    case 0x3004000e:
+    {
+      double scale;
+      if (ReadDecimals(value, &scale, 1))
+      {
+        header.DoseScale = scale;
+      }
+      break;
+    }
+    case 0x00620001:
+      header.SegmentationType = TrimValue(value);
+      break;
+    case 0x0062000b:
+      header.Segment = number();
+      break;
+    case 0x0062000e:
+      header.Whole = number();
+      break;
     case 0x00080060:
       header.Modality = TrimValue(value);
       break;
@@ -97,7 +219,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
       header.SeriesNumber = ReadWhole(value, 0);
       break;
     case 0x00200032:
-      ReadDecimals(value, header.Position, 3);
+      header.HasPosition = ReadDecimals(value, header.Position, 3) || header.HasPosition;
       break;
     case 0x00200037:
       ReadDecimals(value, orientation, 6);
@@ -117,11 +239,13 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
     case 0x00280011:
       header.Width = number();
       break;
+    case 0x00181164: // ImagerPixelSpacing, before PixelSpacing
     case 0x00280030:
     {
       double spacing[2]; // from row to row first
       if (ReadDecimals(value, spacing, 2))
       {
+        header.IsDetectorSpacing = tag == 0x00181164;
         header.Spacing[0] = spacing[1];
         header.Spacing[1] = spacing[0];
       }
@@ -145,6 +269,10 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
         header.Padding = number();
       }
       break;
+    case 0x00280122:
+    case 0x00280123:
+      header.Padding = stream.Real(value);
+      break;
     case 0x00281052:
       ReadDecimals(value, &header.Intercept, 1);
       break;
@@ -152,6 +280,10 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
       ReadDecimals(value, &header.Slope, 1);
       break;
     default:
+      if (const Explore::DicomFact* const fact = Explore::FindDicomFact(tag))
+      {
+        TakeFact(stream, *fact, value, header);
+      }
       break;
   }
 }
@@ -166,24 +298,48 @@ std::vector<double> ReadAllDecimals(const std::string& text)
     : std::vector<double>();
 }
 
-void ReadPlaces(std::uint32_t tag, const std::string& value, FramePlaces& places)
-{
-  double step;
-  if (tag == 0x3004000c)
-  {
-    places.Offsets = ReadAllDecimals(value);
-  }
-  else if (tag == 0x00180088 && ReadDecimals(value, &step, 1))
-  {
-    places.Step = std::abs(step);
-  }
-}
-
 /// The functional groups of an item, which are sequences of one item each.
 bool IsGroup(std::uint32_t tag)
 {
-  // The spacing of pixels, the place, the orientation, and slope and intercept.
-  return tag == 0x00289110 || tag == 0x00209113 || tag == 0x00209116 || tag == 0x00289145;
+  // The spacing of pixels, the place, the orientation, slope and intercept; the number of the frame
+  // in time, its segment, echo, diffusion and heart phase.
+  constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
+    0x0062000a, 0x00189114, 0x00189117, 0x00189118 };
+  return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
+}
+
+/// PS3.3, section C.10.7.1.1: CIELab in whole numbers to red, green and blue.
+std::vector<double> ReadColor(const DicomStream& stream, const std::string& value)
+{
+  const auto part = [&](std::size_t i) { return stream.Number(value, 2 * i, 2) / 65535.0; };
+  const double lab[3] = { 100.0 * part(0), 255.0 * part(1) - 128.0, 255.0 * part(2) - 128.0 };
+  std::vector<double> color(3);
+  vtkMath::LabToRGB(lab, color.data());
+  return color;
+}
+
+void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const std::string& value,
+  std::vector<DicomSegment>& segments)
+{
+  constexpr int most = 65535;
+  if (number < 0 || number >= most)
+  {
+    return;
+  }
+  segments.resize(std::max(segments.size(), static_cast<std::size_t>(number) + 1));
+  DicomSegment& segment = segments[static_cast<std::size_t>(number)];
+  if (tag == 0x00620004)
+  {
+    segment.Number = static_cast<int>(stream.Number(value, 0, 2));
+  }
+  else if (tag == 0x00620005)
+  {
+    segment.Name = TrimValue(value);
+  }
+  else if (tag == 0x0062000d && value.size() >= 6)
+  {
+    segment.Color = ReadColor(stream, value);
+  }
 }
 
 /// Calls `take` with the value of an element, unless it is longer, and continues after it. False if
@@ -283,8 +439,12 @@ bool ReadMeta(DicomStream& stream, DicomHeader& header)
     {
       return false;
     }
-    const std::string value = element.Tag == 0x00020010 ? stream.Read(element.Length) : "";
-    header.TransferSyntax = value.empty() ? header.TransferSyntax : TrimValue(value);
+    const bool isUsed = element.Tag == 0x00020010 || element.Tag == 0x00020002;
+    const std::string value = isUsed ? stream.Read(element.Length) : "";
+    if (!value.empty())
+    {
+      (element.Tag == 0x00020010 ? header.TransferSyntax : header.Class) = TrimValue(value);
+    }
     stream.GoTo(value.empty() ? stream.Place() + element.Length : stream.Place());
     place = stream.Place();
   }
@@ -294,7 +454,13 @@ bool ReadMeta(DicomStream& stream, DicomHeader& header)
     stream.IsExplicit = header.TransferSyntax != IMPLICIT_LITTLE;
     stream.IsBig = header.TransferSyntax == EXPLICIT_BIG;
   }
+  header.Deflated = header.TransferSyntax == DEFLATED ? stream.Place() : 0;
   return true;
+}
+
+bool ArePixels(std::uint32_t tag)
+{
+  return tag == PIXELS || tag == FLOAT_PIXELS || tag == DOUBLE_PIXELS;
 }
 
 /// Reads everything up to the pixels; false if there are none.
@@ -321,8 +487,18 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
   };
   constexpr std::uint32_t longestOffsets = 65536;
   DicomStream::Element element;
-  while (stream.Next(element) && element.Tag != PIXELS)
+  while (stream.Next(element) && !ArePixels(element.Tag))
   {
+    if (element.Tag == SEGMENTS)
+    {
+      const auto takeOfSegment = [&](int number, std::uint32_t tag, const std::string& value)
+      { TakeSegment(stream, number, tag, value, places.Segments); };
+      if (!WalkItems(stream, element, takeOfSegment, -1, 0))
+      {
+        return false;
+      }
+      continue;
+    }
     if (element.Tag == SHARED_GROUPS || element.Tag == FRAME_GROUPS)
     {
       const bool isShared = element.Tag == SHARED_GROUPS;
@@ -338,27 +514,35 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
     const auto takeOfFile = [&](const std::string& value)
     {
       ReadValue(stream, element.Tag, value, header, orientation);
-      ReadPlaces(element.Tag, value, places);
+      if (element.Tag == OFFSETS)
+      {
+        places.Offsets = ReadAllDecimals(value);
+      }
     };
-    const bool areOffsets = element.Tag == 0x3004000c;
+    const bool areOffsets = element.Tag == OFFSETS;
     if (!ReadAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
     {
       return false;
     }
   }
-  if (element.Tag != PIXELS || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
+  header.IsFloat = element.Tag != PIXELS;
+  if (!ArePixels(element.Tag) || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
     header.Samples <= 0)
   {
     return false;
   }
+  if (header.IsFloat && header.Bits != (element.Tag == FLOAT_PIXELS ? 32 : 64))
+  {
+    return false;
+  }
+  header.Slope = header.DoseScale.value_or(header.Slope);
   header.IsBig = stream.IsBig;
   header.Pixels = stream.Place();
   header.Frames = std::max(header.Frames, 1);
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
   // The parts of compressed pixels have no common length.
-  header.IsWhole = element.Length == UNKNOWN_LENGTH
-    ? stream.Left() > 16 && stream.SkipItems()
-    : stream.Left() >= header.GetSize() * static_cast<std::uint64_t>(header.Frames);
+  header.IsWhole = element.Length == UNKNOWN_LENGTH ? stream.Left() > 16 && stream.SkipItems()
+                                                    : stream.Left() >= header.GetSizeOfAll();
   OrientSlice(orientation, header);
   for (std::size_t i = 0; i < places.Groups.size(); ++i)
   {
@@ -372,9 +556,12 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
   header = {};
   header.File = path;
   DicomStream stream(path);
-  // A deflated file is not a readable slice.
-  return ReadMeta(stream, header) &&
-    (header.TransferSyntax == DEFLATED || ReadDataSet(stream, header, places));
+  if (!ReadMeta(stream, header))
+  {
+    return false;
+  }
+  // What deflate packed is told as damaged, if it is, not as something else.
+  return header.Deflated > 0 && !stream.Inflate() ? true : ReadDataSet(stream, header, places);
 }
 } // namespace
 
@@ -384,12 +571,64 @@ bool DicomHeader::IsPlain() const
 {
   const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
     this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
-  return isPlain && (this->Bits == 8 || this->Bits == 16 || this->Bits == 32);
+  return isPlain &&
+    (this->Bits == 1 || this->Bits == 8 || this->Bits == 16 || this->Bits == 32 || this->IsFloat);
 }
 
 std::uint64_t DicomHeader::GetSize() const
 {
-  return static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits / 8;
+  return (static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits + 7) /
+    8;
+}
+
+std::uint64_t DicomHeader::GetSizeOfAll() const
+{
+  // Frames of one bit follow each other without a gap.
+  return (static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits *
+             static_cast<std::uint64_t>(this->Frames) +
+           7) /
+    8;
+}
+
+bool DicomHeader::IsSegmentation() const
+{
+  return this->Class == "1.2.840.10008.5.1.4.1.1.66.4" ||
+    this->Class == "1.2.840.10008.5.1.4.1.1.66.7" || this->Modality == "SEG";
+}
+
+const DicomFact* FindDicomFact(std::uint32_t tag)
+{
+  const auto* const found = std::find_if(std::begin(DICOM_FACTS), std::end(DICOM_FACTS),
+    [tag](const DicomFact& fact) { return fact.Tag == tag; });
+  return found != std::end(DICOM_FACTS) ? found : nullptr;
+}
+
+std::vector<DicomSegment> ReadDicomSegments(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  ReadHeader(path, header, places);
+  return places.Segments;
+}
+
+DicomObject FindDicomObject(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  if (ReadHeader(path, header, places) || header.Class.empty())
+  {
+    return {};
+  }
+  for (const auto& [begin, name, cure] : OBJECTS)
+  {
+    if (header.Class.compare(0, std::strlen(begin), begin) == 0)
+    {
+      return { name, cure };
+    }
+  }
+  return { "a DICOM object" + (header.Modality.empty() ? "" : " (" + header.Modality + ")") +
+      " without an image",
+    NAME_IMAGES };
 }
 
 bool ReadDicomHeader(const std::string& path, DicomHeader& header)
@@ -406,7 +645,8 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
   {
     return {};
   }
-  const int count = std::min(header.Frames, MOST_FRAMES);
+  // Of a file that is cut off, a few are enough to tell that.
+  const int count = std::min(header.Frames, header.IsWhole ? MOST_FRAMES : 1000);
   const auto frames = static_cast<std::size_t>(count);
   std::vector<DicomHeader> slices(frames, header);
   const bool haveGroups = places.Groups.size() >= frames;
@@ -415,7 +655,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
   {
     DicomHeader& slice = slices[i];
     slice.Frame = static_cast<int>(i);
-    slice.Pixels += header.GetSize() * i;
+    slice.Pixels += header.Bits == 1 ? 0 : header.GetSize() * i;
     if (haveGroups && places.Groups[i].HasPlaces)
     {
       const DicomHeader& own = places.Groups[i];
@@ -427,15 +667,23 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
       slice.Along = own.Along;
       slice.Slope = own.Slope;
       slice.Intercept = own.Intercept;
+      slice.HasPosition = true;
+      slice.Facts = own.Facts;
+      slice.Step = own.Step;
+      slice.Segment = own.Segment;
       continue;
     }
     if (count == 1)
     {
       continue; // its header has a place, or it is at a scanner's default place
     }
-    const double step =
-      haveOffsets ? places.Offsets[i] - places.Offsets[0] : places.Step * static_cast<double>(i);
-    slice.HasPlaces = haveOffsets || places.Step > 0.0;
+    // The offsets of a dose are along the normal from 0 on, or else z in the patient (PS3.3,
+    // section C.8.8.3.2).
+    const bool areAbsolute = haveOffsets && places.Offsets[0] != 0.0;
+    const double step = !haveOffsets ? header.Step * static_cast<double>(i)
+                                     : (places.Offsets[i] - places.Offsets[0]) *
+        (areAbsolute && slice.Normal[2] < 0.0 ? -1.0 : 1.0);
+    slice.HasPlaces = haveOffsets || header.Step > 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       slice.Position[axis] += step * slice.Normal[axis];

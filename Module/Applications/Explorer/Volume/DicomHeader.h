@@ -4,12 +4,50 @@
 #define Explore_DicomHeader_h
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Explore
 {
+/// A number by which slices at one place differ.
+struct DicomFact
+{
+  enum Encoding
+  {
+    Decimal,
+    TimeOfDay,
+    Real,
+    Whole
+  };
+  std::uint32_t Tag;
+  const char* Name;
+  Encoding Kind;
+  double Seconds; // that one unit has, in a time; 0: a number in time; -1: no time
+};
+
+/// Of two that differ, the first one decides.
+constexpr DicomFact DICOM_FACTS[] = {
+  { 0x00181060, "TriggerTime", DicomFact::Decimal, 1e-3 },
+  { 0x00209153, "NominalCardiacTriggerDelayTime", DicomFact::Real, 1e-3 },
+  { 0x00209241, "NominalPercentageOfCardiacPhase", DicomFact::Real, 0.0 },
+  { 0x00200100, "TemporalPositionIdentifier", DicomFact::Decimal, 0.0 },
+  { 0x00209128, "TemporalPositionIndex", DicomFact::Whole, 0.0 },
+  { 0x00541300, "FrameReferenceTime", DicomFact::Decimal, 1e-3 },
+  { 0x00200012, "AcquisitionNumber", DicomFact::Decimal, 0.0 },
+  { 0x00080032, "AcquisitionTime", DicomFact::TimeOfDay, 1.0 },
+  { 0x00080033, "ContentTime", DicomFact::TimeOfDay, 1.0 },
+  { 0x00180081, "EchoTime", DicomFact::Decimal, -1.0 },
+  { 0x00189082, "EffectiveEchoTime", DicomFact::Real, -1.0 },
+  { 0x00180086, "EchoNumbers", DicomFact::Decimal, -1.0 },
+  { 0x00189087, "DiffusionBValue", DicomFact::Real, -1.0 },
+  { 0x00200013, "InstanceNumber", DicomFact::Decimal, 0.0 },
+};
+
+/// The fact of a tag; null if it is none.
+const DicomFact* FindDicomFact(std::uint32_t tag);
+
 /// The header of a DICOM slice: its series, its place, and the meaning of its samples. VTK's reader
 /// supports neither series nor sequences: it reads the preview in front of a slice instead of the
 /// slice.
@@ -17,6 +55,9 @@ struct DicomHeader
 {
   std::string File; // whole path
   std::string TransferSyntax;
+  std::string Class;    // what kind of object this is (SOPClassUID)
+  std::string Instance; // the file's own unique identifier
+  std::string ImageType;
   std::string Series; // the series' unique identifier
   int SeriesNumber = 0;
   std::string Description; // the series'
@@ -27,6 +68,7 @@ struct DicomHeader
   bool IsYbr = false;       // colours are luminance and two differences (YBR_FULL) instead of RGB
   int Bits = 0, Stored = 0; // bits of a sample in the file, and how many of them count
   bool IsSigned = false;
+  bool IsFloat = false;
   bool IsBig = false; // the most significant byte comes first
   int Frames = 1;     // in the file
   int Frame = 0;      // this slice's number among the frames
@@ -34,7 +76,10 @@ struct DicomHeader
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
-  std::optional<int> Padding; // the sample of pixels that were not measured
+  std::optional<double> DoseScale; // the slope of a dose
+  std::string Units;               // of the values of a dose or of PET, as the file names them
+  std::optional<double> Padding;   // the sample of pixels that were not measured
+  std::map<std::uint32_t, double> Facts; // by which slices at one place differ: see DicomSeries
   // Position of the first pixel, and directions along rows and columns; axial at 0 if the file does
   // not give them.
   double Position[3] = { 0.0, 0.0, 0.0 };
@@ -43,16 +88,50 @@ struct DicomHeader
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Along = 0.0;               // position along the normal, mm
   double Spacing[2] = { 0.0, 0.0 }; // of pixels along a row and along a column, mm; 0: not known
-  std::uint64_t Pixels = 0;         // where the pixels begin in the file
+  bool IsDetectorSpacing = false;   // the spacing is known at the detector only
+  double Step = 0.0;                // from slice to slice, mm, as the file says; 0: not known
+  double Thickness = 0.0;           // mm; 0: not known
+  std::optional<double> Location;   // SliceLocation, mm
+  bool HasPosition = false;         // the file gives the position
+  std::uint64_t Pixels = 0;         // where the pixels begin in the file, or in what is inflated
+  std::uint64_t Deflated = 0;       // where the part begins that deflate packed; 0: none
   bool IsWhole = false;             // the file is long enough for its pixels
   bool HasPlaces = true;            // the file has the place of each frame
+  // Of a segmentation: the frame's segment, and the sample that means all of a voxel.
+  int Segment = 1;
+  double Whole = 1.0;
+  std::string SegmentationType;
 
   /// Uncompressed little endian, implicit and explicit, and explicit big endian, with samples of
-  /// 8, 16 or 32 bits.
+  /// 1, 8, 16 or 32 bits, or floating-point numbers.
   bool IsPlain() const;
-  /// The size of this slice's pixels in bytes, if they are not compressed.
+  /// The size of this slice's pixels in bytes, if they are not compressed; samples of one bit are
+  /// rounded up.
   std::uint64_t GetSize() const;
+  /// The same, of all frames.
+  std::uint64_t GetSizeOfAll() const;
+  bool IsSegmentation() const;
 };
+
+/// A segment of a segmentation.
+struct DicomSegment
+{
+  int Number = 0;
+  std::string Name;
+  std::vector<double> Color; // red, green and blue, 0 to 1; empty if it has none
+};
+
+/// The segments of a segmentation file, PS3.3, section C.8.20.2.
+std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
+
+/// What a DICOM file without pixels of a volume is, such as "an RT plan", and the cure; empty if it
+/// is no DICOM file, or is a slice.
+struct DicomObject
+{
+  std::string Name;
+  std::string Cure;
+};
+DicomObject FindDicomObject(const std::string& path);
 
 /// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and
 /// A.

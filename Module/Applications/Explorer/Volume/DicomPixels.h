@@ -5,7 +5,11 @@
 
 #include "Applications/Explorer/Volume/DicomHeader.h"
 
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
 #include <string>
+#include <vector>
 
 namespace Explore
 {
@@ -25,6 +29,14 @@ private:
   std::string Bytes;
   DicomHeader Unpacked; // describes its samples
 };
+
+/// The bytes of a slice in memory, before they are taken: compressed files can promise any number.
+double MeasureSlices(const std::vector<DicomHeader>& slices);
+
+/// The values of slices in this order, of the smallest type that holds all, without a place. What
+/// was not measured gets the least value, with a note. Throws an InputError.
+vtkSmartPointer<vtkImageData> ReadSlices(
+  const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes);
 } // namespace Explore
 
 #endif

@@ -3,10 +3,10 @@
 #ifndef Explore_DicomStream_h
 #define Explore_DicomStream_h
 
-#include <vtksys/FStream.hxx>
-
 #include <cstddef>
 #include <cstdint>
+#include <istream>
+#include <memory>
 #include <string>
 
 namespace Explore
@@ -17,11 +17,21 @@ constexpr std::uint32_t ITEM_END = 0xfffee00d;
 constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
 constexpr int DEEPEST = 16; // nesting of sequences
 
+/// Unpacks a file from a byte on that deflate packed (PS3.5, section A.5), and keeps the first
+/// `most` bytes. Returns how many there are; 0 if they are damaged or cut off. Takes no more memory
+/// than `most`, whatever the file promises.
+std::uint64_t InflateDicom(
+  const std::string& path, std::uint64_t from, std::uint64_t most, std::string& kept);
+
 /// The elements of a DICOM file in order: tag, type of the value, length and value.
 class DicomStream
 {
 public:
   explicit DicomStream(const std::string& path);
+
+  /// Continues with what deflate packed from here on; places then count from its begin. False if it
+  /// is damaged.
+  bool Inflate();
 
   bool IsExplicit = true;
   bool IsBig = false;
@@ -33,11 +43,13 @@ public:
     bool IsSequence = false;
   };
 
-  std::uint64_t Place() { return static_cast<std::uint64_t>(this->File.tellg()); }
+  std::uint64_t Place() { return static_cast<std::uint64_t>(this->File->tellg()); }
   std::uint64_t Left();
   void GoTo(std::uint64_t place);
   std::string Read(std::size_t count);
   std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const;
+  /// A floating-point number of 4 or 8 bytes; 0 of any other.
+  double Real(const std::string& bytes) const;
   bool Next(Element& element);
   /// Skips the value of an element, whose items may have any length.
   bool Skip(const Element& element, int depth = 0);
@@ -46,7 +58,8 @@ public:
   bool SkipItems();
 
 private:
-  vtksys::ifstream File;
+  std::string Path;
+  std::unique_ptr<std::istream> File;
   std::uint64_t Length;
 };
 } // namespace Explore

@@ -95,9 +95,14 @@ namespace Explore
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
 {
   const std::set<int> labels = CollectLabels(path, volume.Image);
-  vtkNew<vtkHapticLabelTable> table;
-  volume.LabelTable = table;
-  if (!vtksys::SystemTools::FileIsDirectory(path))
+  const bool hasNames = volume.LabelTable != nullptr;
+  if (!hasNames)
+  {
+    volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
+  }
+  vtkHapticLabelTable* const table = volume.LabelTable;
+  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // they are, without a doubt
+  if (!hasNames && !vtksys::SystemTools::FileIsDirectory(path))
   {
     const MessageCapture capture; // without names there are numbers
     table->ReadFile(path.c_str());
@@ -139,7 +144,15 @@ void LoadLabels(
     }
     volume.Labels = labels.Image;
     const MessageCapture capture; // without names there are numbers
-    volume.LabelTable->ReadFile(segmentation.c_str());
+    if (labels.LabelTable)
+    {
+      volume.LabelTable = labels.LabelTable;
+      volume.Notes.insert(volume.Notes.end(), labels.Notes.begin(), labels.Notes.end());
+    }
+    else
+    {
+      volume.LabelTable->ReadFile(segmentation.c_str());
+    }
   }
   ReadTables(volume, tables);
   int withMaterial = 0;

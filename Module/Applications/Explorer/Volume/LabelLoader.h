@@ -10,9 +10,9 @@
 
 namespace Explore
 {
-/// Gives a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti, with
-/// the file's names, and tables of labels, which add up: see vtkHapticLabelTable::ReadFile. Throws
-/// InputError, with the fault and the cure.
+/// Gives a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm,
+/// with the file's names, and tables of labels, which add up: see vtkHapticLabelTable::ReadFile.
+/// Throws InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 

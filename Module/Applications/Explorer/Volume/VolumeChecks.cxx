@@ -18,8 +18,12 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <sstream>
 
 namespace
@@ -188,7 +192,7 @@ void UseOutside(Volume& volume)
 /// thresholds and the kind of the volume, too.
 void UseHounsfieldUnits(Volume& volume)
 {
-  if (volume.IsField)
+  if (volume.IsField || !Explore::MayBeHounsfield(volume.Modality))
   {
     return;
   }
@@ -221,6 +225,29 @@ void UseHounsfieldUnits(Volume& volume)
 
 namespace Explore
 {
+void CheckMemory(const std::string& path, double bytes, std::size_t frames)
+{
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  const double needed = bytes * static_cast<double>(frames) / mebibyte;
+  vtksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
+  if (free > 0.0 && needed > free)
+  {
+    std::ostringstream fault;
+    fault << "has " << frames << " frames, which need " << std::lround(needed)
+          << " MiB of memory, and " << std::lround(free) << " MiB are free";
+    throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
+  }
+}
+
+bool MayBeHounsfield(const std::string& modality)
+{
+  static const char* const others[] = { "MR", "PT", "NM", "US", "OPT", "OCT", "IVUS", "IVOCT", "MG",
+    "RTDOSE", "SEG" };
+  return std::find(std::begin(others), std::end(others), modality) == std::end(others);
+}
+
 void CheckVolume(const std::string& path, Volume& volume)
 {
   CheckGeometry(path, volume.Image);

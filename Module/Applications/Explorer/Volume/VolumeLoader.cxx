@@ -445,6 +445,11 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   {
     return Explore::ReadDicomFile(path, series);
   }
+  const Explore::DicomObject object = Explore::FindDicomObject(path);
+  if (!object.Name.empty())
+  {
+    throw InputError(path, "is " + object.Name, object.Cure);
+  }
   if (EndsWith(lower, ".dcm") || EndsWith(lower, ".ima"))
   {
     throw InputError(path, "is not a DICOM slice, whatever its name says",
@@ -540,6 +545,10 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     volume = ReadFile(path, timesAreComponents, series);
   }
   NarrowSamples(volume.Image);
+  for (const Volume::Phase& phase : volume.Phases)
+  {
+    NarrowSamples(phase.Image);
+  }
   std::string folder = path;
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
   volume.Name = vtksys::SystemTools::GetFilenameName(folder);
@@ -548,7 +557,8 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 
 void AlignVolume(Volume& volume)
 {
-  const std::string note = StraightenIfSheared(volume.Image, volume.MayBeLabels);
+  const std::string note =
+    StraightenIfSheared(volume.Image, volume.MayBeLabels || volume.LabelTable != nullptr);
   volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
   volume.Image = AlignToAxes(volume.Image);
 }
@@ -600,6 +610,16 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   judge(volume);
   AlignVolume(volume);
   fields.GiveTo(volume.Image);
+  for (Volume::Phase& phase : volume.Phases)
+  {
+    Volume one;
+    one.Image = phase.Image;
+    one.IsField = volume.IsField;
+    one.Modality = volume.Modality;
+    CheckVolume(path, one);
+    AlignVolume(one);
+    phase.Image = one.Image;
+  }
   return volume;
 }
 } // namespace

@@ -38,7 +38,15 @@ struct Volume
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
   double MetersPerUnit = 0.001; // for lengths in the file's world
-  bool IsGrid = false;          // resampled from cells
+  // The later phases of a DICOM series that moves, with their times (s): see LoadVolumes.
+  struct Phase
+  {
+    double Time;
+    vtkSmartPointer<vtkImageData> Image;
+  };
+  std::vector<Phase> Phases = {};
+  std::string Modality = {}; // of DICOM, such as "CT"; empty if not known
+  bool IsGrid = false;       // resampled from cells
   bool IsField = false; // its values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   // For a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this

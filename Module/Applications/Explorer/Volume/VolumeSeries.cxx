@@ -19,7 +19,6 @@
 #include "vtkXMLUtilities.h"
 
 #include <vtksys/Directory.hxx>
-#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -146,21 +145,9 @@ bool HasGeometryOf(vtkImageData* image, vtkImageData* other)
     std::equal(a, a + 9, b);
 }
 
-/// Checks before the rest is read.
-void CheckMemory(const std::string& path, vtkImageData* first, std::size_t timeSteps)
+double MeasureBytes(vtkImageData* image)
 {
-  constexpr double mebibyte = 1024.0;
-  const double needed = static_cast<double>(first->GetActualMemorySize()) * timeSteps / mebibyte;
-  vtksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
-  if (free > 0.0 && needed > free)
-  {
-    std::ostringstream fault;
-    fault << "has " << timeSteps << " frames, which need " << std::lround(needed)
-          << " MiB of memory, and " << std::lround(free) << " MiB are free";
-    throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
-  }
+  return 1024.0 * static_cast<double>(image->GetActualMemorySize());
 }
 
 bool HasSamplesOf(vtkImageData* image, vtkImageData* other)
@@ -213,7 +200,7 @@ Volume LoadTimeSteps(
   const std::string& path, const std::vector<TimeStepPath>& timeSteps, const std::string& array)
 {
   Volume volume = Explore::LoadVolume(timeSteps.front().Path, 0, array);
-  CheckMemory(path, volume.Image, timeSteps.size());
+  Explore::CheckMemory(path, MeasureBytes(volume.Image), timeSteps.size());
   volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
   AddTimeStep(volume, timeSteps.front().Path, volume.Image, timeSteps.front().Time);
   for (std::size_t i = 1; i < timeSteps.size(); ++i)
@@ -221,6 +208,25 @@ Volume LoadTimeSteps(
     AddTimeStep(volume, timeSteps[i].Path, Explore::LoadTimeStep(timeSteps[i].Path, array),
       timeSteps[i].Time);
   }
+  Finish(volume);
+  return volume;
+}
+
+/// A volume whose file or folder may have several phases.
+Volume LoadPhases(const std::string& path, int series, const std::string& array)
+{
+  Volume volume = Explore::LoadVolume(path, series, array);
+  if (volume.Phases.empty())
+  {
+    return volume;
+  }
+  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
+  AddTimeStep(volume, path, volume.Image, 0.0);
+  for (const Volume::Phase& phase : volume.Phases)
+  {
+    AddTimeStep(volume, path, phase.Image, phase.Time);
+  }
+  volume.Phases.clear();
   Finish(volume);
   return volume;
 }
@@ -253,7 +259,7 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
         std::to_string(chosen),
       "take --series 1 to " + std::to_string(count));
   }
-  CheckMemory(path, all, 1);
+  Explore::CheckMemory(path, MeasureBytes(all), 1);
   volume.Image = ExtractTimeStep(all, std::max(0, chosen - 1) * step);
   Explore::CheckVolume(path, volume);
   Explore::AlignVolume(volume);
@@ -300,7 +306,7 @@ Volume LoadVolumes(
   if (Files::FileIsDirectory(path))
   {
     const auto timeSteps = dicomSeries > 0 ? std::vector<TimeStepPath>() : ListFolder(path);
-    return timeSteps.empty() ? LoadVolume(path, dicomSeries, array)
+    return timeSteps.empty() ? LoadPhases(path, dicomSeries, array)
                              : LoadTimeSteps(path, timeSteps, array);
   }
   const bool isThere = Files::FileExists(path, true);
@@ -312,7 +318,7 @@ Volume LoadVolumes(
   }
   const NiftiTimes times = isThere ? ReadNiftiTimes(path, 1.0 / FRAMES_PER_SECOND) : NiftiTimes();
   return times.Count > 1 ? LoadNiftiSeries(path, times, dicomSeries)
-                         : LoadVolume(path, dicomSeries, array);
+                         : LoadPhases(path, dicomSeries, array);
 }
 
 void UseDisplacements(Volume& volume, const std::string& array)
