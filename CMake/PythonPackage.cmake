@@ -39,6 +39,7 @@ foreach (file IN ITEMS
     _grids.py
     _hosts.py
     _identify.py
+    _files.py
     _labels.py
     _large.py
     _paths.py

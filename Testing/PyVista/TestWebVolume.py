@@ -11,7 +11,8 @@ import pytest
 
 pv = pytest.importorskip("pyvista", reason="needs PyVista: pip install pyvista")
 web = pytest.importorskip("volumehaptics.web", reason="needs trame: pip install trame trame-vuetify trame-rca")
-pytestmark = pytest.mark.skipif(web.find_explorer() is None, reason="volumehaptics-explore is not installed")
+from volumehaptics import _files  # noqa: E402 after the skip
+pytestmark = pytest.mark.skipif(_files.find_explorer() is None, reason="volumehaptics-explore is not installed")
 
 SIZE = (6, 7, 8)
 BRIGHT = (1, 5, 2)  # index of the one voxel that is not 0
@@ -66,7 +67,7 @@ def write_nifti(path, frame):
 def test_a_volume_lies_where_its_file_says(tmp_path, ending, write, frame):
     path = tmp_path / f"volume.{ending}"
     place = write(path, FRAMES[frame])
-    image = web._read(str(path))
+    image = pv.wrap(_files.read(path)[0])
     assert isinstance(image, pv.ImageData)
     assert sorted(image.dimensions) == sorted(SIZE)
     found = image.points[np.flatnonzero(image.active_scalars == 1000)]
@@ -76,7 +77,7 @@ def test_a_volume_lies_where_its_file_says(tmp_path, ending, write, frame):
 def test_what_is_shown_and_felt_is_the_volume_with_its_frame(window, tmp_path):
     path = tmp_path / "volume.mha"
     write_meta_image(path, FRAMES["oblique"])
-    image = web._read(str(path))
+    image = pv.wrap(_files.read(path)[0])
     haptics = web.make_plotter(image)
     try:
         direction = np.array(image.direction_matrix)
@@ -94,7 +95,7 @@ def test_what_is_shown_and_felt_is_the_volume_with_its_frame(window, tmp_path):
 def test_what_can_not_be_read_is_told(tmp_path, monkeypatch):
     (tmp_path / "head.doc").write_text("no volume", encoding="utf-8")
     with pytest.raises(ValueError, match="Cure"):
-        web._read(str(tmp_path / "head.doc"))
-    monkeypatch.setattr(web, "find_explorer", lambda: None)
+        _files.read(tmp_path / "head.doc")
+    monkeypatch.setattr(_files, "find_explorer", lambda: None)
     with pytest.raises(ValueError, match=r"(?s)there is no volumehaptics-explore.*CMake/wheel/build.sh"):
-        web._read(str(tmp_path / "head.doc"))
+        _files.read(tmp_path / "head.doc")

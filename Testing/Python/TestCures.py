@@ -19,7 +19,7 @@ from vtkmodules.vtkFiltersCore import vtkResampleToImage
 from vtkmodules.vtkImagingCore import vtkImageCast
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 import volumehaptics
-from volumehaptics import image, touch
+from volumehaptics import _files, image, touch
 from volumehaptics.__main__ import find_explorer
 from volumehaptics.arrays import arrays
 
@@ -116,11 +116,11 @@ def write_nifti(path):
 
 
 @pytest.mark.skipif(find_explorer() is None and not os.environ.get("VOLUMEHAPTICS_BUILD"), reason="needs the explorer")
-def test_a_file_instead_of_a_volume(tmp_path, build):
+def test_a_file_instead_of_a_volume(tmp_path, build, monkeypatch):
     """The voxel (5, 8, 10) is at (-35, -38, 30), left-posterior-superior."""
     write_nifti(tmp_path / "scan.nii")
     with pytest.raises(TypeError, match="Cure: volumehaptics-explore FILE --write-volume volume.vti"):
-        touch(str(tmp_path / "scan.nii"), PRESS)
+        image(str(tmp_path / "scan.nii"))
     explorer = find_explorer() or next(iter(build.rglob("volumehaptics-explore")), None)
     if explorer is None:
         pytest.skip("the explorer is not built")
@@ -131,6 +131,11 @@ def test_a_file_instead_of_a_volume(tmp_path, build):
     press = np.linspace((-35, -38, 30), (-35, -38, 32), 21)
     assert -arrays(touch(reader.GetOutput(), press))["Force"][-1][2] == pytest.approx(1.0, abs=1e-6)
     assert force(reader.GetOutput()) == 0.0
+    monkeypatch.setattr(_files, "find_explorer", lambda: str(explorer))
+    with pytest.warns(UserWarning, match="turned from right-anterior-superior"):
+        assert -arrays(touch(tmp_path / "scan.nii", press))["Force"][-1][2] == pytest.approx(1.0, abs=1e-6)
+    with pytest.raises(TypeError, match="Cure: give the file of the labels"):
+        touch(tmp_path / "scan.nii", press, labels=np.ones(SIZE, np.uint8))
 
 
 def test_a_direction_places_a_volume():
@@ -178,6 +183,7 @@ ELSEWHERE = {
     "its array with zarr": "TestLarge.py", "open one of its arrays": "TestLarge.py",
     "grids of cells in space": "TestErrors.py", "give that volume, or none": "TestHosts.py",
     "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
+    "give it as the volume": "Testing/Data/Formats/TestFormats.py",
 }
 # Those of plotters and pages: a part of the text, and a test of Testing/PyVista that does it, or what is to be installed.
 WINDOWS = {

@@ -165,9 +165,13 @@ def test_errors_of_the_filter(head, tip, capfd, word, arguments, settings):
     assert capfd.readouterr().err == ""
 
 
+def test_a_file_that_is_not_there(tip):
+    with pytest.raises(ValueError, match="there is no such file|there is no volumehaptics-explore"):
+        touch("head.vti", tip)
+
+
 @pytest.mark.parametrize("volume, cure", (
     (None, "$"),
-    ("head.vti", "--write-volume"),
     ([[[1.0]]], "$"),
     (vtkVolumeHapticsFilter(), r"GetOutput\(\)"),
     (vtkPolyData(), "$"),

@@ -242,13 +242,22 @@ def _read_vti(file: str) -> tuple[vtkImageData, bool]:
     return _run(vtkXMLImageDataReader(), file), True
 
 
+def _read_dicom(file: str) -> tuple[vtkImageData, bool]:
+    from ._files import read
+
+    image, _ = read(file)
+    if not image.GetFieldData().HasArray("Label"):
+        raise ValueError(f"{file!r} is DICOM, but no segmentation (SEG). Cure: give it as the volume")
+    return image, True
+
+
 _READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.gz": _read_nifti,
-            ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti}
+            ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti, ".dcm": _read_dicom}
 # Types that vtkMetaImageReader knows, and whose size does not depend on the system.
 _META_TYPES = ("MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE")
 
 
-def _read(volume: vtkImageData, file: str) -> vtkImageData:
+def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
     """A label image where it lies in the volume's world, with its table in its field data."""
     from ._touch import Errors
 
@@ -256,7 +265,7 @@ def _read(volume: vtkImageData, file: str) -> vtkImageData:
         raise ValueError(f"there is no file {file!r} of labels")
     read = next((_READERS[ending] for ending in _READERS if file.lower().endswith(ending)), None)
     if read is None:
-        raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti. "
+        raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd, .vti or .dcm. "
                          "Cure: read the labels yourself, and give the image")
     image, is_placed = read(file)
     if not image.GetFieldData().HasArray("Label"):
@@ -264,16 +273,18 @@ def _read(volume: vtkImageData, file: str) -> vtkImageData:
         with Errors(table):  # labels without names keep their numbers
             table.ReadFile(file)
         table.WriteFieldData(image.GetFieldData())
-    return _find_place(image, is_placed, volume, file)
+    return _find_place(image, is_placed, volume, file, is_file)
 
 
-def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str) -> vtkImageData:
+def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
     """The labels of a file, placed in the world of a volume: left-posterior-superior as in ITK and the explorer, or
     right-anterior-superior as in nibabel. ValueError: the position can't be determined."""
-    if image.GetDimensions() == volume.GetDimensions() and (
+    if is_file and is_placed and _overlaps(image, volume):
+        return image  # both files tell the same world
+    if not is_file and image.GetDimensions() == volume.GetDimensions() and (
             not is_placed or any(_has_voxels_of(one, volume) for one in (image, _turn(image)))):
         return _lay(image, volume)
-    if is_placed and not _is_bare(volume):
+    if is_placed and not is_file and not _is_bare(volume):
         fitting = [one for one in (image, _turn(image)) if _has_grid_of(one, volume) and _overlaps(one, volume)]
         if len(fitting) == 1:
             return fitting[0]
@@ -359,13 +370,16 @@ def _lay(image: vtkImageData, volume: vtkImageData) -> vtkImageData:
     return image
 
 
-def _make_image(volume: vtkImageData, labels: Labels) -> vtkImageData:
+def _make_image(volume: vtkImageData, labels: Labels, is_file: bool) -> vtkImageData:
     if isinstance(labels, vtkImageData):
         return labels
     if isinstance(labels, (str, os.PathLike)):
-        return _read(volume, os.fspath(labels))
+        return _read(volume, os.fspath(labels), is_file)
     from . import arrays
 
+    if is_file:
+        raise TypeError("an array of labels has no place in the patient, which the volume of a file has. Cure: give the file "
+                        "of the labels, or volumehaptics.image(labels, spacing, origin, direction)")
     if getattr(getattr(labels, "dtype", None), "name", "") == "bool":
         labels = labels.view("uint8")
     image = arrays.image(labels, name="Labels")
@@ -376,16 +390,17 @@ def _make_image(volume: vtkImageData, labels: Labels) -> vtkImageData:
 
 
 def set_labels(
-    haptics: vtkVolumeHapticsFilter, volume: vtkImageData, labels: Labels | None, materials: Materials | None
+    haptics: vtkVolumeHapticsFilter, volume: vtkImageData, labels: Labels | None, materials: Materials | None,
+    is_file: bool = False
 ) -> None:
-    """Gives a filter labels and their table."""
+    """Gives a filter labels and their table. is_file: the volume was read from a file, as the explorer does."""
     if labels is None:
         if materials is not None:
             raise TypeError("materials are those of labels: give labels=..., an image or an array of whole numbers")
         return
     from ._touch import Errors
 
-    image = _make_image(volume, labels)
+    image = _make_image(volume, labels, is_file)
     haptics.SetLabelData(image)
     if materials is not None and haptics.GetLabelTable() is not None:
         raise TypeError("give materials or label_table, not both: materials=[table, {...}] adds to a table")

@@ -6,6 +6,7 @@ import ctypes
 import difflib
 import functools
 import numbers
+import os
 import re
 import sys
 import warnings
@@ -285,7 +286,7 @@ class _Feeling:
 
 @overload
 def touch(
-    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource | str | os.PathLike,
     tip: vtkPolyData | np.ndarray,
     preset: str | None = None,
     *,
@@ -298,7 +299,7 @@ def touch(
 
 @overload
 def touch(
-    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource | str | os.PathLike,
     tip: Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
@@ -310,7 +311,7 @@ def touch(
 
 
 def touch(
-    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource | str | os.PathLike,
     tip: vtkPolyData | np.ndarray | Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
@@ -325,7 +326,9 @@ def touch(
         (0, 0, 0) on: see image() for others. It is not copied. Or a volume larger than memory: see open_large().
         Or a rectilinear, structured or unstructured grid, or a composite data set of these, as vtkOpenFOAMReader
         has it: its point and cell arrays are felt, resampled along the path. Or a volume
-        of vedo, of tvtk (Mayavi) or of nibabel (MNE, nilearn).
+        of vedo, of tvtk (Mayavi) or of nibabel (MNE, nilearn). Or a file or folder that volumehaptics-explore reads,
+        such as a folder of DICOM slices: as there, left-posterior-superior in mm, and what was assumed, dropped, filled
+        or turned is a UserWarning.
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
@@ -339,7 +342,7 @@ def touch(
         method or property, "Follow the flow" if it has vectors, or else "Slide along fibres" if it has tensors.
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
         the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
-        .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any. It lies where it says, if the
+        .seg.nrrd, .nii, .nii.gz, .mha, .mhd, .vti or a DICOM SEG (.dcm), with its names, if it has any. It lies where it says, if the
         volume has a place, too, in left-posterior-superior or right-anterior-superior: see image(). Labels that lie
         elsewhere than a volume without one, or on other voxels, are refused.
     materials: what the labels feel like: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
@@ -368,6 +371,13 @@ def touch(
     >>> trace.GetPointData().GetArray("Force").GetNumberOfComponents()
     3
     """
+    is_file = isinstance(volume, (str, os.PathLike))
+    if is_file:
+        from ._files import read
+
+        volume, notes = read(volume)
+        if notes:
+            _warn("\n".join(notes))
     volume = unwrap(volume)
     source = volume if isinstance(volume, vtkHapticRegionSource) else None
     if source is not None:
@@ -398,7 +408,7 @@ def touch(
         else:
             haptics.SetInputDataObject(0, volume if is_grid(volume) else image)
         choose_mode(haptics, volume, image if source is None else coarse, mode, preset, settings, errors)
-        set_labels(haptics, image, labels, materials)
+        set_labels(haptics, image, labels, materials, is_file)
         feeling = _Feeling(haptics, errors, failures)
         traces = feeling.feel_all(paths) if several else [feeling.feel(paths[0])]
     for text in told:

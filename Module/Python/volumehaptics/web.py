@@ -19,14 +19,11 @@ from __future__ import annotations
 import argparse
 import asyncio
 import socket
-import subprocess
 import sys
-import tempfile
 import webbrowser
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .__main__ import PROGRAM, find_explorer
+from ._files import read
 from ._webview import View, names_of  # first, because its error names the cure if trame is missing
 from ._webdoor import HERE, door_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
@@ -125,23 +122,6 @@ def show_plotter(plotter: Any, **_: Any) -> Any:
     return loop.run_until_complete(show(_touchable[plotter], plotter.window_size[1]))
 
 
-def _read(path: str) -> vtkImageData:
-    """The volume of a file or folder with the values, axes and lengths of the explorer, by the explorer's reader,
-    because VTK's and PyVista's readers ignore how a file's axes lie in the world."""
-    import pyvista as pv
-
-    explorer = find_explorer()
-    if explorer is None:
-        raise ValueError(f"there is no {PROGRAM}, which reads volumes, neither in the package nor on PATH. Cure: the wheel "
-                         "brings it along (CMake/wheel/build.sh)")
-    with tempfile.TemporaryDirectory() as folder:
-        file = str(Path(folder) / "volume.vti")
-        result = subprocess.run([explorer, path, "--write-volume", file], capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            raise ValueError(result.stderr.strip() or f"{path} can't be read: {PROGRAM} ended by {result.returncode}")
-        return pv.read(file)
-
-
 def _threshold(image: Any) -> float:
     """The value that best separates the object from its surroundings: Otsu's."""
     import numpy as np
@@ -208,7 +188,9 @@ def main(arguments: list[str]) -> int:
 
             image = phantom()
         else:
-            image = _read(options.volume)
+            image, told = read(options.volume)
+            for note in told:
+                print(note)
         haptics = make_plotter(image, options.preset, device=options.device)
         if options.method and not haptics.filter.SetMethodByName(options.method):
             return 2

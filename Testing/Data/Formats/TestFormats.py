@@ -6,6 +6,7 @@ import json
 import os
 import re
 import subprocess
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,58 @@ def test_is_right_or_refused(case, tmp_path):
     # All of the phantom is there.
     body = voxel * np.count_nonzero(values(points) > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)
+
+
+@pytest.fixture
+def touch(monkeypatch):
+    """volumehaptics.touch(), with the explorer of this build; where it was not wrapped, only the explorer reads files."""
+    volumehaptics = pytest.importorskip("volumehaptics")
+    from volumehaptics import _files
+
+    monkeypatch.setattr(_files, "find_explorer", lambda: EXPLORE)
+    return volumehaptics.touch
+
+
+def first_touch(trace):
+    """How far (mm) from the ball's centre a hand that comes along x is felt first."""
+    force = vtk_to_numpy(trace.GetPointData().GetArray("Force"))
+    tip = vtk_to_numpy(trace.GetPointData().GetArray("Tip"))
+    felt = np.flatnonzero(np.linalg.norm(force, axis=1) > 0.0)
+    return np.abs(tip[felt[0], 0] - CENTRE[0]) if felt.size else np.inf
+
+
+def along_x(begin, end):
+    steps = np.linspace(begin, end, 600)[:, None] * [1.0, 0.0, 0.0]
+    return CENTRE + steps
+
+
+@pytest.mark.parametrize(("name", "told"), [("dicom-plain", ""), ("dicom-tilted-20", "sheared by 20 degrees"),
+                                            ("dicom-lost-slice", "1 slice is missing"), ("dicom-deflated", ""),
+                                            ("dicom-each-file-twice", "42 slices are there twice")])
+def test_python_feels_a_folder_where_the_patient_is(touch, name, told):
+    folder = next(case["path"] for case in CASES if case["name"] == name)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        trace = touch(folder, along_x(-28.0, -12.0), preset="CT contrast")
+    assert told in "".join(str(one.message) for one in caught)
+    assert 18.0 < first_touch(trace) < 22.0
+
+
+def test_python_takes_a_segmentation_for_labels_by_their_names(touch):
+    folder = next(case["path"] for case in CASES if case["name"] == "dicom-seg-beside-ct")
+    labels = os.path.join(folder, "seg.dcm")
+    tip = along_x(32.0, 12.0)
+    with pytest.warns(UserWarning, match="seg.dcm is a segmentation"):
+        assert 25.0 < first_touch(touch(folder, tip, "CT contrast")) < 29.0  # the knob
+        there = touch(folder, tip, "CT contrast", labels=labels, materials={"ball": {"felt": False}})
+        gone = touch(folder, tip, "CT contrast", labels=labels, materials={"knob": {"felt": False}})
+    assert 25.0 < first_touch(there) < 29.0
+    one = os.path.join(folder, "IM0003.dcm")
+    with pytest.raises(ValueError, match="no segmentation .SEG.. Cure: give it as the volume"):
+        touch(folder, tip, "CT contrast", labels=one)
+    with pytest.warns(UserWarning):
+        assert 25.0 < first_touch(touch(one, tip, "CT contrast")) < 29.0
+    assert first_touch(gone) < 24.5  # what lies inside of the knob
 
 
 def test_there_are_enough():

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes of files and folders, by the explorer's reader: the same values, axes and lengths in every front end."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+from .__main__ import PROGRAM, find_explorer
+
+
+def read(path: str | os.PathLike, *options: str) -> tuple[vtkImageData, list[str]]:
+    """The volume of a file or a folder, left-posterior-superior in mm if it says so, and what was assumed, dropped,
+    filled or turned on the way. options: of volumehaptics-explore, such as "--series", "2".
+
+    ValueError: it can't be read, with the cure."""
+    explorer = find_explorer()
+    if explorer is None:
+        raise ValueError(f"there is no {PROGRAM}, which reads volumes, neither in the package nor on PATH. Cure: the wheel "
+                         "brings it along (CMake/wheel/build.sh)")
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "volume.vti")
+        command = [explorer, os.path.abspath(path), *options, "--write-volume", file]
+        result = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+        if result.returncode != 0:
+            raise ValueError(result.stderr.strip() or f"{path} can't be read: {PROGRAM} ended by {result.returncode}")
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(file)
+        reader.Update()
+    image = vtkImageData()
+    image.ShallowCopy(reader.GetOutput())  # without the reader
+    said = [line.strip() for line in result.stdout.splitlines()]
+    return image, [line for line in said if line and not line.startswith("Written: ") and "slices, sorted by" not in line]
