@@ -14,8 +14,8 @@
  *   renderer->AddViewProp(editor);
  *
  * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
- * Right button: select points, which then move together. The first and the last point only move up
- * and down. The title shows value and position of the point that was touched last. If a point is
+ * Right button: select points; a drag beside two or more then moves all of them. The first and the
+ * last point only move up and down. The title shows value and position of the point that was touched last. If a point is
  * left at the top of the chart, the axis grows. The left button drags the axes, too: it moves the
  * axis of values and stretches the function's axis; the wheel stretches the axis of values about
  * the mouse, or the function's axis if over it; a double click on an axis fits it again.
