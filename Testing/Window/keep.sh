@@ -34,7 +34,6 @@ open()
   "$explorer" data/first.vti --size 300 "$@" > program.log 2>&1 &
   child=$!
   wait_for_window "VTK Volume Haptics"
-  sleep 0.5
 }
 # Into the forehead, and a point there; three times, if the machine stands still and the force pauses.
 press_and_measure()
@@ -70,13 +69,11 @@ do
   sleep 0.1
 done
 xdotool mouseup 1
-sleep 0.3
 xdotool key Escape
 xdotool key F2 Down Return
 wait_for "the broken volume" has_read zebra.vti 1
 wait_for "the first volume again" has_read first.vti 2
 wait_for_window "VTK Volume Haptics"
-sleep 0.5
 grep -q "Not saved: [0-9]* measurements*, .*mm^3 that the burr removed. Kept in" program.log ||
   fail "the work was not kept when another file was opened"
 xdotool key S
@@ -96,7 +93,6 @@ is_kept || fail "the work was not kept when the window was closed"
 open
 grep -q "Not saved last time: [0-9]* measurement.*F11 brings it back" program.log || fail "nothing is offered"
 xdotool key F11
-sleep 0.5
 xdotool key S
 wait_for "the points of the window before" has_file measurements-002.mrk.json
 xdotool key q

@@ -39,8 +39,7 @@ has_read()
 }
 take_picture()
 {
-  sleep 0.7
-  [[ -z "$pictures" ]] || import -window "$window" "$pictures/$1.png"
+  [[ -z "$pictures" ]] || { sleep 0.7 && import -window "$window" "$pictures/$1.png"; }
 }
 
 mkdir data data/deeper
@@ -109,13 +108,11 @@ wait_for "the first volume" has_read first.vti 1
 wait_for_window "VTK Volume Haptics"
 
 # The list has this folder, its parent, deeper/, and then the files; the present one is marked.
-sleep 0.5
 xdotool key F2
 take_picture list
 xdotool key Down Return
 wait_for "the second volume" has_read second.vti 1
 wait_for_window "VTK Volume Haptics"
-sleep 0.5
 xdotool key F2 Down Return
 wait_for "the broken volume" has_read zebra.vti 1
 wait_for "the second volume again" has_read second.vti 2
@@ -126,7 +123,6 @@ grep -q "Cure: " program.log || fail "nobody tells what is wrong with the broken
 "$drop" "$window" "$folder/data/deeper/third.vti" || fail "the window takes no file that is dropped"
 wait_for "the dropped volume" has_read third.vti 1
 wait_for_window "VTK Volume Haptics"
-sleep 0.5
 # From the folder deeper, over this folder and its parent, to the label map.
 xdotool key F2 Up Return
 wait_for "the label map" has_read labels.vti 1
@@ -143,7 +139,6 @@ grep -q "its values are taken as labels: 2" program.log || fail "the labels are 
 wait_for "the ball" has_read scan 1
 wait_for_window "VTK Volume Haptics"
 grep -q "series 1.*Ball.*, of 2 series" program.log || fail "the ball's series is not shown"
-sleep 0.5
 xdotool key F3
 take_picture series
 xdotool key Down Return
