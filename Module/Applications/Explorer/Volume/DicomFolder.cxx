@@ -481,7 +481,7 @@ Volume ReadDicomFile(const std::string& path, int series)
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     Volume volume = LoadSeries(path, own, FindLargest(own));
     constexpr unsigned long alone = 3; // with the folder itself, and the one above
-    if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone)
+    if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
     {
       volume.Notes.emplace_back("the file alone is read, not what lies beside it");
     }

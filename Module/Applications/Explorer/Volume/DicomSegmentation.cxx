@@ -156,8 +156,9 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
     volume.Image);
   volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
   ReadSegmentNames(first.File, volume.LabelTable);
-  volume.Notes.push_back("a segmentation of " +
-    std::to_string(volume.LabelTable->GetNumberOfLabels()) + " segments: taken as labels");
+  const vtkIdType named = volume.LabelTable->GetNumberOfLabels();
+  volume.Notes.push_back(
+    "a segmentation of " + std::to_string(named) + (named == 1 ? " segment" : " segments"));
   if (areParts)
   {
     volume.Notes.emplace_back(
