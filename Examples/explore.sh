@@ -97,7 +97,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 say "Packages"
 require_packages cmake ninja-build g++ libvtk9-dev xvfb xauth libgl1-mesa-dri pkg-config \
-  libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev libgdcm-dev libblosc-dev
+  libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev libgdcm-dev libblosc-dev libzstd-dev
 echo "Everything that is needed is installed."
 
 mkdir -p "$build"

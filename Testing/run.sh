@@ -40,7 +40,7 @@ source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev ccache libboost-dev nlohmann-json3-dev \
   libpulse-dev pulseaudio libumockdev-dev umockdev python3-pytest python3-zarr hdf5-tools openbox xdotool wmctrl x11-utils \
-  tesseract-ocr imagemagick libgdcm-dev libblosc-dev libvtk9-qt-dev chromium chromium-driver \
+  tesseract-ocr imagemagick libgdcm-dev libblosc-dev libzstd-dev libvtk9-qt-dev chromium chromium-driver \
   python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
 
 [ $full = no ] || require_packages python3-tk invesalius f3d # programs of Testing/Hosts

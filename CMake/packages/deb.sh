@@ -19,7 +19,7 @@ folder=$(realpath -m "${1:-$root/build/deb}")
 source "$root/CMake/install-packages.sh"
 require_packages build-essential dpkg-dev debhelper dh-python fakeroot cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-dev \
   python3-numpy zlib1g-dev pkg-config libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev \
-  libgdcm-dev libblosc-dev git
+  libgdcm-dev libblosc-dev libzstd-dev git
 
 version=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt" | head -n 1)
 source_dir=$folder/vtk-volume-haptics-$version

@@ -21,7 +21,7 @@ python=${2:-python3}
 
 # shellcheck source=../install-packages.sh
 source "$root/CMake/install-packages.sh"
-require_packages ninja-build g++ python3-venv python3-dev pkg-config libusb-1.0-0-dev libhidapi-dev libblosc-dev zlib1g-dev \
+require_packages ninja-build g++ python3-venv python3-dev pkg-config libusb-1.0-0-dev libhidapi-dev libblosc-dev libzstd-dev zlib1g-dev \
   libboost-dev nlohmann-json3-dev libgl-dev debian-archive-keyring
 
 vtk=$(sed -n 's/^dependencies = .*"vtk==\([0-9.]*\)".*/\1/p' "$root/pyproject.toml")

@@ -253,7 +253,7 @@ OUTSIDE = {
         "Build one against the vendor's SDK", "Install the vendor's SDK", "Build it again with the VendorPlugin.h",
         ". Build it (Examples/Vendor)", "Link VTK::RenderingContextOpenGL2",
         "build it with a VTK that has the module IOOggTheora", "build it from its sources with the package libpulse-dev",
-        "build it with GDCM (package libgdcm-dev)", "Build it with c-blosc (package libblosc-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
+        "build it with GDCM (package libgdcm-dev)", "Build it with c-blosc (package libblosc-dev)", "Build it with zstd (package libzstd-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
         "Load VolumeHapticsPlugin on the server, too", "Load the same VolumeHapticsPlugin there as here",
         "Use a client and a server of the same version",
         "derive it from one of the module's tools",
@@ -369,7 +369,7 @@ def test_names_in_cures_exist():
 
 # Packages of Debian 12 that texts name, with the programs of them that texts name (checked with `dpkg --contents`), and
 # projects of PyPI (checked with `pip index versions`).
-DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libgdcm-dev": (), "libgdcm-tools": ("gdcmconv", ), "dcmtk": ("dcmdjpeg", ), "dcm2niix": ("dcm2niix", ),
+DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libzstd-dev": (), "libgdcm-dev": (), "libgdcm-tools": ("gdcmconv", ), "dcmtk": ("dcmdjpeg", ), "dcm2niix": ("dcm2niix", ),
           "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", "h5clear"), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
           "udev": ("udevadm", )}
 PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}

@@ -5,7 +5,9 @@
 Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). The writers are those of TestLargeFiles.py.
 """
 
+import bz2
 import ctypes
+import gzip
 import json
 import shutil
 import struct
@@ -33,7 +35,7 @@ result = Calls()
 
 def samples_of(path):
     source = vtkHapticRegionSource()
-    assert source.OpenFile(str(path)), path
+    assert source.OpenWholeFile(str(path)), path
     return region_of(source, source.GetWholeExtent())
 
 
@@ -47,6 +49,7 @@ def case(*words):
 
 
 FILES = {}
+WHOLE = set()  # of these: read as a whole
 
 
 @pytest.mark.parametrize("words", FILES)
@@ -55,7 +58,7 @@ def test_cures_of_files(words, tmp_path):
     path = next(write)
     source = vtkHapticRegionSource()
     with Errors(source) as errors:
-        if source.OpenFile(str(path)):
+        if source.OpenWholeFile(str(path)) if words in WHOLE else source.OpenFile(str(path)):
             source.ReadRegion(source.GetWholeExtent(), vtkImageData())
     assert len(errors) == 1 and all(word in errors[0] for word in words), errors
     for cured in write:
@@ -264,18 +267,6 @@ def _(folder):
     yield folder / "a.mhd"
 
 
-@case("Write each of them into a file of its own; volumehaptics-explore takes their folder")
-def _(folder):
-    np.stack([ARRAY, ARRAY]).tofile(folder / "a.raw")
-    path = folder / "a.mhd"
-    path.write_text(meta_header("a.raw", (*SHAPE[::-1], 2)))
-    yield path
-    for name in "bc":
-        ARRAY.tofile(folder / f"{name}.raw")
-        (folder / f"{name}.mhd").write_text(meta_header(f"{name}.raw"))
-        yield folder / f"{name}.mhd"
-
-
 @case("Check that the copy of that file is complete")
 def _(folder):
     ARRAY[:-1].tofile(folder / "a.raw")
@@ -293,6 +284,40 @@ def _(folder):
     ARRAY.tofile(folder / "b.raw")
     (folder / "b.mhd").write_text(meta_header("b.raw"))
     yield folder / "b.mhd"
+
+
+def whole_case(*words):
+    WHOLE.add(words)
+    return case(*words)
+
+
+def nrrd(folder, encoding, samples):
+    path = folder / "a.nrrd"
+    sizes = " ".join(map(str, SHAPE[::-1]))
+    path.write_bytes(f"NRRD0004\ntype: short\ndimension: 3\nsizes: {sizes}\nendian: little\nencoding: {encoding}\n\n".encode()
+                     + samples)
+    return path
+
+
+@whole_case("Write them again, with the encoding gzip")
+def _(folder):
+    yield nrrd(folder, "bzip2", bz2.compress(ARRAY.tobytes()))
+    yield nrrd(folder, "gzip", gzip.compress(ARRAY.tobytes()))
+
+
+@whole_case("Write it again, with the encoding gzip or raw")
+def _(folder):
+    text = " ".join(map(str, ARRAY.ravel()))
+    yield nrrd(folder, "ascii", f"none {text}".encode())
+    yield nrrd(folder, "ascii", text.encode())
+    yield nrrd(folder, "gzip", gzip.compress(ARRAY.tobytes()))
+    yield nrrd(folder, "raw", ARRAY.tobytes())
+
+
+@whole_case("Check that the copy is complete, or write it again")
+def _(folder):
+    yield nrrd(folder, "gzip", gzip.compress(ARRAY.tobytes())[:-1])
+    yield nrrd(folder, "gzip", gzip.compress(ARRAY.tobytes()))
 
 
 @case("or, if it is raw, SetFileName() with extent, type and spacing")
@@ -361,6 +386,41 @@ for _words, _changed in {
     def _(folder, changed=_changed):
         yield zarr(folder, **changed)
         yield zarr(folder)
+
+
+def sharded(folder, shards=SHAPE, index=None):
+    """An array of version 3 with a shard of one chunk, by hand after its specification."""
+    path = folder / "a.zarr"
+    (path / "c/0/0").mkdir(parents=True, exist_ok=True)
+    plain = [{"name": "bytes", "configuration": {"endian": "little"}}]
+    (path / "zarr.json").write_text(json.dumps({
+        "zarr_format": 3, "node_type": "array", "shape": SHAPE, "data_type": "int16", "fill_value": 0,
+        "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": shards}},
+        "chunk_key_encoding": {"name": "default", "configuration": {"separator": "/"}},
+        "codecs": [{"name": "sharding_indexed", "configuration": {
+            "chunk_shape": SHAPE, "codecs": plain, "index_codecs": plain, "index_location": "end"}}]}))
+    (path / "c/0/0/0").write_bytes(ARRAY.tobytes() + (struct.pack("<QQ", 0, ARRAY.nbytes) if index is None else index))
+    return path
+
+
+for _words, _wrong in {
+    ("that are no whole number of chunks. Write it again", ): dict(shards=[n + 1 for n in SHAPE]),
+    ("its index names bytes that it does not have. Copy or write it again", ): dict(index=struct.pack("<QQ", 1, ARRAY.nbytes + 17)),
+}.items():
+    @case(*_words)
+    def _(folder, wrong=_wrong):
+        yield sharded(folder, **wrong)
+        yield sharded(folder)
+
+
+@case("a shard of it is cut off. Copy or write it again")
+def _(folder):
+    path = sharded(folder)
+    good = (path / "c/0/0/0").read_bytes()
+    (path / "c/0/0/0").write_bytes(good[:15])
+    yield path
+    (path / "c/0/0/0").write_bytes(good)
+    yield None
 
 
 def blosc(folder, kind, shuffle):

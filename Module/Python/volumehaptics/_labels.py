@@ -112,11 +112,10 @@ def _copy(image: vtkImageData) -> vtkImageData:
     return copy
 
 
-def _count_unpacked(file: str, offset: int = 0) -> int:
-    """The number of bytes that zlib or gzip packed from an offset of a file to its end; -1 if cut off or damaged."""
+def _count_unpacked(file: str) -> int:
+    """The number of bytes that zlib or gzip packed in a file; -1 if it is cut off or damaged."""
     count = 0
     with open(file, "rb") as packed:
-        packed.seek(offset)
         rest = packed.read(1 << 18)
         while rest:
             stream = zlib.decompressobj(zlib.MAX_WBITS | 32)  # header of zlib or gzip
@@ -140,13 +139,6 @@ def _count_held(file: str) -> int:
     name = file.lower()
     if name.endswith(".nii.gz"):
         return _count_unpacked(file)
-    if name.endswith((".mha", ".mhd")):
-        header, size = _read_header(file)
-        samples = header.get("ElementDataFile", "")
-        if samples.lower() == "local":
-            return _count_unpacked(file, size)
-        samples = os.path.join(os.path.dirname(file), samples)
-        return _count_unpacked(samples) if os.path.isfile(samples) else 0
     size = os.path.getsize(file)
     if name.endswith(".vti"):
         with open(file, "rb") as text:
@@ -200,40 +192,33 @@ def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
     return image, place is not None
 
 
-def _read_header(file: str) -> tuple[dict[str, str], int]:
-    """The fields of a MetaImage's header, and the offset of the samples behind it."""
-    fields: dict[str, str] = {}
+def _has_matrix(file: str) -> bool:
+    """Whether a MetaImage's header has the directions of its axes."""
     with open(file, "rb") as header:
         for line in iter(lambda: header.readline(10000), b""):
             key, equals, value = line.decode("latin-1").partition("=")
-            fields.setdefault(key.strip(), value.strip())
+            if key.strip() == "TransformMatrix" and value.strip():
+                return True
             if not equals or key.strip() == "ElementDataFile":
-                break
-        return fields, header.tell()
+                return False
+    return False
 
 
 def _read_meta_image(file: str) -> tuple[vtkImageData, bool]:
     from ._touch import Errors
 
-    header, _ = _read_header(file)
-    matrix = [float(number) for number in header.get("TransformMatrix", "").split()]
-    if header.get("CompressedData", "").lower() == "true" and header.get("ElementType") in _META_TYPES and (
-            header.get("NDims") == "3" and len(header.get("DimSize", "").split()) == 3):
-        from vtkmodules.vtkIOImage import vtkMetaImageReader
-
-        image = _run(vtkMetaImageReader(), file)
-        if len(matrix) == 9:  # rows are the directions of the axes
-            _set_frame(image, [matrix[i::3] for i in range(3)], image.GetOrigin())
-        return image, bool(matrix)
     source, image = vtkHapticRegionSource(), vtkImageData()
     with Errors(source) as errors:
-        is_read = source.OpenFile(file) and source.ReadRegion(source.GetWholeExtent(), image)
+        is_read = source.OpenWholeFile(file) and source.ReadRegion(source.GetWholeExtent(), image)
     if not is_read:
         raise ValueError(errors[0])
+    if "the first one is used" in source.GetFileNotes():
+        raise ValueError(f"{file!r} can't be read as labels: {source.GetFileNotes()}. Cure: write the volume that is meant "
+                         "into a file of its own")
     labels = vtkImageData()
     labels.CopyStructure(image)
     labels.GetPointData().SetScalars(image.GetPointData().GetScalars())
-    return labels, bool(matrix)
+    return labels, _has_matrix(file)
 
 
 def _read_vti(file: str) -> tuple[vtkImageData, bool]:
@@ -253,8 +238,6 @@ def _read_dicom(file: str) -> tuple[vtkImageData, bool]:
 
 _READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.gz": _read_nifti,
             ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti, ".dcm": _read_dicom}
-# Types that vtkMetaImageReader knows, and whose size does not depend on the system.
-_META_TYPES = ("MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE")
 
 
 def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:

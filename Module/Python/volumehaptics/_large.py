@@ -86,7 +86,6 @@ def _let_go(_source: _Source) -> None:
 
 _arrays: dict[int, _Array] = {}
 _numbers = itertools.count(1)
-_IN_CPP = (".vtkhdf", ".mhd", ".mha", ".nhdr", ".nrrd", ".tif", ".tiff")  # read without Python
 _MOST_COARSE = 2**22  # voxels of a coarse level
 
 
@@ -188,16 +187,10 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
     return scale, translation
 
 
-# Millimetres, of the units of length that OME-NGFF names.
-_UNITS = {"picometer": 1e-9, "pm": 1e-9, "angstrom": 1e-7, "nanometer": 1e-6, "nm": 1e-6, "micrometer": 1e-3, "um": 1e-3,
-          "\u00b5m": 1e-3, "micron": 1e-3, "millimeter": 1.0, "mm": 1.0, "centimeter": 10.0, "cm": 10.0, "meter": 1e3, "m": 1e3,
-          "inch": 25.4}
-
-
 def _in_millimetres(lengths: Sequence[float], axes: list) -> list[float]:
     """Lengths along the last three axes, which are z, y and x, as x, y and z."""
-    names = [str(one.get("unit", "")).lower() if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
-    units = [_UNITS.get(name, _UNITS.get(name.rstrip("s"), 1.0)) for name in names]
+    names = [str(one.get("unit", "")) if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
+    units = [vtkHapticRegionSource.GetMillimetersPerUnit(name) or 1.0 for name in names]
     return [length * unit for length, unit in zip(lengths[-3:], units)][::-1]
 
 
@@ -352,7 +345,7 @@ def open_large(
     """
     levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
-        if os.fspath(array_or_path).lower().endswith(_IN_CPP):
+        if vtkHapticRegionSource.GetFileFormat(os.fspath(array_or_path)) not in ("", "Zarr"):  # read without Python
             return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse)
         levels = _open_path(os.fspath(array_or_path), level)
     array, own_spacing, own_origin = levels[0]

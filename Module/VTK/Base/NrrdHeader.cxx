@@ -3,6 +3,8 @@
 #include "VTK/Base/NrrdHeader.h"
 
 #include "Core/Math/NumberText.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/LengthUnit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,8 +106,12 @@ void AddLine(std::string_view line, NrrdHeader& header)
   }
 }
 
-/** Reads three numbers in parentheses, "(x,y,z)" without blanks, and multiplies each by a sign. */
-std::optional<NrrdVector> ParseNrrdVector(std::string_view text, const NrrdVector& signs)
+/**
+ * Reads numbers in parentheses, "(x,y,z)" without blanks, and multiplies each by a factor. Of four
+ * numbers the last one, which is a time, is left out.
+ */
+std::optional<NrrdVector> ParseNrrdVector(
+  std::string_view text, const NrrdVector& factors, std::size_t count = 3)
 {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
   {
@@ -113,18 +119,106 @@ std::optional<NrrdVector> ParseNrrdVector(std::string_view text, const NrrdVecto
   }
   text = text.substr(1, text.size() - 2);
   NrrdVector vector{};
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t comma = text.find(',');
     const std::optional<double> number = ParseNumber(text.substr(0, comma));
-    if (!number || !std::isfinite(*number) || (comma == std::string_view::npos) != (i == 2))
+    const bool isLast = i + 1 == count;
+    if (!number || !std::isfinite(*number) || (comma == std::string_view::npos) != isLast)
     {
       return {};
     }
-    vector[i] = signs[i] * *number;
-    text.remove_prefix(i == 2 ? text.size() : comma + 1);
+    if (i < 3)
+    {
+      vector[i] = factors[i] * *number;
+    }
+    text.remove_prefix(isLast ? text.size() : comma + 1);
   }
   return vector;
+}
+
+/** Splits a list of texts, in quotation marks or between blanks. */
+std::vector<std::string> SplitNrrdTexts(const std::string& list)
+{
+  std::vector<std::string> texts;
+  bool isQuoted = false;
+  bool isOpen = false;
+  for (const char letter : list)
+  {
+    const bool isMark = letter == '"';
+    const bool isBlank = letter == ' ' || letter == '\t';
+    if (isMark ? !isQuoted : (!isBlank && !isQuoted && !isOpen))
+    {
+      texts.emplace_back();
+    }
+    isQuoted = isQuoted != isMark;
+    isOpen = !isMark && !isBlank;
+    if (!isMark && (isQuoted || !isBlank))
+    {
+      texts.back() += letter;
+    }
+  }
+  return texts;
+}
+
+/** Returns the units of a field, one an axis. */
+std::vector<std::string> ReadNrrdUnits(const NrrdHeader& header, const char* field)
+{
+  return SplitNrrdTexts(header.GetField(field));
+}
+
+/** Returns the length (mm) of one of several units; 1 if it is not given, or not known. */
+double UnitOf(const std::vector<std::string>& units, std::size_t axis)
+{
+  const double unit = axis < units.size() ? MillimetresPerUnit(units[axis]) : 0.0;
+  return unit > 0.0 ? unit : 1.0;
+}
+
+/** Returns what positions in the header's space are multiplied by. */
+NrrdVector ComputeSpaceFactors(const NrrdHeader& header)
+{
+  NrrdVector factors = FindNrrdSpace(header).Signs;
+  const std::vector<std::string> units = ReadNrrdUnits(header, "space units");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    factors[axis] *= UnitOf(units, axis);
+  }
+  return factors;
+}
+
+std::vector<std::string> SplitNrrdWords(const std::string& text)
+{
+  std::istringstream words(text);
+  return { std::istream_iterator<std::string>(words), {} };
+}
+
+/** Returns the finite number of an axis in a field with a number for each axis. */
+std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, std::size_t axis)
+{
+  const std::vector<std::string> words = SplitNrrdWords(header.GetField(field));
+  const std::optional<double> number =
+    axis < words.size() ? ParseNumber(words[axis]) : std::nullopt;
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/** Whether samples fill their voxels, so that "axis mins" is half a voxel before the first one. */
+bool HasCells(const NrrdHeader& header, std::size_t axis)
+{
+  const std::vector<std::string> centers = SplitNrrdWords(header.GetField("centers"));
+  const std::vector<std::string> older = SplitNrrdWords(header.GetField("centerings"));
+  const std::vector<std::string>& told = centers.empty() ? older : centers;
+  return axis < told.size() && told[axis] == "cell";
+}
+
+/** Returns the distance of samples along an axis, in its unit. */
+double ComputeAxisSpacing(const NrrdHeader& header, std::size_t axis)
+{
+  const std::optional<double> given = NumberOfAxis(header, "spacings", axis);
+  const std::optional<double> least = NumberOfAxis(header, "axis mins", axis);
+  const std::optional<double> most = NumberOfAxis(header, "axis maxs", axis);
+  const double count =
+    NumberOfAxis(header, "sizes", axis).value_or(1.0) - (HasCells(header, axis) ? 0.0 : 1.0);
+  return given ? *given : least && most && count > 0.0 ? (*most - *least) / count : 1.0;
 }
 
 } // namespace
@@ -183,7 +277,15 @@ NrrdHeader ParseNrrdHeader(std::string_view bytes)
     const std::string_view line = TrimLine(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     header.HasEnd = line.empty();
-    AddLine(line, header);
+    const bool isListed = header.GetDataFile().compare(0, 4, "LIST") == 0;
+    if (isListed && !line.empty() && line.front() != '#')
+    {
+      header.Files.emplace_back(line);
+    }
+    else
+    {
+      AddLine(line, header);
+    }
     header.Size = bytes.size() - rest.size();
   }
   return header;
@@ -236,16 +338,48 @@ std::vector<std::string> SplitNrrdVectors(const std::string& text)
   return { std::istream_iterator<std::string>(words), {} };
 }
 
+std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header)
+{
+  const std::vector<std::string> directions = SplitNrrdVectors(header.GetField("space directions"));
+  const std::vector<std::string> kinds = SplitNrrdWords(header.GetField("kinds"));
+  const std::size_t count = SplitNrrdWords(header.GetField("sizes")).size();
+  const auto find = [count](const auto& isOfSpace)
+  {
+    std::vector<std::size_t> axes;
+    for (std::size_t axis = 0; axis < count; ++axis)
+    {
+      axes.insert(axes.end(), isOfSpace(axis) ? 1 : 0, axis);
+    }
+    return axes;
+  };
+  std::vector<std::size_t> axes = find([](std::size_t axis) { return axis < 3; });
+  if (directions.size() == count &&
+    std::find(directions.begin(), directions.end(), "none") != directions.end())
+  {
+    axes = find([&](std::size_t axis) { return directions[axis] != "none"; });
+  }
+  else if (kinds.size() == count)
+  {
+    const auto told = find([&](std::size_t axis)
+      { return kinds[axis] == "domain" || kinds[axis] == "space" || kinds[axis] == "???"; });
+    axes = told.size() >= 3 ? told : axes;
+    axes.resize(std::min<std::size_t>(axes.size(), 3)); // the fourth one of ITK is time
+  }
+  return axes.size() == 3 ? std::optional<std::array<std::size_t, 3>>({ axes[0], axes[1], axes[2] })
+                          : std::nullopt;
+}
+
 std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header)
 {
   std::vector<std::string> words = SplitNrrdVectors(header.GetField("space directions"));
   words.erase(std::remove(words.begin(), words.end(), "none"), words.end());
-  const NrrdVector signs = FindNrrdSpace(header).Signs;
+  const NrrdVector factors = ComputeSpaceFactors(header);
   std::array<NrrdVector, 3> steps{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const std::optional<NrrdVector> step =
-      words.size() == 3 ? ParseNrrdVector(words[axis], signs) : std::nullopt;
+    const std::optional<NrrdVector> step = words.size() == 3 || words.size() == 4
+      ? ParseNrrdVector(words[axis], factors, words.size())
+      : std::nullopt;
     if (!step)
     {
       return {};
@@ -255,15 +389,58 @@ std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header)
   return steps;
 }
 
+NrrdVector FindNrrdSpacings(const NrrdHeader& header)
+{
+  const std::vector<std::string> units = ReadNrrdUnits(header, "units");
+  const auto axes = ReadNrrdAxes(header);
+  NrrdVector spacings{ 1.0, 1.0, 1.0 };
+  for (std::size_t a = 0; axes && a < 3; ++a)
+  {
+    spacings[a] = UnitOf(units, (*axes)[a]) * ComputeAxisSpacing(header, (*axes)[a]);
+  }
+  return spacings;
+}
+
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header)
 {
   const std::vector<std::string> words = SplitNrrdVectors(header.GetField("space origin"));
-  if (words.empty())
+  if (!words.empty())
   {
-    return NrrdVector{};
+    const NrrdVector factors = ComputeSpaceFactors(header);
+    const auto place = ParseNrrdVector(words.front(), factors);
+    return words.size() != 1 ? std::nullopt
+      : place                ? place
+                             : ParseNrrdVector(words.front(), factors, 4);
   }
-  return words.size() == 1 ? ParseNrrdVector(words.front(), FindNrrdSpace(header).Signs)
-                           : std::nullopt;
+  NrrdVector origin{};
+  const std::vector<std::string> units = ReadNrrdUnits(header, "units");
+  const auto axes = ReadNrrdAxes(header);
+  for (std::size_t a = 0; axes && a < 3; ++a)
+  {
+    const std::size_t axis = (*axes)[a];
+    if (const auto least = NumberOfAxis(header, "axis mins", axis))
+    {
+      const double half = HasCells(header, axis) ? 0.5 * ComputeAxisSpacing(header, axis) : 0.0;
+      origin[a] = UnitOf(units, axis) * (*least + half);
+    }
+  }
+  return origin;
+}
+
+std::string DescribeNrrdUnits(const NrrdHeader& header)
+{
+  const std::vector<std::string> ofSpace = ReadNrrdUnits(header, "space units");
+  const std::vector<std::string> units = ofSpace.empty() ? ReadNrrdUnits(header, "units") : ofSpace;
+  for (const std::string& unit : units)
+  {
+    if (!unit.empty() && MillimetresPerUnit(unit) != 1.0)
+    {
+      return MillimetresPerUnit(unit) > 0.0
+        ? "lengths turned from the unit " + Printable(unit) + " into millimetres"
+        : "the unit " + Printable(unit) + " is not known: lengths are taken for millimetres";
+    }
+  }
+  return {};
 }
 
 } // namespace VolumeHaptics

@@ -31,6 +31,7 @@ struct NrrdHeader
   /** "field: description"; names in lower case and without blanks, such as "spacedirections". */
   std::map<std::string, std::string> Fields;
   std::map<std::string, std::string> Values; ///< "key:=value", without escapes
+  std::vector<std::string> Files;            ///< of "data file: LIST", with the samples
   std::size_t Size = 0;                      ///< bytes, including the empty line at the end
   bool HasEnd = false;                       ///< whether it ends with an empty line
 
@@ -45,7 +46,7 @@ struct NrrdHeader
   std::string GetDataFile() const { return this->GetField("data file"); }
 };
 
-/** A position or a step, in left-posterior-superior coordinates as in ITK. */
+/** A position or a step (mm), in left-posterior-superior coordinates as in ITK. */
 using NrrdVector = std::array<double, 3>;
 
 /** The space that the positions of a header belong to. */
@@ -71,13 +72,28 @@ NrrdSpace FindNrrdSpace(const NrrdHeader& header);
 std::vector<std::string> SplitNrrdVectors(const std::string& text);
 
 /**
- * Returns the steps from a sample to the next one along three axes. Axes without a direction
- * ("none") are left out; nothing is returned unless three remain.
+ * Returns which three axes are those of space, by their directions or kinds; else the first three.
+ * Nothing if space has not three axes.
+ */
+std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header);
+
+/**
+ * Returns the steps from a sample to the next one along the axes of space; nothing if they are not
+ * given.
  */
 std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header);
 
-/** Returns the position of the first sample; zeros if none is given, nothing if it is malformed. */
+/** Returns the distances (mm) of samples along the axes of space, where no steps are given. */
+NrrdVector FindNrrdSpacings(const NrrdHeader& header);
+
+/**
+ * Returns the position of the first sample: "space origin", or "axis mins", else zeros; nothing if
+ * it is malformed.
+ */
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header);
+
+/** Tells the user which unit lengths had; empty if it is the millimetre, or not given. */
+std::string DescribeNrrdUnits(const NrrdHeader& header);
 
 } // namespace VolumeHaptics
 

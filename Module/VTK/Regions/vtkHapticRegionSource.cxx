@@ -6,6 +6,7 @@
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/LengthUnit.h"
 #include "VTK/Regions/CoarseImage.h"
 #include "VTK/Regions/DataSetSampler.h"
 #include "VTK/Regions/Formats/LargeFile.h"
@@ -113,10 +114,46 @@ bool vtkHapticRegionSource::OpenFile(const char* fileName)
 //------------------------------------------------------------------------------
 bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error)
 {
+  return this->Open(fileName, false, error);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticRegionSource::GetFileFormat(const char* fileName)
+{
+  return GetFormatName(fileName ? fileName : "");
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticRegionSource::GetMillimetersPerUnit(const char* unit)
+{
+  return MillimetresPerUnit(unit ? unit : "");
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenWholeFile(const char* fileName)
+{
+  std::string error;
+  const bool isOpen = this->OpenWholeFile(fileName, error);
+  if (!isOpen)
+  {
+    vtkErrorMacro(<< Printable(error));
+  }
+  return isOpen;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenWholeFile(const char* fileName, std::string& error)
+{
+  return this->Open(fileName, true, error);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::Open(const char* fileName, bool mayBeWhole, std::string& error)
+{
   const std::string name = fileName ? fileName : "";
   try
   {
-    LargeFile file = OpenLargeFile(name);
+    LargeFile file = OpenLargeFile(name, mayBeWhole);
     const vtkSmartPointer<vtkImageData> coarse = ReadCoarserLevel(file, MostCoarseVoxels);
     this->SetWholeExtent(file.Extent.data());
     this->SetScalarType(file.ScalarType);

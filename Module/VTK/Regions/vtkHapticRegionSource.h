@@ -190,13 +190,14 @@ public:
    * finest one of at most 2^22 voxels, which is read at once.
    *
    * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
-   * samples of Zarr by zlib, gzip, lz4 or Blosc, but samples of MetaImage and NRRD must be
-   * uncompressed. A NRRD file in the space right-anterior-superior is converted to
+   * samples of Zarr by zlib, gzip, lz4, zstd or Blosc, and in shards, but samples of MetaImage and
+   * NRRD must be uncompressed. A NRRD file in the space right-anterior-superior is converted to
    * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
    * read; nothing is changed then. If the file is written again, open it again.
    * VTKHDF is opened by HDF5's library, which no other thread may use meanwhile.
    *
-   * Lengths are turned into millimetres where TIFF or OME-Zarr name their unit.
+   * Lengths are turned into millimetres where NRRD, TIFF or OME-Zarr name their unit. Of several
+   * volumes or values a voxel in a file the first one is read.
    */
   bool OpenFile(const char* fileName);
 #ifndef __VTK_WRAP__
@@ -204,6 +205,31 @@ public:
   bool OpenFile(const char* fileName, std::string& error);
 #endif
   ///@}
+
+  ///@{
+  /**
+   * Open a file likewise, also one whose samples can't be read in boxes, because they are
+   * compressed or written as text: a MetaImage or NRRD file with gzip or ascii. Then all samples
+   * are in memory from the first read on.
+   */
+  bool OpenWholeFile(const char* fileName);
+#ifndef __VTK_WRAP__
+  bool OpenWholeFile(const char* fileName, std::string& error);
+#endif
+  ///@}
+
+  /**
+   * Get the format of a file, by its ending, or of a folder, by what most of its files are:
+   * "VTKHDF", "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if OpenFile() does not know it. It need
+   * not exist.
+   */
+  static std::string GetFileFormat(const char* fileName);
+
+  /**
+   * Get the length (mm) of a unit, by its name or symbol in files, such as "um", "micrometer" or
+   * "inch"; 0 if it is not known. OpenFile() converts lengths by it.
+   */
+  static double GetMillimetersPerUnit(const char* unit);
 
   /**
    * Get what OpenFile() assumed or left out, one note a line, such as a missing size of voxels.
@@ -295,6 +321,7 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
+  bool Open(const char* fileName, bool mayBeWhole, std::string& error);
   std::string CheckSettings();
   /** Updates the store to the settings; false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);

@@ -84,6 +84,35 @@ def axis_mins(folder):
     return save_nrrd(folder, header)
 
 
+@case("nrrd-cells", source="teem: axis mins of cells is the border of the first one", steps=tuple(GRID.spacing),
+      first=tuple(GRID.origin))
+def cells(folder):
+    header = {"spacings": list(GRID.spacing), "axis mins": list(GRID.origin - 0.5 * GRID.spacing), "encoding": "gzip",
+              "centerings": ["cell"] * 3}
+    return save_nrrd(folder, header)
+
+
+def slices_apart(name, line):
+    """A raw file for each slice, named as teem's definition of the format says."""
+
+    @case(f"nrrd-{name}", source="teem: data file LIST, or a pattern")
+    def write(folder):
+        path = save_nrrd(folder, nrrd_header(encoding="raw"), name="head.nhdr")
+        (folder / "head.raw").unlink()
+        voxels = GRID.sample()
+        names = [f"slice{k:03d}.raw" for k in range(GRID.size[2])]
+        for k, one in enumerate(names):
+            voxels[:, :, k].T.astype("<i2").tofile(folder / one)
+        text = path.read_text().strip().replace("data file: head.raw\n", "")
+        path.write_text("\n".join([one for one in text.splitlines() if not one.startswith("data file")])
+                        + "\n" + line(names) + "\n")
+        return path
+
+
+slices_apart("files-listed", lambda names: "\n".join(["data file: LIST", *names]))
+slices_apart("files-numbered", lambda names: f"data file: slice%03d.raw 0 {len(names) - 1} 1")
+
+
 @case("nrrd-spacings-only", steps=tuple(GRID.spacing))
 def spacings_only(folder):
     return save_nrrd(folder, {"spacings": list(GRID.spacing), "encoding": "raw"})
@@ -156,6 +185,12 @@ meta_case("float64", lambda: itk_image(dtype=np.float64), tolerance=1.0)
 meta_case("uint16", lambda: itk_image(voxels=(GRID.sample(np.int32) + 1024).astype(np.uint16)), offset=1024.0)
 meta_case("4d", lambda: SimpleITK.JoinSeries([itk_image(), itk_image()]), source="SimpleITK's 4-D",
           told=("frames|time|first",))
+meta_case("4d-compressed", lambda: SimpleITK.JoinSeries([itk_image(), itk_image()]), compressed=True,
+          source="SimpleITK's 4-D", told=("times|first",))
+meta_case("int64-compressed", lambda: itk_image(dtype=np.int64), compressed=True, source="labels of SimpleITK")
+for name, make in (("4d", SimpleITK.JoinSeries), ("vector", SimpleITK.Compose)):
+    meta_case(f"{name}-as-nrrd", lambda make=make: make([itk_image(), itk_image()]), "head.nrrd", told=("first",),
+              source="SimpleITK writes NRRD")
 meta_case("vector", lambda: SimpleITK.Compose([itk_image(), itk_image()]), told=("component|channel|first",))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
@@ -276,6 +311,12 @@ def zarr_case(name, version, source="OME-NGFF", told=(), **options):
 zarr_case("0.4", "0.4")
 zarr_case("0.5", "0.5")
 zarr_case("0.5-sharded", "0.5", shards=(32, 32, 32))
+zarr_case("0.5-large-shards", "0.5", shards=(64, 64, 64), chunks=(32, 16, 8))
+zarr_case("0.5-sharded-channels", "0.5", channel=True, chunks=(1, 16, 16, 16), shards=(2, 32, 32, 32), told=("channel|first",))
+zarr_case("0.5-plain", "0.5", compressors=None)
+for codec in (zarr.codecs.GzipCodec(), zarr.codecs.BloscCodec(), zarr.codecs.Crc32cCodec()):
+    zarr_case(f"0.5-{type(codec).__name__.lower()[:-5]}", "0.5", compressors=[codec])
+zarr_case("0.5-zstd-and-sum", "0.5", compressors=[zarr.codecs.ZstdCodec(), zarr.codecs.Crc32cCodec()])
 zarr_case("0.5-micrometres", "0.5", unit="micrometer", per_mm=1000.0)
 zarr_case("0.4-micrometres", "0.4", unit="micrometer", per_mm=1000.0)
 zarr_case("0.4-angstrom", "0.4", unit="angstrom", per_mm=1e7, source="OME-NGFF 0.4 names angstrom")

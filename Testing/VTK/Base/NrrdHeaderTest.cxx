@@ -72,6 +72,68 @@ TEST(NrrdHeader, PlacesSamplesInLeftPosteriorSuperior)
   }
 }
 
+// teem's "Definition of NRRD File Format": "space units" belong to the axes of space, "units" to
+// those of the samples, whose "axis mins" is the border of the first sample if it is a cell.
+TEST(NrrdHeader, TurnsUnitsIntoMillimetres)
+{
+  const NrrdHeader space = ParseNrrdHeader("NRRD0005\nspace: right-anterior-superior\n"
+                                           "sizes: 2 3 4\nspace units: \"um\" \"mm\" \"m\"\n"
+                                           "space directions: (500,0,0) (0,2,0) (0,0,0.003)\n"
+                                           "space origin: (1000,5,0.01)\n\n");
+  const auto steps = FindNrrdSteps(space);
+  ASSERT_TRUE(steps);
+  EXPECT_NEAR((*steps)[0][0], -0.5, 1e-12);
+  EXPECT_NEAR((*steps)[1][1], -2.0, 1e-12);
+  EXPECT_NEAR((*steps)[2][2], 3.0, 1e-12);
+  EXPECT_NEAR((*FindNrrdOrigin(space))[2], 10.0, 1e-12);
+  EXPECT_EQ(DescribeNrrdUnits(space), "lengths turned from the unit um into millimetres");
+  const std::string axes = "NRRD0005\nsizes: 3 2 4 5\nkinds: vector space space space\n"
+                           "units: \"\" \"cm\" \"parsec\" mm\n";
+  const NrrdHeader plain = ParseNrrdHeader(axes +
+    "spacings: nan 2 3 4\naxis mins: nan 1 2 3\n"
+    "centers: none cell node none\n\n");
+  EXPECT_FALSE(FindNrrdSteps(plain));
+  EXPECT_EQ(*ReadNrrdAxes(plain), (std::array<std::size_t, 3>{ 1, 2, 3 }));
+  EXPECT_EQ(FindNrrdSpacings(plain), (NrrdVector{ 20, 3, 4 }));
+  EXPECT_EQ(*FindNrrdOrigin(plain), (NrrdVector{ 20, 2, 3 }));
+  // Two cells of 3, and three steps of 2 between four nodes.
+  const NrrdHeader ends = ParseNrrdHeader(axes +
+    "axis mins: nan 0 0 1\naxis maxs: nan 6 6 9\n"
+    "centerings: none cell node node\n\n");
+  EXPECT_EQ(FindNrrdSpacings(ends), (NrrdVector{ 30, 2, 2 }));
+  EXPECT_EQ(*FindNrrdOrigin(ends), (NrrdVector{ 15, 0, 1 }));
+}
+
+TEST(NrrdHeader, FindsTheAxesOfSpace)
+{
+  const auto axes = [](const std::string& lines)
+  { return ReadNrrdAxes(ParseNrrdHeader("NRRD0005\n" + lines + "\n\n")); };
+  using Axes = std::array<std::size_t, 3>;
+  EXPECT_EQ(*axes("sizes: 2 3 4"), (Axes{ 0, 1, 2 }));
+  EXPECT_EQ(*axes("sizes: 2 3 4 5"), (Axes{ 0, 1, 2 }));
+  EXPECT_EQ(*axes("sizes: 2 3 4 5\nkinds: list domain domain domain"), (Axes{ 1, 2, 3 }));
+  EXPECT_EQ(*axes("sizes: 2 3 4 5\nkinds: domain domain domain list"), (Axes{ 0, 1, 2 }));
+  EXPECT_EQ(
+    *axes("sizes: 2 3 4 5\nspace directions: (1,0,0) none (0,1,0) (0,0,1)"), (Axes{ 0, 2, 3 }));
+  // A series of ITK has four axes of space, the last of which is time.
+  const std::string series =
+    "sizes: 2 3 4 5\nkinds: domain domain domain domain\nspace origin: (1,2,3,0)\n"
+    "space directions: (1,0,0,0) (0,2,0,0) (0,0,3,0) (0,0,0,1)";
+  EXPECT_EQ(*axes(series), (Axes{ 0, 1, 2 }));
+  const NrrdHeader header = ParseNrrdHeader("NRRD0005\n" + series + "\n\n");
+  EXPECT_EQ((*FindNrrdSteps(header))[2], (NrrdVector{ 0, 0, 3 }));
+  EXPECT_EQ(*FindNrrdOrigin(header), (NrrdVector{ 1, 2, 3 }));
+  EXPECT_FALSE(axes("sizes: 2 3"));
+  EXPECT_FALSE(axes("sizes: 2 3 4\nspace directions: (1,0) (0,1) none"));
+}
+
+TEST(NrrdHeader, ListsFilesOfSamples)
+{
+  const NrrdHeader header =
+    ParseNrrdHeader("NRRD0005\nsizes: 2 3 4\ndata file: LIST\na: 1.raw\nb.raw\n");
+  EXPECT_EQ(header.Files, (std::vector<std::string>{ "a: 1.raw", "b.raw" }));
+}
+
 TEST(NrrdHeader, RefusesWhatIsNoDirectionOrPosition)
 {
   for (const char* const bad : { "(1,0,0) (0,1,0)", "(1,0,0) (0,1,0) (0,1)",

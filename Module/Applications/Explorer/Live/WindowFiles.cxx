@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Volume/GridLoader.h"
 
+#include "vtkHapticRegionSource.h"
 #include "vtkStringArray.h"
 
 #include <vtksys/Directory.hxx>
@@ -15,13 +16,14 @@ namespace
 {
 using Files = vtksys::SystemTools;
 
-const char* const FILE_ENDINGS[] = { ".vti", ".mhd", ".mha", ".nii", ".nii.gz", ".nrrd", ".nhdr",
-  ".vtkhdf", ".pvd", ".dcm", ".ima" };
+/// Beside the endings of grids, and of the files that vtkHapticRegionSource opens.
+const char* const FILE_ENDINGS[] = { ".vti", ".nii", ".nii.gz", ".pvd", ".dcm", ".ima" };
 
 bool IsForTouch(const std::string& name)
 {
   const std::string lower = Files::LowerCase(name);
   return lower == "dicomdir" || Explore::IsGrid(name) ||
+    !vtkHapticRegionSource::GetFileFormat(name.c_str()).empty() ||
     std::any_of(std::begin(FILE_ENDINGS), std::end(FILE_ENDINGS),
       [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
 }

@@ -31,22 +31,15 @@ std::string PlainName(const std::string& path)
   return name;
 }
 
-std::string EndingOf(const std::string& path)
+std::string FormatOf(const std::string& path)
 {
-  return Files::LowerCase(Files::GetFilenameLastExtension(PlainName(path)));
+  return vtkHapticRegionSource::GetFileFormat(PlainName(path).c_str());
 }
 
-bool OpensItself(const std::string& path)
+/// Whether files of a format are always read around the hand; others may well fit into memory.
+bool IsLargeFormat(const std::string& format)
 {
-  const std::string ending = EndingOf(path);
-  return ending == ".vtkhdf" || ending == ".zarr";
-}
-
-/// Whether a name belongs to a MetaImage or NRRD file, which may well fit into memory.
-bool HasRawHeader(const std::string& path)
-{
-  const std::string ending = EndingOf(path);
-  return ending == ".mhd" || ending == ".mha" || ending == ".nrrd" || ending == ".nhdr";
+  return format == "VTKHDF" || format == "Zarr";
 }
 
 void OpenItself(const std::string& path, vtkHapticRegionSource* source)
@@ -55,7 +48,7 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
   if (!source->OpenFile(PlainName(path).c_str(), error))
   {
     throw InputError(path, "can't be opened (" + error + ")",
-      HasRawHeader(path) || Explore::IsTiff(PlainName(path))
+      !IsLargeFormat(FormatOf(path))
         ? "do what stands there, or leave --large out"
         : "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py "
           "read");
@@ -96,12 +89,12 @@ namespace Explore
 {
 bool IsLargeVolume(const std::string& path, bool isWanted)
 {
-  if (OpensItself(path))
+  const std::string format = FormatOf(path);
+  if (IsLargeFormat(format))
   {
     return true;
   }
-  const bool isTiff = IsTiff(PlainName(path));
-  if (!isTiff && (!HasRawHeader(path) || !Files::FileExists(path, true)))
+  if (format.empty() || !Files::PathExists(PlainName(path)))
   {
     return false;
   }
@@ -126,18 +119,14 @@ Volume LoadLargeVolume(const std::string& path)
   volume.Name = Files::GetFilenameName(PlainName(path));
   volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
   OpenItself(path, volume.Large);
-  volume.Format = HasRawHeader(path) ? "raw samples"
-    : EndingOf(path) == ".zarr"      ? "Zarr"
-    : OpensItself(path)              ? "VTKHDF"
-                                     : "TIFF";
+  volume.Format = FormatOf(path);
   AddFileNotes(volume.Large, volume);
-  if (HasRawHeader(path))
+  const bool isNrrd = volume.Format == "NRRD";
+  if (isNrrd || volume.Format == "MetaImage")
   {
-    const std::string ending = EndingOf(path);
-    volume.Axes =
-      ending == ".mhd" || ending == ".mha" ? ReadMetaImageAxes(path) : ReadNrrdAxes(path);
+    volume.Axes = isNrrd ? ReadNrrdAxes(path) : ReadMetaImageAxes(path);
   }
-  const std::string turn = HasRawHeader(path) ? DescribeNrrdTurn(path) : std::string();
+  const std::string turn = isNrrd ? DescribeNrrdTurn(path) : std::string();
   volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);
   if (!volume.Large->GetCoarseImage())
   {

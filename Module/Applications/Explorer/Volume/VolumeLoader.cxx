@@ -28,12 +28,10 @@
 #include "vtkNIFTIImageHeader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
-#include "vtkNrrdReader.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 
-#include <vtksys/Directory.hxx>
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -123,10 +121,6 @@ std::string FindSamples(const std::string& path)
   {
     data = VolumeHaptics::HeaderText(path).Value({ "ElementDataFile" });
   }
-  else if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
-  {
-    data = VolumeHaptics::ReadNrrdHeader(path).GetDataFile();
-  }
   else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
   {
     // NIfTI and Analyze in two files.
@@ -157,22 +151,17 @@ double CountHeld(const std::string& path, const std::string& samples)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
   const bool isMeta = EndsWith(lower, ".mhd") || EndsWith(lower, ".mha");
-  const bool isNrrd = EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr");
   const VolumeHaptics::HeaderText meta(isMeta ? path : std::string());
-  const VolumeHaptics::NrrdHeader nrrd =
-    isNrrd ? VolumeHaptics::ReadNrrdHeader(path) : VolumeHaptics::NrrdHeader();
-  const std::string encoding = vtksys::SystemTools::LowerCase(nrrd.GetField("encoding"));
   const bool isPacked = isMeta
     ? vtksys::SystemTools::LowerCase(meta.Value({ "CompressedData" })) == "true"
-    : isNrrd ? encoding == "gzip" || encoding == "gz"
-             : IsNifti(lower) && IsPacked(samples);
+    : IsNifti(lower) && IsPacked(samples);
   const bool isRaw = isMeta
     ? vtksys::SystemTools::LowerCase(meta.Value({ "BinaryData" })) != "false"
-    : encoding == "raw" || IsNifti(lower);
-  // Not checked: files with skipped lines before packed data, or with a very long header.
-  const bool isHere = samples == path && (isMeta || isNrrd);
-  const bool isPlain = meta.Value({ "HeaderSize" }).empty() && nrrd.GetField("line skip").empty();
-  const std::size_t head = isMeta ? meta.GetSize() : nrrd.HasEnd ? nrrd.Size : 0;
+    : IsNifti(lower);
+  // Not checked: files with a header of a told size before packed data.
+  const bool isHere = samples == path && isMeta;
+  const bool isPlain = meta.Value({ "HeaderSize" }).empty();
+  const std::size_t head = isMeta ? meta.GetSize() : 0;
   const auto length = static_cast<double>(vtksys::SystemTools::FileLength(samples));
   if (isPacked && isPlain && (!isHere || head > 0))
   {
@@ -293,17 +282,17 @@ bool IsKnownToVTK(const std::string& path)
 }
 
 /// Reads a whole file as regions of it are read, with what is noted on the way.
-Volume ReadAsRegions(const std::string& path, const char* format, const char* cure)
+Volume ReadAsRegions(const std::string& path, const std::string& format, const char* cure)
 {
   vtkNew<vtkHapticRegionSource> source;
   std::string error;
   Volume volume;
   volume.Format = format;
   volume.Image =
-    source->OpenFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
+    source->OpenWholeFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
   if (!volume.Image)
   {
-    throw InputError(path, std::string("cannot be read as ") + format + " (" + error + ")", cure);
+    throw InputError(path, "cannot be read as " + format + " (" + error + ")", cure);
   }
   Explore::AddFileNotes(source, volume);
   return volume;
@@ -323,16 +312,19 @@ Volume ReadMetaImage(const std::string& path)
   return volume;
 }
 
+/// VTK's reader takes text for samples, and the sizes of four axes from the wrong end.
 Volume ReadNrrd(const std::string& path)
 {
-  vtkNew<vtkNrrdReader> reader;
-  Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {}, {}, {} };
-  volume.Axes = Explore::ReadNrrdAxes(path);
-  const std::string note = Explore::ApplyNrrdOrientation(path, volume.Image);
-  if (!note.empty())
+  if (VolumeHaptics::ReadNrrdHeader(path).Fields.empty())
   {
-    volume.Notes.push_back(note);
+    throw InputError(path, "is not a NRRD file, whatever its name says",
+      "check what the file really is; export it again as NRRD, and check that the copy is "
+      "complete");
   }
+  Volume volume = ReadAsRegions(path, "NRRD", "do what stands there");
+  volume.Axes = Explore::ReadNrrdAxes(path);
+  const std::string note = Explore::DescribeNrrdTurn(path);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
   return volume;
 }
 
@@ -433,9 +425,10 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   {
     return ReadNrrd(path);
   }
-  if (Explore::IsTiff(path))
+  const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
+  if (!format.empty())
   {
-    return ReadAsRegions(path, "TIFF", "do what stands there");
+    return ReadAsRegions(path, format, "do what stands there");
   }
   if (Explore::IsGrid(path))
   {
@@ -483,31 +476,6 @@ vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::stri
   return image;
 }
 
-bool IsTiff(const std::string& path)
-{
-  using Files = vtksys::SystemTools;
-  const auto hasEnding = [](const std::string& name)
-  {
-    const std::string ending = Files::LowerCase(Files::GetFilenameLastExtension(name));
-    return (ending == ".tif" || ending == ".tiff") && Files::GetFilenameName(name)[0] != '.';
-  };
-  if (!Files::FileIsDirectory(path))
-  {
-    return hasEnding(path);
-  }
-  // Beside slices of DICOM, pictures may lie that were made of them.
-  vtksys::Directory folder;
-  folder.Load(path);
-  int pages = 0, others = 0;
-  for (unsigned long i = 0; i < folder.GetNumberOfFiles(); ++i)
-  {
-    const std::string name = folder.GetFile(i);
-    ++(hasEnding(name) ? pages : others);
-  }
-  constexpr int links = 2; // the folder itself, and the one above
-  return pages > others - links;
-}
-
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume)
 {
   std::istringstream notes(source->GetFileNotes());
@@ -527,8 +495,9 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   Volume volume;
   if (vtksys::SystemTools::FileIsDirectory(path))
   {
-    volume = Explore::IsTiff(path) ? ReadAsRegions(path, "TIFF", "do what stands there")
-                                   : ReadDicomFolder(path, series);
+    const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
+    volume = format.empty() ? ReadDicomFolder(path, series)
+                            : ReadAsRegions(path, format, "do what stands there");
   }
   else
   {

@@ -56,6 +56,7 @@ struct Volume
   bool MayBeLabels = false; // its values look like the numbers of labels
   bool AreLabels = false;   // they are used as labels
   std::string Flow = {};    // the vectors of a grid, followed by default
+  std::string Padding = {}; // what was taken for outside; empty if nothing was
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
@@ -81,9 +82,6 @@ void AlignVolume(Volume& volume);
 /// of them. If an array is named, its values, or the magnitude of its vectors, are shown and felt.
 /// Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
-
-/// Whether a path is a TIFF file, or a folder of TIFF slices, by the endings of names.
-bool IsTiff(const std::string& path);
 
 /// All samples of a volume that can be read in boxes; null, with the reason, if that fails.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);

@@ -117,38 +117,6 @@ std::string DescribeNrrdTurn(const std::string& path)
     : std::string();
 }
 
-std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
-{
-  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
-  const auto steps = VolumeHaptics::FindNrrdSteps(header);
-  if (!steps)
-  {
-    return {};
-  }
-  VolumeHaptics::NrrdVector origin =
-    VolumeHaptics::FindNrrdOrigin(header).value_or(VolumeHaptics::NrrdVector{});
-  double axes[9];
-  for (int c = 0; c < 3; ++c)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      axes[3 * row + c] = (*steps)[c][row];
-    }
-  }
-  if (VolumeHaptics::FindNrrdSpace(header).IsLeftHanded && header.GetField("encoding") == "raw")
-  {
-    // For these spaces only, VTK's reader reverses the rows of raw files.
-    const double rows = image->GetDimensions()[1] - 1;
-    for (int row = 0; row < 3; ++row)
-    {
-      origin[row] += rows * axes[3 * row + 1];
-      axes[3 * row + 1] = -axes[3 * row + 1];
-    }
-  }
-  SetFrame(image, axes, origin.data());
-  return DescribeNrrdTurn(path);
-}
-
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image)
 {
   double axes[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };

@@ -31,11 +31,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 /// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this restores them and turns
-/// every anatomical space into left-posterior-superior. Returns a note if it turned something.
-std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
-
-/// The same note for a NRRD file, without an image.
+/// Says if a NRRD file's space was turned into left-posterior-superior; else empty.
 std::string DescribeNrrdTurn(const std::string& path);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or

@@ -119,22 +119,18 @@ double Determinant(const std::array<double, 9>& m)
     m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::size_t listAxis, std::string& error)
+bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::string& error)
 {
   const std::string directions = header.GetField("space directions");
   const std::string sizes = header.GetField("spacings");
   const std::string origin = header.GetField("space origin");
   const auto steps = FindNrrdSteps(header);
-  std::vector<std::string_view> spacings = SplitWords(sizes);
-  if (spacings.size() == 4 && listAxis < 4)
-  {
-    spacings.erase(spacings.begin() + static_cast<std::ptrdiff_t>(listAxis));
-  }
+  const NrrdVector spacings = FindNrrdSpacings(header);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (directions.empty())
     {
-      image.Spacing[axis] = axis < spacings.size() ? ReadNumber(spacings[axis]).value_or(1.0) : 1.0;
+      image.Spacing[axis] = spacings[axis];
       continue;
     }
     const NrrdVector step = steps ? (*steps)[axis] : NrrdVector{};
@@ -236,7 +232,7 @@ bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& erro
   }
   std::size_t listAxis = 0;
   return ReadType(header, image, error) && ReadEncoding(header, image, error) &&
-    ReadSizes(header, image, listAxis, error) && ReadFrame(header, image, listAxis, error);
+    ReadSizes(header, image, listAxis, error) && ReadFrame(header, image, error);
 }
 
 bool ReadNrrdSamples(const SegmentationHeader& header, const NrrdImage& image,

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 
+#include "VTK/Regions/Formats/OpenedFile.h"
+
 #include "vtk_lz4.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,6 +18,9 @@
 
 #if defined(VOLUME_HAPTICS_HAS_BLOSC)
 #include <blosc.h>
+#endif
+#if defined(VOLUME_HAPTICS_HAS_ZSTD)
+#include <zstd.h>
 #endif
 
 namespace VolumeHaptics
@@ -89,6 +95,59 @@ void InflateChunk(std::vector<char>& bytes)
   bytes = std::move(plain);
 }
 
+std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size)
+{
+  constexpr std::size_t partSize = std::size_t{ 1 } << 18;
+  const auto length = static_cast<std::size_t>(file.GetSize());
+  std::vector<char> packed(partSize);
+  std::vector<char> rest(partSize); // behind the wanted bytes: only its sum is checked
+  Inflater inflater;
+  z_stream& stream = inflater.Stream;
+  std::size_t count = 0;
+  int state = Z_STREAM_END;
+  bool hasAny = false;
+  // What is unpacked may wait for room after the last byte was read.
+  while (offset < length || stream.avail_in > 0 || (state == Z_OK && stream.avail_out == 0))
+  {
+    if (stream.avail_in == 0 && offset < length)
+    {
+      const std::size_t part = std::min(partSize, length - offset);
+      file.Read(packed.data(), part, static_cast<std::int64_t>(offset));
+      offset += part;
+      stream.next_in = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_in = static_cast<uInt>(part);
+    }
+    if (state == Z_STREAM_END)
+    {
+      // Streams of gzip may follow each other; what else follows is no part of them.
+      constexpr Bytef gzipMagic = 0x1f;
+      if (hasAny && *stream.next_in != gzipMagic)
+      {
+        return count;
+      }
+      hasAny = true;
+      inflateReset(&stream);
+    }
+    const bool isWanted = count < size;
+    const std::size_t room = isWanted ? std::min(size - count, std::size_t{ 1 } << 30) : partSize;
+    stream.next_out = reinterpret_cast<Bytef*>(isWanted ? to + count : rest.data());
+    stream.avail_out = static_cast<uInt>(room);
+    state = inflate(&stream, Z_NO_FLUSH);
+    count += isWanted ? room - stream.avail_out : 0;
+    if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
+    {
+      break;
+    }
+  }
+  if (!hasAny || state != Z_STREAM_END)
+  {
+    throw std::runtime_error(
+      "its compressed samples are damaged, or cut off. Check that the copy is complete, or write "
+      "it again.");
+  }
+  return count;
+}
+
 void UnpackLz4Chunk(std::vector<char>& bytes)
 {
   constexpr std::size_t headSize = 4;
@@ -144,6 +203,80 @@ void UnpackBloscChunk(std::vector<char>&)
     "volumehaptics.open_large() in Python, which uses zarr.");
 }
 #endif
+
+#if defined(VOLUME_HAPTICS_HAS_ZSTD)
+void UnpackZstdChunk(std::vector<char>& bytes)
+{
+  // Writers in streams don't tell the size.
+  const unsigned long long told = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > MostChunkBytes))
+  {
+    ThrowDamaged("zstd");
+  }
+  std::vector<char> plain(told == ZSTD_CONTENTSIZE_UNKNOWN
+      ? std::max<std::size_t>(4 * bytes.size(), 4096)
+      : static_cast<std::size_t>(told));
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(
+    ZSTD_createDCtx(), ZSTD_freeDCtx);
+  ZSTD_inBuffer in{ bytes.data(), bytes.size(), 0 };
+  ZSTD_outBuffer out{ plain.data(), plain.size(), 0 };
+  while (true)
+  {
+    const std::size_t had = in.pos + out.pos;
+    const std::size_t left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (left == 0 && in.pos == in.size)
+    {
+      break;
+    }
+    const bool isFull = out.pos == out.size;
+    if (ZSTD_isError(left) || (!isFull && in.pos + out.pos == had) ||
+      (isFull && plain.size() > MostChunkBytes))
+    {
+      ThrowDamaged("zstd");
+    }
+    if (isFull)
+    {
+      plain.resize(2 * plain.size() + 1);
+      out = { plain.data(), plain.size(), out.pos };
+    }
+  }
+  plain.resize(out.pos);
+  bytes = std::move(plain);
+}
+#else
+void UnpackZstdChunk(std::vector<char>&)
+{
+  throw std::runtime_error(
+    "its chunks are compressed by Zstandard, which this build can't unpack. Build it with zstd "
+    "(package libzstd-dev), write the array with another compressor, or open it with "
+    "volumehaptics.open_large() in Python, which uses zarr.");
+}
+#endif
+
+void CheckChunkSum(std::vector<char>& bytes)
+{
+  constexpr std::size_t sumSize = 4;
+  constexpr std::uint32_t castagnoli = 0x82f63b78; // RFC 3720, bits reversed
+  if (bytes.size() < sumSize)
+  {
+    ThrowDamaged("crc32c");
+  }
+  const std::size_t size = bytes.size() - sumSize;
+  std::uint32_t sum = 0xffffffff;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    sum ^= static_cast<unsigned char>(bytes[i]);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      sum = (sum >> 1) ^ ((sum & 1) != 0 ? castagnoli : 0);
+    }
+  }
+  if (~sum != ReadWord(reinterpret_cast<const unsigned char*>(bytes.data() + size)))
+  {
+    ThrowDamaged("crc32c");
+  }
+  bytes.resize(size);
+}
 
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)
 {

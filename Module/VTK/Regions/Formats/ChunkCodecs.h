@@ -13,6 +13,8 @@
 namespace VolumeHaptics
 {
 
+class OpenedFile;
+
 /** Size limit of an unpacked chunk (bytes); only damaged chunks exceed it. */
 constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 
@@ -24,7 +26,16 @@ constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 void InflateChunk(std::vector<char>& bytes);     ///< unpacks zlib or gzip
 void UnpackLz4Chunk(std::vector<char>& bytes);   ///< LZ4 of numcodecs, size first
 void UnpackBloscChunk(std::vector<char>& bytes); ///< Blosc 1, if this build has c-blosc
+void UnpackZstdChunk(std::vector<char>& bytes);  ///< Zstandard, if this build has libzstd
+void CheckChunkSum(std::vector<char>& bytes);    ///< removes the CRC-32C at the end
 ///@}
+
+/**
+ * Unpacks zlib's or gzip's bytes from an offset to the end of a file into memory. Returns how many
+ * bytes there are for it, at most its size. Throws std::runtime_error if they are damaged or cut
+ * off.
+ */
+std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size);
 
 /**
  * Undoes the shuffle filter, which puts the first bytes of all samples first, then the second ones.

@@ -46,7 +46,28 @@ bool IsLargeFileName(const std::string& name)
     IsHeaderName(name) || IsTiffName(name);
 }
 
-LargeFile OpenLargeFile(const std::string& name)
+std::string GetFormatName(const std::string& name)
+{
+  using Files = vtksys::SystemTools;
+  const bool isFolder = Files::FileIsDirectory(name);
+  const auto holds = [&name](const char* file) { return Files::PathExists(name + "/" + file); };
+  if (HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||
+    (isFolder && (holds(".zarray") || holds(".zgroup") || holds("zarr.json"))))
+  {
+    return "Zarr";
+  }
+  if (isFolder)
+  {
+    return IsTiffFolder(name) ? "TIFF" : "";
+  }
+  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") ? "VTKHDF"
+    : HasEnding(name, ".mhd") || HasEnding(name, ".mha")       ? "MetaImage"
+    : HasEnding(name, ".nrrd") || HasEnding(name, ".nhdr")     ? "NRRD"
+    : IsTiffName(name)                                         ? "TIFF"
+                                                               : "";
+}
+
+LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
 {
   if (!IsLargeFileName(name))
   {
@@ -57,7 +78,7 @@ LargeFile OpenLargeFile(const std::string& name)
   }
   return IsTiffName(name) ? OpenTiff(name)
     : IsZarrName(name)    ? OpenZarr(name)
-    : IsHeaderName(name)  ? OpenRawHeader(name)
+    : IsHeaderName(name)  ? OpenRawHeader(name, mayBeWhole)
                           : OpenVtkHdf(name);
 }
 

@@ -36,8 +36,17 @@ struct LargeFile
 /** Whether OpenLargeFile() knows the ending of a name. */
 bool IsLargeFileName(const std::string& name);
 
-/** Opens a file by the ending of its name. Throws std::runtime_error, with the cure. */
-LargeFile OpenLargeFile(const std::string& name);
+/**
+ * Opens a file by the ending of its name; if it may be read as a whole, also one whose samples
+ * can't be read in boxes. Throws std::runtime_error, with the cure.
+ */
+LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole = false);
+
+/**
+ * Returns the format of a file, by its ending, or of a folder, by what it holds: "VTKHDF",
+ * "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if it is none of these.
+ */
+std::string GetFormatName(const std::string& name);
 
 /**
  * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Does not throw.

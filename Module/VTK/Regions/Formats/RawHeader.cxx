@@ -8,17 +8,26 @@
 #include "VTK/Regions/Formats/HeaderText.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
+#include "VTK/Regions/Formats/WholeSamples.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 
+#include "vtksys/RegularExpression.hxx"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
 #include <limits>
 #include <map>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -36,15 +45,21 @@ const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
 /** The fields of a header of either format. */
 struct RawHeader
 {
-  std::vector<double> Size; ///< samples along each axis
+  std::vector<double> Size;            ///< samples along x, y and z
+  std::array<std::int64_t, 3> Steps{}; ///< see RawVolumeFile
+  double Volumes = 1.0;                ///< samples in the file for each sample of the volume
   std::vector<double> Spacing;
   std::vector<double> Origin;
   std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
   int Type = 0;
   bool IsBig = false;
+  bool IsKnown = false; ///< whether its samples can be read at all
   bool IsPlain = false; ///< whether it is uncompressed, in one file, and has one component
-  std::string Data;     ///< the file with the samples
-  double Skip = 0.0;    ///< bytes before the samples; -1: all but the samples
+  WholeSamples::EncodingType Encoding = WholeSamples::Raw;
+  std::string UnknownEncoding;   ///< its name; empty if the encoding is known
+  std::vector<std::string> Data; ///< the files with the samples
+  double Skip = 0.0;             ///< bytes before the samples; -1: all but the samples
+  std::vector<std::string> Notes;
 };
 
 std::string LowerCase(std::string text)
@@ -98,6 +113,47 @@ std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::siz
   return three;
 }
 
+/** Returns how many bytes some lines at the beginning of a file take. */
+double CountLineBytes(const std::string& name, double lines)
+{
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  double size = 0.0;
+  for (; lines >= 1.0 && std::getline(file, line); --lines)
+  {
+    size += static_cast<double>(line.size()) + 1.0;
+  }
+  return size;
+}
+
+/** Returns the names that a pattern such as "slice%03d.raw 1 40 1" stands for. */
+std::vector<std::string> ListNumbered(const std::string& text)
+{
+  std::istringstream words(text);
+  std::string pattern;
+  int first = 0;
+  int last = -1;
+  int step = 1;
+  words >> pattern >> first >> last >> step;
+  const vtksys::RegularExpression number("^([^%]*)%(0?)([0-9]*)d([^%]*)$");
+  vtksys::RegularExpressionMatch parts;
+  constexpr int most = 1 << 20;
+  if (!number.find(pattern.c_str(), parts) || step <= 0 || last < first ||
+    (last - first) / step > most)
+  {
+    return {};
+  }
+  std::vector<std::string> names;
+  for (int i = first; i <= last; i += step)
+  {
+    std::ostringstream name;
+    name << parts.match(1) << std::setfill(parts.match(2).empty() ? ' ' : '0')
+         << std::setw(std::atoi(parts.match(3).substr(0, 2).c_str())) << i << parts.match(4);
+    names.push_back(name.str());
+  }
+  return names;
+}
+
 RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
 {
   RawHeader header;
@@ -106,97 +162,163 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
   header.Axes = ExtractThreeAxes(
     text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
+  while (header.Size.size() > 3)
+  {
+    header.Volumes *= header.Size.back();
+    header.Size.pop_back();
+  }
+  if (header.Volumes > 1.0 && header.Volumes < std::numeric_limits<int>::max())
+  {
+    header.Notes.push_back("of " + std::to_string(static_cast<int>(header.Volumes)) +
+      " volumes along the axes after the third one, such as times, the first one is used");
+  }
   header.Type = FindMetaType(text.Value({ "ElementType" }));
   header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
   const std::string data = text.Value({ "ElementDataFile" });
-  header.IsPlain = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
-    !IsTrue(text.Value({ "CompressedData" })) &&
+  header.IsKnown = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
     LowerCase(text.Value({ "BinaryData" })) != "false" &&
     NumberOr(text.Numbers({ "ElementNumberOfChannels" }), 1.0) == 1.0;
+  const bool isPacked = IsTrue(text.Value({ "CompressedData" }));
+  header.IsPlain = header.IsKnown && !isPacked;
+  header.Encoding = isPacked ? WholeSamples::Packed : WholeSamples::Raw;
   const bool isHere = LowerCase(data) == "local";
-  header.Data = isHere ? name : FindBeside(name, data);
+  header.Data = { isHere ? name : FindBeside(name, data) };
   const double behind = isHere ? static_cast<double>(text.GetSize()) : 0.0;
   const double told = NumberOr(text.Numbers({ "HeaderSize" }), 0.0);
   header.Skip = told == 0.0 ? behind : told;
   return header;
 }
 
+/** Sets which samples are those of the volume. */
+void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
+{
+  const std::vector<double> sizes = nrrd.GetNumbers("sizes");
+  const auto axes = ReadNrrdAxes(nrrd);
+  if (!axes || axes->back() >= sizes.size())
+  {
+    return;
+  }
+  double step = 1.0;
+  double values = 1.0;
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis)
+  {
+    const auto* const found = std::find(axes->begin(), axes->end(), axis);
+    if (found != axes->end())
+    {
+      header.Size.push_back(sizes[axis]);
+      // Sizes are checked later; what is beyond is not used.
+      header.Steps[static_cast<std::size_t>(found - axes->begin())] =
+        static_cast<std::int64_t>(std::min(step, 1e18));
+    }
+    else
+    {
+      header.Volumes *= sizes[axis];
+      values *= axis < axes->back() ? sizes[axis] : 1.0;
+    }
+    step *= sizes[axis];
+  }
+  if (header.Volumes > 1.0 && header.Volumes < std::numeric_limits<int>::max())
+  {
+    const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
+    header.Notes.push_back(values > 1.0
+        ? "of " + text(values) + " components a voxel, such as channels, the first one is used"
+        : "of " + text(header.Volumes) + " volumes, such as times, the first one is used");
+  }
+}
+
+/** Sets where the samples are, and how they are written. */
+void SetNrrdSamples(const NrrdHeader& nrrd, const std::string& name, RawHeader& header)
+{
+  const std::string data = nrrd.GetDataFile();
+  const bool isListed = data.compare(0, 4, "LIST") == 0;
+  const bool isNumbered = data.find('%') != std::string::npos;
+  const std::vector<std::string> names = isListed ? nrrd.Files
+    : isNumbered                                  ? ListNumbered(data)
+                                                  : std::vector<std::string>{ data };
+  for (const std::string& one : names)
+  {
+    header.Data.push_back(one.empty() ? name : FindBeside(name, one));
+  }
+  const std::string encoding = LowerCase(nrrd.GetField("encoding"));
+  const bool isText = encoding == "ascii" || encoding == "text" || encoding == "txt";
+  const bool isPacked = encoding == "gzip" || encoding == "gz";
+  header.Encoding = isText ? WholeSamples::Text
+    : isPacked             ? WholeSamples::Packed
+                           : WholeSamples::Raw;
+  const bool isRaw = encoding == "raw";
+  header.UnknownEncoding = isText || isPacked || isRaw ? std::string() : " (" + encoding + ")";
+  const double lines = NumberOr(nrrd.GetNumbers("line skip"), 0.0);
+  const double bytes = NumberOr(nrrd.GetNumbers("byte skip"), 0.0);
+  header.IsKnown = !header.Data.empty() && header.UnknownEncoding.empty() &&
+    (bytes == 0.0 || isRaw) && (lines == 0.0 || !data.empty());
+  header.IsPlain = header.IsKnown && isRaw && !isListed && !isNumbered && lines == 0.0 &&
+    !FindNrrdSpace(nrrd).IsLeftHanded;
+  header.Skip = bytes < 0.0 ? bytes
+    : data.empty()          ? bytes + static_cast<double>(nrrd.Size)
+    : header.IsKnown        ? bytes + CountLineBytes(header.Data.front(), lines)
+                            : 0.0;
+}
+
 RawHeader ConvertNrrdHeader(const NrrdHeader& nrrd, const std::string& name)
 {
   RawHeader header;
-  header.Size = nrrd.GetNumbers("sizes");
-  header.Spacing = nrrd.GetNumbers("spacings");
+  SetNrrdSizes(nrrd, header);
   const NrrdVector origin = FindNrrdOrigin(nrrd).value_or(NrrdVector{});
   header.Origin.assign(origin.begin(), origin.end());
   if (const auto steps = FindNrrdSteps(nrrd))
   {
-    header.Spacing.clear();
     for (const NrrdVector& step : *steps)
     {
       header.Axes.insert(header.Axes.end(), step.begin(), step.end());
       header.Spacing.push_back(std::hypot(step[0], step[1], step[2]));
     }
   }
+  else
+  {
+    const NrrdVector spacings = FindNrrdSpacings(nrrd);
+    header.Spacing.assign(spacings.begin(), spacings.end());
+  }
+  const std::string unit = DescribeNrrdUnits(nrrd);
+  header.Notes.insert(header.Notes.end(), unit.empty() ? 0 : 1, unit);
   const NrrdType type = nrrd.GetType();
   header.Type = ChooseScalarType(type.IsInteger, type.IsSigned, type.Size);
   header.IsBig = nrrd.IsBig();
-  const std::string data = nrrd.GetDataFile();
-  header.IsPlain = nrrd.GetField("encoding") == "raw" && data.find('%') == std::string::npos &&
-    data != "LIST" && !FindNrrdSpace(nrrd).IsLeftHanded && nrrd.GetField("line skip").empty();
-  header.Data = data.empty() ? name : FindBeside(name, data);
-  header.Skip = NumberOr(nrrd.GetNumbers("byte skip"), 0.0);
-  if (data.empty() && header.Skip >= 0.0)
-  {
-    header.Skip += static_cast<double>(nrrd.Size);
-  }
+  SetNrrdSamples(nrrd, name, header);
   return header;
 }
 
 bool IsReadable(const RawHeader& header)
 {
-  return header.IsPlain && header.Type != 0 && header.Size.size() >= 3 &&
+  return header.IsKnown && header.Type != 0 && header.Size.size() == 3 && header.Volumes >= 1.0 &&
     std::all_of(header.Size.begin(), header.Size.end(),
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
 
-/** Computes the number of bytes as a double, which can't overflow. */
-double CountBytes(const RawHeader& header)
+/** Computes the number of samples in the files as a double, which can't overflow. */
+double CountFileSamples(const RawHeader& header)
 {
-  return header.Size[0] * header.Size[1] * header.Size[2] *
-    vtkAbstractArray::GetDataTypeSize(header.Type);
-}
-
-/** Checks that axes after the third one, such as time, are one sample long; throws otherwise. */
-void CheckFurtherAxes(const RawHeader& header)
-{
-  if (std::any_of(
-        header.Size.begin() + 3, header.Size.end(), [](double count) { return count != 1.0; }))
-  {
-    throw std::runtime_error("it has " + std::to_string(header.Size.size()) +
-      " axes, so that it holds several volumes. Write each of them into a file of its own; "
-      "volumehaptics-explore takes their folder.");
-  }
+  return header.Size[0] * header.Size[1] * header.Size[2] * header.Volumes;
 }
 
 /** Computes the number of bytes before the samples. Throws if the file is too short. */
 std::int64_t ComputeSkip(const RawHeader& header)
 {
+  const std::string& data = header.Data.front();
   double size = 0.0;
   try
   {
-    size = static_cast<double>(OpenedFile(header.Data).GetSize());
+    size = static_cast<double>(OpenedFile(data).GetSize());
   }
   catch (const std::runtime_error& error)
   {
     throw std::runtime_error(
-      "it speaks of the file " + header.Data + ", which can't be opened: " + error.what());
+      "it speaks of the file " + data + ", which can't be opened: " + error.what());
   }
-  const double bytes = CountBytes(header);
+  const double bytes = CountFileSamples(header) * vtkAbstractArray::GetDataTypeSize(header.Type);
   const double skip = header.Skip < 0.0 ? size - bytes : header.Skip;
   if (skip < 0.0 || size < skip + bytes)
   {
-    throw std::runtime_error("it speaks of more samples than " + header.Data +
-      " has. Check that the copy of that file is complete.");
+    throw std::runtime_error(DescribeMissingSamples(data));
   }
   return static_cast<std::int64_t>(skip);
 }
@@ -225,22 +347,59 @@ void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
   }
 }
 
+/** Returns a reader of boxes of the samples, which lie in one file. */
+BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
+{
+  samples.Name = MakeAbsolute(header.Data.front());
+  samples.HeaderSize = ComputeSkip(header);
+  return [samples](const int box[6], void* to)
+  {
+    samples.Read(box, to);
+    return true;
+  };
+}
+
+/** Returns a reader that reads all samples when it is called first. */
+BoxReader ReadAtOnce(const RawHeader& header, const RawVolumeFile& samples)
+{
+  const auto whole = std::make_shared<WholeSamples>();
+  for (const std::string& name : header.Data)
+  {
+    whole->Files.push_back(MakeAbsolute(name));
+  }
+  whole->Encoding = header.Encoding;
+  whole->Offset = static_cast<std::size_t>(static_cast<std::int64_t>(header.Skip));
+  whole->ScalarType = header.Type;
+  whole->Count = CountFileSamples(header);
+  whole->Check();
+  return [whole, samples](const int box[6], void* to)
+  {
+    samples.ReadWith([&whole](void* part, std::size_t size, std::int64_t from)
+      { whole->Copy(part, size, static_cast<std::size_t>(from)); },
+      box, to);
+    return true;
+  };
+}
+
 } // namespace
 
-LargeFile OpenRawHeader(const std::string& name)
+LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole)
 {
   const OpenedFile isThere(name); // throws if the file is missing
   const RawHeader header = IsMetaName(name) ? ReadMetaHeader(HeaderText(name), name)
                                             : ConvertNrrdHeader(ReadNrrdHeader(name), name);
-  if (!IsReadable(header))
+  if (!IsReadable(header) || (!header.IsPlain && !mayBeWhole))
   {
-    throw std::runtime_error(
-      "its samples can't be read region by region: they are compressed, in several files, "
-      "mirrored, not three-dimensional, written as text, or of another type. Write them "
-      "uncompressed "
-      "into one raw file, or read the whole volume into memory.");
+    throw std::runtime_error(mayBeWhole
+        ? "its samples can't be read: they are encoded in another way" +
+          Printable(header.UnknownEncoding) +
+          " than raw, gzip or ascii, not three-dimensional, or of another type. Write them again, "
+          "with the encoding gzip; with teem: unu save -f nrrd -e gzip."
+        : "its samples can't be read region by region: they are compressed, in several files, "
+          "mirrored, not three-dimensional, written as text, or of another type. Write them "
+          "uncompressed "
+          "into one raw file, or read the whole volume into memory.");
   }
-  CheckFurtherAxes(header);
   LargeFile file;
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -250,14 +409,14 @@ LargeFile OpenRawHeader(const std::string& name)
   }
   SetAxes(header.Axes, file.Direction);
   file.ScalarType = header.Type;
-  const RawVolumeFile samples{ MakeAbsolute(header.Data), file.Extent,
-    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type)), ComputeSkip(header),
-    IsOtherByteOrder(header.IsBig) };
-  file.Read = [samples](const int box[6], void* to)
-  {
-    samples.Read(box, to);
-    return true;
-  };
+  file.Notes = header.Notes;
+  RawVolumeFile samples;
+  samples.Extent = file.Extent;
+  samples.SampleSize = static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type));
+  samples.Steps = header.Steps;
+  samples.IsSwapped = header.Encoding != WholeSamples::Text && IsOtherByteOrder(header.IsBig);
+  file.Read =
+    header.IsPlain ? ReadInBoxes(header, std::move(samples)) : ReadAtOnce(header, samples);
   return file;
 }
 

@@ -15,11 +15,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens a file whose samples lie uncompressed after its header, or in a file beside it. The volume
- * lies in the world where ITK puts it: in left-posterior-superior if the header names a space.
- * Throws std::runtime_error, with the cure.
+ * Opens a file whose samples lie uncompressed after its header, or in a file beside it; if it may
+ * be read as a whole, also compressed ones, text, and several files. The volume lies in the world
+ * where ITK puts it: in left-posterior-superior if the header names a space. Throws
+ * std::runtime_error, with the cure.
  */
-LargeFile OpenRawHeader(const std::string& name);
+LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole);
 
 } // namespace VolumeHaptics
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -21,20 +22,40 @@ void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize)
 void RawVolumeFile::Read(const int box[6], void* samples) const
 {
   const OpenedFile file(this->Name);
+  this->ReadWith([&](void* to, std::size_t size, std::int64_t from)
+    { file.Read(to, size, this->HeaderSize + from); },
+    box, samples);
+}
+
+void RawVolumeFile::ReadWith(const ByteReader& read, const int box[6], void* samples) const
+{
   const auto sampleSize = static_cast<std::int64_t>(this->SampleSize);
   const std::int64_t nx = std::int64_t{ this->Extent[1] } - this->Extent[0] + 1;
   const std::int64_t ny = std::int64_t{ this->Extent[3] } - this->Extent[2] + 1;
-  const auto row =
-    static_cast<std::size_t>((std::int64_t{ box[1] } - box[0] + 1) * sampleSize); // bytes
+  const auto steps =
+    this->Steps[0] > 0 ? this->Steps : std::array<std::int64_t, 3>{ 1, nx, nx * ny };
+  const std::int64_t count = std::int64_t{ box[1] } - box[0] + 1;
+  const auto row = static_cast<std::size_t>(count * sampleSize); // bytes
+  std::vector<char> apart; // a row with the samples in between
   char* to = static_cast<char*>(samples);
   for (std::int64_t k = box[4]; k <= box[5]; ++k)
   {
     for (std::int64_t j = box[2]; j <= box[3]; ++j)
     {
-      const std::int64_t first = std::int64_t{ box[0] } - this->Extent[0] +
-        nx * (j - this->Extent[2] + ny * (k - this->Extent[4]));
-      file.Read(to, row, this->HeaderSize + first * sampleSize);
-      to += row;
+      const std::int64_t first = (std::int64_t{ box[0] } - this->Extent[0]) * steps[0] +
+        (j - this->Extent[2]) * steps[1] + (k - this->Extent[4]) * steps[2];
+      if (steps[0] == 1)
+      {
+        read(to, row, first * sampleSize);
+        to += row;
+        continue;
+      }
+      apart.resize(static_cast<std::size_t>(((count - 1) * steps[0] + 1) * sampleSize));
+      read(apart.data(), apart.size(), first * sampleSize);
+      for (std::int64_t i = 0; i < count; ++i, to += sampleSize)
+      {
+        std::copy_n(apart.data() + i * steps[0] * sampleSize, sampleSize, to);
+      }
     }
   }
   if (this->IsSwapped)

@@ -4,8 +4,8 @@
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/LengthUnit.h"
 #include "VTK/Base/NameOrder.h"
-#include "VTK/Regions/Formats/LengthUnit.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
 
@@ -601,6 +601,14 @@ bool IsTiffName(const std::string& name)
   const std::string ending =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
   return ending == ".tif" || ending == ".tiff";
+}
+
+bool IsTiffFolder(const std::string& folder)
+{
+  vtksys::Directory all;
+  constexpr std::size_t links = 2; // the folder itself, and the one above
+  return vtksys::SystemTools::FileIsDirectory(folder) && IsTiffName(folder) && all.Load(folder) &&
+    2 * ListFiles(folder).size() > all.GetNumberOfFiles() - links;
 }
 
 LargeFile OpenTiff(const std::string& name)

@@ -18,6 +18,11 @@ namespace VolumeHaptics
 bool IsTiffName(const std::string& name);
 
 /**
+ * Whether most files of a folder are TIFF: beside slices of DICOM, pictures of them may lie.
+ */
+bool IsTiffFolder(const std::string& folder);
+
+/**
  * Opens a file with a page for each slice, or a folder of files with one page each, in the order of
  * the numbers in their names. Pages of other sizes, such as previews, are left out.
  *

@@ -129,11 +129,19 @@ void AddCodec(const std::string& name, ZarrArray& array)
   {
     array.Codecs.push_back(ZarrArray::Blosc);
   }
-  else if (name != "crc32c")
+  else if (name == "zstd")
+  {
+    array.Codecs.push_back(ZarrArray::Zstd);
+  }
+  else if (name == "crc32c")
+  {
+    array.Codecs.push_back(ZarrArray::Sum);
+  }
+  else
   {
     Refuse(array.Folder,
-      "is stored with " + Printable(name) + ", and only zlib, gzip, lz4 and blosc are read here." +
-        UsePython);
+      "is stored with " + Printable(name) +
+        ", and only zlib, gzip, lz4, zstd, blosc and crc32c are read here." + UsePython);
   }
 }
 
@@ -160,6 +168,53 @@ void ReadOldHead(const Json::Value& head, ZarrArray& array)
   }
 }
 
+/** Reads codecs of version 3, in the order of encoding. */
+void ReadCodecs(const Json::Value& codecs, ZarrArray& array)
+{
+  for (const Json::Value& codec : codecs)
+  {
+    const std::string name = codec["name"].asString();
+    if (name == "bytes")
+    {
+      array.IsBig = codec["configuration"]["endian"].asString() == "big";
+      continue;
+    }
+    AddCodec(name, array);
+  }
+  std::reverse(array.Codecs.begin(), array.Codecs.end());
+}
+
+/** Reads the codec of shards: files of several chunks, with an index of them. */
+void ReadShards(const Json::Value& configuration, ZarrArray& array)
+{
+  array.ShardShape = array.ChunkShape;
+  array.ChunkShape = ReadShape(configuration["chunk_shape"], array.Folder);
+  bool isEven = array.ChunkShape.size() == array.ShardShape.size();
+  for (std::size_t d = 0; isEven && d < array.ShardShape.size(); ++d)
+  {
+    isEven = array.ShardShape[d] % array.ChunkShape[d] == 0;
+    array.ShardShape[d] /= array.ChunkShape[d];
+  }
+  if (!isEven)
+  {
+    Refuse(array.Folder, "has shards that are no whole number of chunks. Write it again.");
+  }
+  array.IsIndexFirst = configuration["index_location"].asString() == "start";
+  for (const Json::Value& codec : configuration["index_codecs"])
+  {
+    const std::string name = codec["name"].asString();
+    const bool isLittle = codec["configuration"]["endian"].asString() != "big";
+    array.IndexTail = name == "crc32c" ? sizeof(std::uint32_t) : array.IndexTail;
+    if (name != "crc32c" && (name != "bytes" || !isLittle))
+    {
+      Refuse(array.Folder,
+        "has an index of shards that is stored with " + Printable(name) +
+          ", and only plain ones are read here." + UsePython);
+    }
+  }
+  ReadCodecs(configuration["codecs"], array);
+}
+
 /** Reads the head of version 3: zarr.json. */
 void ReadNewHead(const Json::Value& head, ZarrArray& array)
 {
@@ -172,17 +227,15 @@ void ReadNewHead(const Json::Value& head, ZarrArray& array)
     : isOld                                                               ? '.'
                                                                           : '/';
   array.Prefix = isOld ? std::string() : std::string("c") + array.Separator;
-  for (const Json::Value& codec : head["codecs"])
+  const Json::Value& codecs = head["codecs"];
+  if (codecs.size() == 1 && codecs[0]["name"].asString() == "sharding_indexed")
   {
-    const std::string name = codec["name"].asString();
-    if (name == "bytes")
-    {
-      array.IsBig = codec["configuration"]["endian"].asString() == "big";
-      continue;
-    }
-    AddCodec(name, array);
+    ReadShards(codecs[0]["configuration"], array);
   }
-  std::reverse(array.Codecs.begin(), array.Codecs.end());
+  else
+  {
+    ReadCodecs(codecs, array);
+  }
   const Json::Value& type = head["data_type"];
   SetType(type.isString() ? type.asString() : "structures", head["fill_value"], array);
 }
@@ -196,9 +249,57 @@ std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
   for (std::size_t d = 0; d < rank; ++d)
   {
     name += d == 0 ? std::string() : std::string(1, this->Separator);
-    name += d + 3 < rank ? "0" : std::to_string(place[rank - 1 - d]);
+    const std::uint64_t shard = this->ShardShape.empty() ? 1 : this->ShardShape[d];
+    name +=
+      d + 3 < rank ? "0" : std::to_string(static_cast<std::uint64_t>(place[rank - 1 - d]) / shard);
   }
   return name;
+}
+
+bool ZarrArray::LocateInShard(
+  const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const
+{
+  // The index has two little-endian numbers of 64 bits for each chunk.
+  constexpr std::uint64_t entry = 2 * sizeof(std::uint64_t);
+  constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+  const std::size_t rank = this->ShardShape.size();
+  std::uint64_t count = 1;
+  std::uint64_t number = 0;
+  for (std::size_t d = 0; d < rank; ++d)
+  {
+    const std::uint64_t shard = this->ShardShape[d];
+    count = count <= MostChunkBytes ? count * shard : count;
+    number =
+      number * shard + (d + 3 < rank ? 0 : static_cast<std::uint64_t>(place[rank - 1 - d]) % shard);
+  }
+  const auto size = static_cast<std::uint64_t>(file.GetSize());
+  const std::uint64_t index = count * entry + this->IndexTail;
+  if (count > MostChunkBytes || index > size)
+  {
+    throw std::runtime_error("a shard of it is cut off. Copy or write it again.");
+  }
+  unsigned char bytes[entry];
+  file.Read(bytes, entry,
+    static_cast<std::int64_t>((this->IsIndexFirst ? 0 : size - index) + number * entry));
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    range[i] = 0;
+    for (std::size_t byte = 8; byte > 0; --byte)
+    {
+      range[i] = range[i] << 8 | bytes[8 * i + byte - 1];
+    }
+  }
+  if (range[0] == none && range[1] == none)
+  {
+    return false;
+  }
+  if (range[1] > size || range[0] > size - range[1])
+  {
+    throw std::runtime_error(
+      "a shard of it is damaged, or cut off: its index names bytes that it does not have. Copy or "
+      "write it again.");
+  }
+  return true;
 }
 
 bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const
@@ -214,13 +315,17 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
     throw std::runtime_error(DescribeError(errno) + " (" + name + ").");
   }
   const OpenedFile file(name);
-  const auto size = static_cast<std::uint64_t>(file.GetSize());
-  if (size > MostChunkBytes)
+  std::uint64_t range[2] = { 0, static_cast<std::uint64_t>(file.GetSize()) };
+  if (!this->ShardShape.empty() && !this->LocateInShard(file, place, range))
+  {
+    return false;
+  }
+  if (range[1] > MostChunkBytes)
   {
     throw std::runtime_error("its chunk " + name + " is larger than 1 GiB.");
   }
-  bytes.resize(static_cast<std::size_t>(size));
-  file.Read(bytes.data(), bytes.size(), 0);
+  bytes.resize(static_cast<std::size_t>(range[1]));
+  file.Read(bytes.data(), bytes.size(), static_cast<std::int64_t>(range[0]));
   for (const CodecType codec : this->Codecs)
   {
     switch (codec)
@@ -233,6 +338,12 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
         break;
       case Blosc:
         UnpackBloscChunk(bytes);
+        break;
+      case Zstd:
+        UnpackZstdChunk(bytes);
+        break;
+      case Sum:
+        CheckChunkSum(bytes);
         break;
     }
   }

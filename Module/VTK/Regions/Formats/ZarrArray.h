@@ -16,6 +16,8 @@
 namespace VolumeHaptics
 {
 
+class OpenedFile;
+
 /** The head of an array, by Zarr's published specifications. */
 struct ZarrArray
 {
@@ -23,7 +25,9 @@ struct ZarrArray
   {
     Zlib, ///< zlib or gzip
     Lz4,
-    Blosc
+    Blosc,
+    Zstd,
+    Sum ///< CRC-32C
   };
 
   std::string Folder;
@@ -36,11 +40,19 @@ struct ZarrArray
   std::string Prefix;            ///< prefix of the names of chunks
   char Separator = '.';          ///< separates the numbers in the name of a chunk
   std::vector<CodecType> Codecs; ///< in the order of decoding
+  /** Chunks in a file along each dimension; empty: each chunk has a file of its own. */
+  std::vector<std::uint64_t> ShardShape;
+  bool IsIndexFirst = false; ///< whether a shard's index is at its beginning
+  std::size_t IndexTail = 0; ///< bytes of the check sum behind the index
 
-  /** Returns the name of the file of a chunk. */
+  /** Returns the name of the file of a chunk, or of a shard. */
   std::string GetChunkFile(const ChunkPlace& place) const;
   /** See ChunkedVolume::Loader. Uses the first index of all dimensions before the last three. */
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
+
+private:
+  /** Finds a chunk in its shard: its first byte and its size; false if it was never written. */
+  bool LocateInShard(const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const;
 };
 
 /** Whether a folder holds an array. */

@@ -4,7 +4,7 @@
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Regions/Formats/LengthUnit.h"
+#include "VTK/Base/LengthUnit.h"
 #include "VTK/Regions/Formats/ZarrArray.h"
 #include "VTK/Regions/Formats/ZarrHead.h"
 
@@ -143,6 +143,7 @@ void AddFurtherAxes(
       notes.push_back("of " + std::to_string(shape[a]) +
         (name == "c" || name == "C"      ? " channels"
             : name == "t" || name == "T" ? " times"
+            : name.empty()               ? " volumes"
                                          : " volumes along the axis " + name) +
         " the first one is used");
     }
@@ -225,7 +226,10 @@ LargeFile OpenZarr(const std::string& name)
   const std::string folder = MakeAbsolute(name);
   if (IsZarrArray(folder))
   {
-    return MakeZarrLevel(folder);
+    LargeFile file = MakeZarrLevel(folder);
+    file.Notes.emplace_back("an array of Zarr has no size of voxels: cubes of 1 mm are assumed");
+    AddFurtherAxes(Json::Value::nullSingleton(), OpenZarrArray(folder).Shape, file.Notes);
+    return file;
   }
   Json::Value head;
   const bool isNew = !ReadZarrHead(folder + "/.zattrs", head);

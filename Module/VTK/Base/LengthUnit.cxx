@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Regions/Formats/LengthUnit.h"
+#include "VTK/Base/LengthUnit.h"
 
 #include <cctype>
 #include <map>

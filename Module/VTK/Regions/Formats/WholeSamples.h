@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Samples that can't be read in boxes, because they are compressed, text, or in several files.
+ */
+#ifndef WholeSamples_h
+#define WholeSamples_h
+
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** All samples of some files, which are read when the first of them is wanted. */
+class WholeSamples
+{
+public:
+  enum EncodingType
+  {
+    Raw,
+    Packed, ///< by zlib or gzip
+    Text
+  };
+
+  std::vector<std::string> Files; ///< in the order of their samples
+  EncodingType Encoding = Raw;
+  std::size_t Offset = 0; ///< bytes in each file before its samples; -1: all but the samples
+  int ScalarType = 0;
+  double Count = 0.0; ///< samples in all files
+
+  /**
+   * Checks that the files can have so many samples, before memory is taken for them. Throws
+   * std::runtime_error, with the cure.
+   */
+  void Check() const;
+
+  /**
+   * Copies bytes from an offset. Several threads may call it at once. Throws std::runtime_error,
+   * with the cure.
+   */
+  void Copy(void* to, std::size_t size, std::size_t from);
+
+private:
+  void Load();
+  /** Reads one file's samples to memory of the size that each file fills. */
+  void LoadFile(const std::string& name, char* to, std::size_t size) const;
+
+  std::mutex Mutex;
+  std::vector<char> Bytes;
+};
+
+/** Says that a file ends before its last voxel, with the cure. */
+std::string DescribeMissingSamples(const std::string& file);
+
+} // namespace VolumeHaptics
+
+#endif
