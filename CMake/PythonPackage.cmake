@@ -36,10 +36,11 @@ set(package_files)
 foreach (file IN ITEMS
     __init__.py
     __main__.py
+    _files.py
     _grids.py
     _hosts.py
     _identify.py
-    _files.py
+    _inspect.py
     _labels.py
     _large.py
     _paths.py

@@ -23,6 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # Tests that provoke an error and then do what its text says: words of the cure, and the words for which the test looks.
 TRIED = {
+    "Python/TestInspect.py": {"is how --inspect tells what it found": "add --inspect"},
     "VTK/Baking/BadScalarsTest.cxx": {
         "Give it values for all components, for example with SetArray": "Give it values for all components",
     },

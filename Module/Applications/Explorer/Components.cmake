@@ -43,6 +43,7 @@ set(Explore_SOURCES
   Exploration/Exploration.cxx
   Exploration/GuideFile.cxx
   Exploration/HeardTicks.cxx
+  Exploration/Inspection.cxx
   Exploration/ModeChoice.cxx
   Exploration/ShapeFile.cxx
   Exploration/TissueTable.cxx

@@ -122,6 +122,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     processor in a window if OpenGL runs there, too
   --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
   --up AXIS         where the top is: +z (default), ...
+  --inspect         no window: what the file holds, what was guessed, and what of it can be felt
+  --json            of --inspect: for programs
   --write-volume FILE.vti
                     no window: the volume alone, with the values, axes and lengths that are felt (of one that
                     moves, the first frame)

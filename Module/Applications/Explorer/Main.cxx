@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Explores a volume by touch, without a device: the project's main task from the command line.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchScene.h"
@@ -178,6 +180,28 @@ int WriteVolume(const Explore::Options& options)
   return DONE;
 }
 
+int Inspect(const Explore::Options& options)
+{
+  std::streambuf* const out = std::cout.rdbuf(std::cerr.rdbuf()); // how far reading has got
+  Explore::Volume volume = Load(options);
+  std::cout.rdbuf(out);
+  if (options.AsLabels)
+  {
+    Explore::UseAsLabels(volume, options.VolumePath, options.Materials);
+  }
+  else if (volume.MayBeLabels)
+  {
+    volume.Notes.emplace_back("it looks like a label map: --as-labels takes it as labels");
+  }
+  Explore::Analysis values = Explore::AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  const std::string materials =
+    Explore::ApplyMaterials(options.How.Preset, values, volume.Image, filter);
+  const Explore::Inspection inspection(volume, values, materials, filter);
+  std::cout << (options.Json ? inspection.ToJson() : inspection.Describe());
+  return DONE;
+}
+
 int Run(const Explore::Options& options, Explore::FileChoice& next)
 {
   const vtkSmartPointer<vtkRenderWindow> window = OpenWindow(options);
@@ -325,7 +349,7 @@ int main(int argc, char* argv[])
     {
       return WriteVolume(options);
     }
-    return RunAll(options);
+    return options.Inspect ? Inspect(options) : RunAll(options);
   }
   catch (const Explore::InputError& error)
   {

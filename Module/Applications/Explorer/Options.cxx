@@ -327,6 +327,14 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Live = true;
     }
+    else if (word == "--inspect")
+    {
+      options.Inspect = true;
+    }
+    else if (word == "--json")
+    {
+      options.Json = true;
+    }
     else if (word == "--large")
     {
       options.Large = true;
@@ -370,6 +378,10 @@ Options ParseOptions(int argc, char* argv[])
   if (!options.How.Modes.empty() || !options.How.Guide.empty())
   {
     options.How.Method = "primitives";
+  }
+  if (options.Json && !options.Inspect)
+  {
+    throw InputError("--json", "is how --inspect tells what it found", "add --inspect");
   }
   if (options.AsLabels && !options.Labels.empty())
   {

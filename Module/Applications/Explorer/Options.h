@@ -17,6 +17,8 @@ struct Options
   bool Help = false;
   bool CheckDisplay = false; // test the display and do nothing else
   bool Live = false;         // also in real time through the servo loop
+  bool Inspect = false;      // say what the file holds, and do nothing else
+  bool Json = false;         // of Inspect: for programs
   bool Large = false;        // read it around the hand only, whatever its size
   std::string VolumePath;
   int Series = 0;                     // of a DICOM folder; 0: the largest

@@ -11,7 +11,7 @@ In one call, of images and polydata or of NumPy arrays:
 
 touch() computes what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
 volumehaptics.arrays.arrays() makes NumPy arrays of a trace. identify() computes which materials a hand could tell
-apart; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any VTK
+apart; inspect() says what a file holds, and what of it can be felt; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any VTK
 program touchable. volumehaptics.pyvista does all this with PyVista's data and plotters. volumehaptics.examples has a
 head to try them on, and
 
@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from . import arrays, examples, pyvista
     from ._hosts import add_haptics
     from ._identify import identify
+    from ._inspect import inspect
     from ._large import open_large
     from .arrays import image, path
 
@@ -64,7 +65,8 @@ __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("v
 
 # Imported on demand: names that need NumPy, unlike the classes and touch(); and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
-_FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
+_FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify",
+              "inspect": "._inspect", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
 
 if not TYPE_CHECKING:  # with __getattr__, a type checker would accept every misspelt name
 

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/HeardTicks.h"
+#include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/HandTool.h"
@@ -353,9 +354,11 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((look->ListKeys() + PresetSaver::ListKeys() + tool->ListKeys() +
-    keys + files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
-    "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
+  const Inspection facts(
+    exploration.Input, exploration.Values, exploration.Materials, exploration.Filter);
+  touch.Style->SetApplicationKeys((facts.ListFacts() + look->ListKeys() + PresetSaver::ListKeys() +
+    tool->ListKeys() + keys + files->ListKeys() + WindowRecorder::ListKeys() +
+    "Window\n3\tstereo\n" + sound + "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;

@@ -177,6 +177,7 @@ void UseOutside(Volume& volume)
   if (!notice.empty())
   {
     volume.Notes.push_back(notice);
+    volume.Padding = notice;
   }
   if (!outside.HasAny())
   {

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Exploration/Inspection.h"
+
+#include "vtkDataArray.h"
+#include "vtkExtractVOI.h"
+#include "vtkFieldData.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRegionFilter.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+constexpr int PARTS = 3;       // along each axis, for the local noise
+constexpr int SMALL_PART = 16; // samples; smaller parts have too few flat blocks
+
+/// The noise of an image by the filter's own estimate (scalar units).
+double EstimateImageNoise(vtkImageData* image)
+{
+  vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
+  const int* const extent = image->GetExtent();
+  whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
+  whole->SetInputData(image);
+  whole->Update();
+  vtkDataArray* const noise =
+    whole->GetOutput()->GetFieldData()->GetArray(vtkHapticRegionFilter::GetNoiseName());
+  return noise ? noise->GetTuple1(0) : 0.0;
+}
+
+/// The largest gradient magnitude (scalar per world unit), as the filter estimates it, over a sheet
+/// of value 1 between values of 0. `layers` counts its voxels along x; 0: a step from 0 to 1.
+double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int layers)
+{
+  const int radius = like->GetKernelRadius();
+  const int size = 4 * radius + 4 + layers;
+  const int first = 2 * radius + 2;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, size);
+  image->SetSpacing(spacing, spacing, spacing);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* value = static_cast<float*>(image->GetScalarPointer());
+  for (int p = 0; p < size * size * size; ++p)
+  {
+    const int i = p % size;
+    *value++ = i >= first && (layers == 0 || i < first + layers) ? 1.0F : 0.0F;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  constexpr int steps = 10; // in a voxel
+  for (int i = -2 * steps; i <= (layers + 1) * steps; ++i)
+  {
+    const double middle = 0.5 * spacing * (size - 1);
+    points->InsertNextPoint(spacing * (first + static_cast<double>(i) / steps), middle, middle);
+  }
+  vtkNew<vtkPolyData> path;
+  path->SetPoints(points);
+  vtkNew<vtkVolumeHapticsFilter> field;
+  field->SetInputData(0, image);
+  field->SetPathData(path);
+  field->SetGradientEstimator(like->GetGradientEstimator());
+  field->SetKernelRadius(radius);
+  field->SetMethodToForceField();
+  field->Update();
+  vtkDataArray* const found = field->GetOutput()->GetPointData()->GetArray("GradientMagnitude");
+  double range[2] = { 0.0, 0.0 };
+  if (found)
+  {
+    found->GetRange(range);
+  }
+  return range[1];
+}
+
+/// Where the filter's distinctness of noise is one half (scalar per world unit); 0 without noise.
+double ComputeFeltGradient(vtkImageData* image, vtkVolumeHapticsFilter* like)
+{
+  vtkNew<vtkPoints> points;
+  double at[3];
+  image->GetCenter(at);
+  points->InsertNextPoint(at);
+  vtkNew<vtkPolyData> path;
+  path->SetPoints(points);
+  vtkNew<vtkVolumeHapticsFilter> probe;
+  probe->SetInputData(0, image);
+  probe->SetPathData(path);
+  probe->SetGradientEstimator(like->GetGradientEstimator());
+  probe->SetKernelRadius(like->GetKernelRadius());
+  probe->Update();
+  const double* const ramp = probe->GetProperty()->GetNoiseRamp();
+  return 0.5 * (ramp[0] + ramp[1]);
+}
+
+std::string NameAxes(Explore::WorldAxes axes)
+{
+  return axes == Explore::WorldAxes::Patient
+    ? "the patient's: x to the left, y to the back, z to the head"
+    : axes == Explore::WorldAxes::Other ? "the file's own, not a patient's"
+                                        : "not told by the file";
+}
+
+std::string NameModality(Explore::VolumeKind kind)
+{
+  switch (kind)
+  {
+    case Explore::VolumeKind::CT:
+      return "CT";
+    case Explore::VolumeKind::EightBit:
+      return "grey values of 8 bits, as of MRI or pictures";
+    case Explore::VolumeKind::Field:
+      return "a field of a simulation";
+    case Explore::VolumeKind::Labels:
+      return "labels";
+    default:
+      return "unknown";
+  }
+}
+
+std::string ExplainPreset(const std::string& preset, const std::string& modality)
+{
+  return preset == "propose"
+    ? "no preset knows its grey levels, so that its own edges say what is solid"
+    : preset == "histogram" ? "no edges were found to propose from, so that its histogram is used"
+    : modality == "CT"      ? "its values are Hounsfield units"
+    : modality == "labels"  ? "its values are numbers of labels"
+                            : "it was chosen";
+}
+
+template <typename Number>
+std::string Join(const Number* numbers, int count, const char* between)
+{
+  std::ostringstream text;
+  for (int i = 0; i < count; ++i)
+  {
+    text << (i > 0 ? between : "") << numbers[i];
+  }
+  return text.str();
+}
+
+std::string Quote(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char letter : text)
+  {
+    constexpr char firstPrintable = ' ';
+    quoted += letter == '"' || letter == '\\' ? "\\" : "";
+    quoted += letter >= 0 && letter < firstPrintable ? ' ' : letter;
+  }
+  return quoted + '"';
+}
+
+std::string Round(double number)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << number;
+  return text.str();
+}
+} // namespace
+
+namespace Explore
+{
+Inspection::Inspection(const Volume& volume, const Analysis& values, const std::string& materials,
+  vtkVolumeHapticsFilter* filter)
+  : Name(volume.Name)
+  , Format(volume.Format)
+  , Type(volume.Image->GetScalarTypeAsString())
+  , Axes(NameAxes(volume.Axes))
+  , Modality(volume.Modality.empty() ? NameModality(values.Kind) : volume.Modality)
+  , ModalityReason(
+      (volume.Modality.empty() ? "" : "the file says so, and its ") + values.KindReason)
+  , Padding(volume.Padding)
+  , Preset(materials)
+  , PresetReason(ExplainPreset(materials, NameModality(values.Kind)))
+  , Unit(values.Kind == VolumeKind::CT ? " HU" : "")
+  , Notes(volume.Notes)
+  , MetersPerUnit(values.MetersPerWorldUnit)
+{
+  vtkImageData* const image = volume.Image;
+  std::copy_n(image->GetDimensions(), 3, this->Size);
+  std::copy_n(image->GetSpacing(), 3, this->Spacing);
+  std::copy_n(image->GetOrigin(), 3, this->Origin);
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction);
+  if (volume.Large)
+  {
+    const int* const whole = volume.Large->GetWholeExtent();
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Size[a] = whole[2 * a + 1] - whole[2 * a] + 1;
+    }
+    std::copy_n(volume.Large->GetSpacing(), 3, this->Spacing);
+    std::copy_n(volume.Large->GetOrigin(), 3, this->Origin);
+    std::copy_n(volume.Large->GetDirection(), 9, this->Direction);
+    this->Notes.emplace_back("values, noise and steps are those of the coarse level");
+  }
+  std::copy_n(values.Range, 2, this->Range);
+  this->Usual[0] = values.Low;
+  this->Usual[1] = values.High;
+  const bool hasNoise = values.Kind != VolumeKind::Labels && values.Kind != VolumeKind::Field;
+  if (hasNoise)
+  {
+    this->MeasureNoise(image);
+    this->ComputeSmallestStep(image, filter);
+  }
+}
+
+void Inspection::MeasureNoise(vtkImageData* image)
+{
+  this->Noise = EstimateImageNoise(image);
+  const int* const extent = image->GetExtent();
+  const int* const size = image->GetDimensions();
+  if (*std::min_element(size, size + 3) < PARTS * SMALL_PART)
+  {
+    return;
+  }
+  vtkNew<vtkExtractVOI> crop;
+  crop->SetInputData(image);
+  for (int part = 0; part < PARTS * PARTS * PARTS; ++part)
+  {
+    const int place[3] = { part % PARTS, part / PARTS % PARTS, part / (PARTS * PARTS) };
+    int box[6];
+    for (int a = 0; a < 3; ++a)
+    {
+      box[2 * a] = extent[2 * a] + size[a] * place[a] / PARTS;
+      box[2 * a + 1] = extent[2 * a] + size[a] * (place[a] + 1) / PARTS - 1;
+    }
+    crop->SetVOI(box);
+    crop->Update();
+    const double noise = EstimateImageNoise(crop->GetOutput());
+    if (noise > 0.0) // parts of padding or saturation have none
+    {
+      const bool isFirst = this->LocalNoise[1] == 0.0;
+      this->LocalNoise[0] = isFirst ? noise : std::min(this->LocalNoise[0], noise);
+      this->LocalNoise[1] = std::max(this->LocalNoise[1], noise);
+    }
+  }
+}
+
+void Inspection::ComputeSmallestStep(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  // Noise and gradients along an axis with another spacing change by the same ratio.
+  const double finest = *std::min_element(image->GetSpacing(), image->GetSpacing() + 3);
+  const double felt = ComputeFeltGradient(image, filter);
+  const double step = ComputeLargestGradient(filter, finest, 0);
+  const double sheet = ComputeLargestGradient(filter, finest, 1);
+  this->SmallestStep = step > 0.0 ? felt / step : 0.0;
+  this->SmallestSheetStep = sheet > 0.0 ? felt / sheet : 0.0;
+}
+
+std::string Inspection::DescribeNoise() const
+{
+  return this->Noise <= 0.0 ? "none was found"
+                            : Round(this->Noise) + this->Unit +
+      (this->LocalNoise[1] > 0.0 ? ", " + Round(this->LocalNoise[0]) + " to " +
+            Round(this->LocalNoise[1]) + " in its parts"
+                                 : "");
+}
+
+std::string Inspection::DescribeFeature() const
+{
+  const double longest = *std::max_element(this->Spacing, this->Spacing + 3);
+  std::ostringstream text;
+  text << "sheets of " << Round(longest) << " mm, a voxel along its longest edge";
+  if (this->SmallestStep > 0.0)
+  {
+    text << ", that differ by " << Round(this->SmallestSheetStep) << this->Unit
+         << "; broad surfaces whose sides differ by " << Round(this->SmallestStep) << this->Unit;
+  }
+  return text.str();
+}
+
+std::string Inspection::Describe() const
+{
+  std::ostringstream text;
+  text << this->Name << " is read as " << this->Format << ".\n"
+       << "It has " << Join(this->Size, 3, " x ") << " voxels of " << Join(this->Spacing, 3, " x ")
+       << " mm, from (" << Join(this->Origin, 3, ", ") << ") on, of type " << this->Type << ".\n"
+       << "Lengths are taken for millimetres, and "
+       << (this->MetersPerUnit == 0.001 ? "felt at life size.\n"
+                                        : "felt at a scale of " +
+                Round(1000.0 * this->MetersPerUnit) + ", so that it fits a hand.\n")
+       << "Its axes are " << this->Axes << ".\n"
+       << "Values are " << this->Range[0] << " to " << this->Range[1] << this->Unit
+       << ", and nearly all of them " << this->Usual[0] << " to " << this->Usual[1] << ".\n"
+       << "Padding: " << (this->Padding.empty() ? "none was found" : this->Padding) << ".\n"
+       << "Modality: " << this->Modality << "; " << this->ModalityReason << ".\n"
+       << "Noise (standard deviation): " << this->DescribeNoise() << ".\n"
+       << "The smallest that is surely felt: " << this->DescribeFeature() << ".\n"
+       << "Suggested preset: " << this->Preset << ", because " << this->PresetReason << ".\n";
+  for (const std::string& note : this->Notes)
+  {
+    text << "Told: " << note << ".\n";
+  }
+  return text.str();
+}
+
+std::string Inspection::ToJson() const
+{
+  std::ostringstream json;
+  json.precision(17);
+  json << "{\n  \"name\": " << Quote(this->Name) << ",\n  \"format\": " << Quote(this->Format)
+       << ",\n  \"size\": [" << Join(this->Size, 3, ", ") << "],\n  \"spacing\": [";
+  const auto list = [&json](const double* numbers, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      json << (i > 0 ? ", " : "") << numbers[i];
+    }
+    json << "]";
+  };
+  list(this->Spacing, 3);
+  json << ",\n  \"origin\": [";
+  list(this->Origin, 3);
+  json << ",\n  \"direction\": [";
+  list(this->Direction, 9);
+  json << ",\n  \"unit\": \"mm\",\n  \"meters_per_unit\": " << this->MetersPerUnit
+       << ",\n  \"axes\": " << Quote(this->Axes) << ",\n  \"type\": " << Quote(this->Type)
+       << ",\n  \"range\": [";
+  list(this->Range, 2);
+  json << ",\n  \"usual_range\": [";
+  list(this->Usual, 2);
+  json << ",\n  \"padding\": " << (this->Padding.empty() ? "null" : Quote(this->Padding))
+       << ",\n  \"modality\": " << Quote(this->Modality)
+       << ",\n  \"modality_reason\": " << Quote(this->ModalityReason)
+       << ",\n  \"noise\": " << this->Noise << ",\n  \"local_noise\": ";
+  if (this->LocalNoise[1] > 0.0)
+  {
+    json << "[";
+    list(this->LocalNoise, 2);
+  }
+  else
+  {
+    json << "null";
+  }
+  json << ",\n  \"smallest_sheet\": " << *std::max_element(this->Spacing, this->Spacing + 3)
+       << ",\n  \"smallest_sheet_step\": " << this->SmallestSheetStep
+       << ",\n  \"smallest_step\": " << this->SmallestStep
+       << ",\n  \"preset\": " << Quote(this->Preset)
+       << ",\n  \"preset_reason\": " << Quote(this->PresetReason) << ",\n  \"notes\": [";
+  for (std::size_t i = 0; i < this->Notes.size(); ++i)
+  {
+    json << (i > 0 ? ", " : "") << Quote(this->Notes[i]);
+  }
+  json << "]\n}\n";
+  return json.str();
+}
+
+std::string Inspection::ListFacts() const
+{
+  std::ostringstream text;
+  text << "Volume\n"
+       << "format\t" << this->Format << ", " << this->Type << "\n"
+       << "voxels\t" << Join(this->Size, 3, " x ") << "\n"
+       << "size\t" << Round(this->Spacing[0]) << " x " << Round(this->Spacing[1]) << " x "
+       << Round(this->Spacing[2]) << " mm\n"
+       << "values\t" << Round(this->Range[0]) << " to " << Round(this->Range[1]) << this->Unit
+       << "\n"
+       << "noise\t" << this->DescribeNoise() << "\n";
+  if (this->SmallestStep > 0.0)
+  {
+    text << "felt\tsteps of " << Round(this->SmallestStep) << this->Unit << "\n";
+  }
+  text << "preset\t" << this->Preset << "\n";
+  return text.str();
+}
+} // namespace Explore
