@@ -183,7 +183,7 @@ ELSEWHERE = {
     "its array with zarr": "TestLarge.py", "open one of its arrays": "TestLarge.py",
     "grids of cells in space": "TestErrors.py", "give that volume, or none": "TestHosts.py",
     "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
-    "the volume that is meant into a file of its own": "TestLabels.py",
+    "the volume that is meant into a file of its own": "TestLabels.py", "with the slope 1": "TestLabels.py",
     "give it as the volume": "Testing/Data/Formats/TestFormats.py",
 }
 # Those of plotters and pages: a part of the text, and a test of Testing/PyVista that does it, or what is to be installed.

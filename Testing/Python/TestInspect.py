@@ -3,6 +3,7 @@
 """inspect() of files whose facts are known from how they were made."""
 
 import json
+import struct
 import subprocess
 
 import numpy as np
@@ -94,6 +95,28 @@ def test_labels_are_offered(tmp_path):
     assert any("--as-labels" in note for note in inspect(path)["notes"])
     found = inspect(path, "--as-labels")
     assert (found["modality"], found["preset"], found["noise"]) == ("labels", "Labels", 0.0)
+
+
+def test_labels_that_a_header_scales_a_little_are_rounded(tmp_path):
+    """scl_slope of nifti1.h, as after nibabel's issue 1069."""
+    labels = np.zeros(SIZE, "<i2")
+    labels[10:30, 10:40, 10:30], labels[30:40, 20:40, 20:50] = 3, 17
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *SIZE[::-1], 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, 4, 16)  # int16
+    struct.pack_into("<5f", header, 76, 1.0, *SPACING, 1.0)
+    header[344:348] = b"n+1\0"
+    path = tmp_path / "labels.nii"
+    for slope, is_good in ((1.00002, True), (0.3, False)):
+        struct.pack_into("<2f", header, 108, 352.0, slope)
+        path.write_bytes(bytes(header) + labels.tobytes())
+        if is_good:
+            found = inspect(path, "--as-labels")
+            assert found["range"] == [0.0, 17.0] and any("rounded" in note for note in found["notes"])
+            continue
+        with pytest.raises(ValueError, match="no numbers of labels"):
+            inspect(path, "--as-labels")
 
 
 def test_sentences_tell_the_same_as_json(tmp_path):

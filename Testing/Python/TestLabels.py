@@ -220,6 +220,30 @@ def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
                 felt_of(file, volume, bare)
 
 
+def scale(file, slope, intercept):
+    """Sets scl_slope and scl_inter, by which nifti1.h multiplies stored numbers, and what it adds."""
+    header = bytearray(file.read_bytes())
+    struct.pack_into("<2f", header, 112, slope, intercept)
+    file.write_bytes(header)
+
+
+def test_labels_that_nifti_scales(tmp_path):
+    """As after nibabel's issue 1069: what rounding adds is taken off; what is no number of a label is refused."""
+    file = tmp_path / "labels.nii"
+    volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
+    for stored, slope, intercept in ((LABELS, 1.00002, 0.0), (20 * LABELS, 0.05, 0.0), (LABELS - 4, 1.0, 4.0),
+                                     (LABELS, 0.0, 7.0), (LABELS, math.nan, 0.0)):
+        write_nifti(file, stored, (1, 1, 1), ORIGIN)
+        scale(file, slope, intercept)
+        assert felt_of(file, volume, at) == [0.4, 1.6], (slope, intercept)
+    write_nifti(file, LABELS, (1, 1, 1), ORIGIN)
+    scale(file, 0.3, 0.0)
+    with pytest.raises(ValueError, match="scales the stored numbers by 0.3 .*with the slope 1"):
+        felt_of(file, volume, at)
+    scale(file, 1.0, 0.0)
+    assert felt_of(file, volume, at) == [0.4, 1.6]
+
+
 def test_meta_images_that_vtk_does_not_know(tmp_path):
     """64 bits, MetaIO's long, which has 4 bytes, and a fourth axis; and headers that lie. VTK's reader takes memory for
     one voxel, and reads all samples into it."""
@@ -245,6 +269,8 @@ def test_meta_images_that_vtk_does_not_know(tmp_path):
         write(labels, **options)
         with pytest.raises(ValueError, match=said):
             felt_of(file, volume, at)
+    write(LABELS)
+    assert felt_of(file, volume, at) == [0.4, 1.6]
 
 
 def write_vti(file, labels, *_):

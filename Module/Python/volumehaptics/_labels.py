@@ -179,11 +179,31 @@ def _read_nrrd(file: str) -> tuple[vtkImageData, bool]:
     return _run(vtkHapticSegmentationReader(), file), True
 
 
+def _scale(stored: Any, reader: Any, file: str) -> Any:
+    """The labels that a NIfTI header makes of stored numbers; rounded if it scales them a little, such as by 1.00002."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+    slope, intercept = reader.GetRescaleSlope(), reader.GetRescaleIntercept()
+    if slope == 0.0 or not (math.isfinite(slope) and math.isfinite(intercept)):
+        return stored  # nifti1.h: the numbers are as they are stored
+    values = slope * vtk_to_numpy(stored).astype(float) + intercept
+    labels = np.round(values)
+    if not np.all(np.abs(values - labels) <= 1e-3):
+        wrong = values[np.argmax(np.abs(values - labels))]
+        raise ValueError(f"{file!r} can't be read as labels: its header scales the stored numbers by {slope:g} and adds "
+                         f"{intercept:g}, which makes {wrong:g} of one. Cure: write the numbers of the labels, with the "
+                         "slope 1")
+    return numpy_to_vtk(labels.astype(np.int32), deep=True)
+
+
 def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
     from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 
     reader = vtkNIFTIImageReader()
     image = _run(reader, file)
+    if (reader.GetRescaleSlope(), reader.GetRescaleIntercept()) not in ((0.0, 0.0), (1.0, 0.0)):
+        image.GetPointData().SetScalars(_scale(image.GetPointData().GetScalars(), reader, file))
     place = reader.GetSFormMatrix() or reader.GetQFormMatrix()
     if place is not None:
         rows = [[place.GetElement(row, column) for column in range(4)] for row in range(3)]

@@ -7,6 +7,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkHapticSegmentationReader.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -53,6 +54,38 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
+/// Rounds labels that a NIfTI header scales a little, such as by 1.00002, if all of them are whole
+/// within 0.001 then.
+void RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
+{
+  constexpr double most = 0.001;
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  if (values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE)
+  {
+    return;
+  }
+  vtkNew<vtkIntArray> labels;
+  labels->SetName(values->GetName());
+  labels->SetNumberOfValues(values->GetNumberOfTuples());
+  bool isChanged = false;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    const double label = std::round(value);
+    if (!(std::abs(value - label) <= most) || std::abs(label) > VTK_INT_MAX)
+    {
+      return; // whoever reads the labels says so
+    }
+    isChanged = isChanged || value != label;
+    labels->SetValue(i, static_cast<int>(label));
+  }
+  image->GetPointData()->SetScalars(labels);
+  if (isChanged)
+  {
+    notes.emplace_back("labels were rounded to whole numbers, from which they are 0.001 at most");
+  }
+}
+
 /// The numbers of labels, without 0. Throws InputError for other values, or too many.
 std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
 {
@@ -94,6 +127,7 @@ namespace Explore
 {
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
 {
+  RoundLabels(volume.Image, volume.Notes);
   const std::set<int> labels = CollectLabels(path, volume.Image);
   const bool hasNames = volume.LabelTable != nullptr;
   if (!hasNames)
@@ -143,6 +177,7 @@ void LoadLabels(
       throw InputError(segmentation, "has no voxels, but cells", "write the labels as an image");
     }
     volume.Labels = labels.Image;
+    RoundLabels(volume.Labels, volume.Notes);
     const MessageCapture capture; // without names there are numbers
     if (labels.LabelTable)
     {
