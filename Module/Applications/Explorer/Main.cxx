@@ -18,6 +18,7 @@
 #include "Applications/Explorer/View/LoadingScreen.h"
 #include "Applications/Explorer/View/StereoModes.h"
 #include "Applications/Explorer/Volume/LabelLoader.h"
+#include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -185,7 +186,7 @@ int Inspect(const Explore::Options& options)
   std::streambuf* const out = std::cout.rdbuf(std::cerr.rdbuf()); // how far reading has got
   Explore::Volume volume = Load(options);
   std::cout.rdbuf(out);
-  if (options.AsLabels)
+  if (options.AsLabels || (volume.LabelTable && options.Labels.empty()))
   {
     Explore::UseAsLabels(volume, options.VolumePath, options.Materials);
   }
@@ -193,7 +194,8 @@ int Inspect(const Explore::Options& options)
   {
     volume.Notes.emplace_back("it looks like a label map: --as-labels takes it as labels");
   }
-  Explore::Analysis values = Explore::AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
+  Explore::Analysis values = Explore::AnalyseVolume(
+    volume.Image, volume.IsField, volume.AreLabels, Explore::MayBeHounsfield(volume.Modality));
   vtkNew<vtkVolumeHapticsFilter> filter;
   const std::string materials =
     Explore::ApplyMaterials(options.How.Preset, values, volume.Image, filter);
