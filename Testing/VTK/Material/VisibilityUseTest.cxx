@@ -11,6 +11,8 @@
 #include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
+#include <cmath>
+
 using namespace apitest;
 
 namespace
@@ -102,4 +104,46 @@ TEST_F(VisibilityUse, ForceFieldIsNotConcerned)
   this->Property->SetVisibilityFrom(this->Volume);
   EXPECT_EQ(Get(this->Run(51), "Force", 10, 2), before);
   EXPECT_NEAR(before, -2.0, 1e-12);
+}
+
+TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
+{
+  // A step to 50, blurred by 2 mm, that is seen from 47 on: that is 2 mm x 1.5548 (the quantile of
+  // 0.94 of the normal distribution) behind its middle.
+  this->Image = MakeImage(34, VTK_DOUBLE,
+    [](const Point& p) { return 25.0 * std::erfc((14.0 - p[2]) / std::sqrt(8.0)); });
+  this->Filter->SetInputDataObject(0, this->Image);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(47.0, 0.0);
+  this->Opacity->AddPoint(47.5, 1.0);
+  this->Property->SetVisibilityFrom(this->Volume);
+  this->Filter->SetSolverToPrecise();
+  this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 20 }, 140)));
+  vtkPolyData* const output = this->Run(141);
+  constexpr double seen = 14.0 + 2.0 * 1.5548;
+  vtkIdType tick = 0;
+  while (tick < 140 && std::abs(Get(output, "Force", tick, 2)) < 0.1)
+  {
+    ++tick;
+  }
+  EXPECT_GT(output->GetPoint(tick)[2], seen - 1.55);
+  EXPECT_LT(output->GetPoint(tick)[2], seen + 0.5);
+  EXPECT_GT(std::abs(Get(output, "Force", 140, 2)), 1.0) << "it holds";
+}
+
+TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
+{
+  // Of 60, seen from 50 on: within 0.8 mm x sqrt(2 ln(60 / 50)) = 0.48 mm of its middle.
+  this->Image = MakeImage(34, VTK_DOUBLE,
+    [](const Point& p) { return 60.0 * std::exp(-0.5 * std::pow((p[2] - 16.0) / 0.8, 2.0)); });
+  this->Filter->SetInputDataObject(0, this->Image);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(50.0, 0.0);
+  this->Opacity->AddPoint(51.0, 1.0);
+  this->Filter->SetSolverToPrecise();
+  this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 18 }, 120)));
+  const double before = Get(this->Run(121), "Force", 115, 2);
+  EXPECT_LT(before, -0.5);
+  this->Property->SetVisibilityFrom(this->Volume);
+  EXPECT_NEAR(Get(this->Run(121), "Force", 115, 2), before, 1e-9);
 }

@@ -28,6 +28,17 @@ constexpr int VisibilityChannel = 4;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
 
+///@{
+/**
+ * The distances (voxels along the normal) of a proxy from what is seen, up to which an edge holds
+ * with all of its strength, and from which on it does not hold.
+ */
+constexpr double SeenNear = 1.0;
+constexpr double SeenFar = 1.5;
+///@}
+constexpr double SeenStep = 0.5; ///< voxels
+constexpr int SeenHalvings = 4;
+
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
 {
@@ -254,6 +265,10 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     edge = GradedStrength(
       sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
   }
+  if (edge > 0.0 && !this->IsSeen(value))
+  {
+    edge *= this->ComputeSeenFraction(index, slope);
+  }
   // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
   double ramp = point.SurfaceStrength;
   if (even > 0.0 && even < 1.0)
@@ -267,6 +282,35 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     ramp *= this->Model.Baked->Materials(value)[VisibilityChannel];
   }
   point.SurfaceStrength = edge + even * (ramp - edge);
+}
+
+bool PreciseSurroundings::IsSeen(double value) const noexcept
+{
+  return this->Model.Baked->Materials(value)[VisibilityChannel] > 0.0;
+}
+
+double PreciseSurroundings::ComputeSeenFraction(
+  const Vector3& index, const Law::Slope& slope) const noexcept
+{
+  const Vector3 voxel = this->Model.InverseRadius * slope.Reach;
+  const auto sees = [&](double voxels)
+  {
+    const ValuePair values = this->Field.Values(index, voxels * voxel);
+    return this->IsSeen(values.Ahead) || this->IsSeen(values.Behind);
+  };
+  double hidden = 0.0;
+  double seen = SeenStep;
+  while (seen <= SeenFar && !sees(seen))
+  {
+    hidden = seen;
+    seen += SeenStep;
+  }
+  for (int i = 0; i < SeenHalvings && seen > SeenNear && seen <= SeenFar; ++i)
+  {
+    const double middle = 0.5 * (hidden + seen);
+    (sees(middle) ? seen : hidden) = middle;
+  }
+  return std::clamp((SeenFar - seen) / (SeenFar - SeenNear), 0.0, 1.0);
 }
 
 double PreciseSurroundings::ComputeRise(const Law::Slope& slope) const noexcept

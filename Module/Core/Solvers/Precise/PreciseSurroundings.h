@@ -182,6 +182,13 @@ private:
   template <typename Join>
   void LeaveMedium(
     const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
+  /** Whether a value is not hidden. */
+  bool IsSeen(double value) const noexcept;
+  /**
+   * The fraction of an edge's strength that holds a proxy at a hidden value: an edge may be wide,
+   * and a part of what it leads to hidden, but the hand meets it where the eye does.
+   */
+  double ComputeSeenFraction(const Vector3& index, const Law::Slope& slope) const noexcept;
   /** The change of V over the kernel radius, by the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
