@@ -3,7 +3,9 @@
 // What lies around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and clothes
 // (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for the eye
 // is the skin, whose middle is where the formula has it. Half of the opacity in front of the eye is
-// that of 1 - exp(-sum), by the definition of vtkVolumeProperty.
+// that of 1 - exp(-sum), by the definition of vtkVolumeProperty. So it is with grey values: a sheet
+// in front of the body that reaches only the value at which the picture begins is hardly seen, and
+// not felt.
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -16,11 +18,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <string>
 
@@ -37,22 +41,47 @@ double HounsfieldAt(double x, double around)
     950.0 * step(SKIN_AT + 20.0);
 }
 
-/// Where the proxy is when the hand first feels 0.1 N, and where half of the opacity is.
-void FeelAndLook(double around, const char* preset, double& felt, double& seen)
+/// Grey values along x: 20, a sheet of 2 mm with this peak, and a body of 180.
+double GreyAt(double x, double peak)
 {
-  vtkNew<vtkImageData> image;
+  const double off = (x - SKIN_AT + 12.0) / 0.85;
+  return 20.0 + 80.0 * (1.0 + std::tanh(x - SKIN_AT)) + (peak - 20.0) * std::exp(-0.5 * off * off);
+}
+
+using Row = std::function<double(double)>;
+
+vtkSmartPointer<vtkImageData> MakeImage(const Row& valueAt)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(ROW, 20, 20);
   image->AllocateScalars(VTK_SHORT, 1);
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     image->GetPointData()->GetScalars()->SetComponent(
-      i, 0, std::round(HounsfieldAt(image->GetPoint(i)[0], around)));
+      i, 0, std::round(valueAt(image->GetPoint(i)[0])));
   }
+  return image;
+}
+
+/// All edges hold: the look alone decides which are felt.
+void HoldEverywhere(vtkHapticProperty* property)
+{
+  property->GetStiffness()->AddPoint(0.0, 400.0);
+  property->GetSurfaceStrength()->AddPoint(0.0, 12.0);
+  property->GetDistinctness()->AddPoint(0.0, 1.0);
+}
+
+/// Where the proxy is when the hand first feels 0.1 N, and where half of the opacity is. Without a
+/// preset, all edges hold.
+void FeelAndLook(const Row& valueAt, const char* preset, double& felt, double& seen)
+{
+  const vtkSmartPointer<vtkImageData> image = MakeImage(valueAt);
   const Explore::Analysis values = Explore::AnalyseVolume(image, false, false);
   vtkNew<vtkVolumeProperty> look;
   Explore::SetVolumeLook(values, look);
   vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->GetProperty()->ApplyPreset(preset);
+  preset ? static_cast<void>(filter->GetProperty()->ApplyPreset(preset))
+         : HoldEverywhere(filter->GetProperty());
   filter->GetProperty()->SetVisibilityFrom(look);
   vtkNew<vtkPolyData> path;
   vtkNew<vtkPoints> tips;
@@ -78,7 +107,7 @@ void FeelAndLook(double around, const char* preset, double& felt, double& seen)
   seen = 0.0;
   for (double x = 0.0; x < ROW - 1.0 && depth < std::log(2.0); x += step)
   {
-    const double opacity = look->GetScalarOpacity()->GetValue(HounsfieldAt(x, around));
+    const double opacity = look->GetScalarOpacity()->GetValue(valueAt(x));
     depth -= std::log(1.0 - opacity) * step / look->GetScalarOpacityUnitDistance();
     seen = x;
   }
@@ -92,12 +121,25 @@ int TestExploreLook(int, char*[])
     for (const double around : { -1000.0, -700.0, -550.0, -450.0 })
     {
       double felt = 0.0, seen = 0.0;
-      FeelAndLook(around, preset, felt, seen);
+      FeelAndLook([=](double x) { return HounsfieldAt(x, around); }, preset, felt, seen);
       std::cout << preset << ", " << around << " HU around: felt at " << felt << " mm, seen at "
                 << seen << " mm\n";
       Expect(std::abs(felt - SKIN_AT) < 1.0 && std::abs(seen - felt) < 1.0,
         std::string(preset) + ": the skin is not what is felt and seen first");
     }
+  }
+  const double begins =
+    Explore::AnalyseVolume(MakeImage([](double x) { return GreyAt(x, 20.0); }), false, false)
+      .OuterThreshold;
+  for (const double peak : { 20.0, begins - 2.0, begins - 0.5, begins, begins + 20.0 })
+  {
+    double felt = 0.0, seen = 0.0;
+    FeelAndLook([=](double x) { return GreyAt(x, peak); }, nullptr, felt, seen);
+    std::cout << "a sheet of " << peak << " where " << begins << " is the threshold: felt at "
+              << felt << " mm, seen at " << seen << " mm\n";
+    const double first = peak > begins ? SKIN_AT - 12.0 : SKIN_AT;
+    Expect(std::abs(felt - first) < 1.2 && std::abs(seen - felt) < 1.0,
+      "grey values: what is seen first is not what is felt first");
   }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -51,12 +51,14 @@ void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
-  const double step = 0.3 * edge; // parts that are hardly seen are not felt
+  const double step = 0.3 * edge;
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
-    { outer - step, 0.00, of[0] },
+    // Short: what is felt is what is not hidden, and of thin parts that reach only its lower half,
+    // hardly anything is seen.
+    { outer + 0.6 * step, 0.00, of[0] },
     { outer + step, body, of[1] },
     { deep, body, of[2] },
     { deep + edge, dense, of[3] },
