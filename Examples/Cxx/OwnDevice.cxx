@@ -14,13 +14,14 @@
 #include <iostream>
 #include <thread>
 
-// ---- What the device's library gives you: handles, error codes, millimetres, its own axes.
+// ---- What the device's library provides: handles, error codes, millimetres, its own axes.
 namespace OwnLibrary
 {
 struct Pose
 {
   double Millimetres[3]; // right, away from the user, up
-  double Quaternion[4];  // x, y, z, w: how the pen is turned; its tail is towards the user if not
+  double Quaternion[4];  // x, y, z, w: the rotation of the pen; without a rotation its tail is
+                         // towards the user
   unsigned int Buttons;
 };
 
@@ -53,7 +54,7 @@ namespace
 {
 using namespace VolumeHaptics;
 
-/// The time in ns, as DeviceSample has it.
+/// The time in ns, as in DeviceSample.
 std::int64_t Now()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -69,7 +70,7 @@ public:
   }
   ~OwnBackend() override { this->Close(); }
 
-  // On the application's thread: here you may wait, allocate and throw away.
+  // Called on the application's thread, where you may wait, allocate and throw.
   bool Open(std::string& error) override
   {
     this->Handle = OwnLibrary::Open(this->Number);
@@ -101,9 +102,9 @@ public:
     return limits;
   }
 
-  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no
-  // wait. If the library can't promise that, call it from a thread of your own, and hand
-  // positions and forces over without locks.
+  // Called on the servo's thread, a thousand times a second: no lock, no allocation, no exception,
+  // and no wait. If the library can't promise that, call it from a thread of your own, and pass
+  // positions and forces without locks.
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
     OwnLibrary::Pose pose;
@@ -129,13 +130,14 @@ public:
   }
   DeviceState Write(const Vector3& force) noexcept override
   {
-    // The force has passed the safety stage: finite, clamped, slewed. Convert it to the library's
-    // axes.
+    // The force has passed the safety stage: it is finite, clamped and slewed. Convert it to the
+    // library's axes.
     const double newtons[3] = { force.X, -force.Z, force.Y };
     return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
   }
   // Any thread may call this when the servo's thread does not answer. A library that accepts calls
-  // from one thread only needs a watchdog of its own here; this one accepts them from any.
+  // from only one thread needs a watchdog of its own here; this library accepts calls from any
+  // thread.
   void Quench() noexcept override
   {
     const double none[3] = { 0.0, 0.0, 0.0 };

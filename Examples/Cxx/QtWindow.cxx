@@ -94,7 +94,7 @@ private:
     this->Device->Open("virtual"); // the mouse
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
-    this->Style->TouchVolume(this->Volume); // touch what the volume shows, now and later
+    this->Style->TouchVolume(this->Volume); // touches what the volume shows, now and later
     this->Device->GetVolumeHaptics()->GetProperty()->ApplyPreset("CT contrast");
     this->Device->Start();
     this->Hand->SetDevice(this->Device);

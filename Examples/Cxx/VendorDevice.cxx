@@ -17,13 +17,14 @@
 #include <cmath>
 #include <cstdio>
 
-// ---- What the vendor gives you: handles, error codes, millimetres, an axis order of its own.
+// ---- What the vendor provides: handles, error codes, millimetres, an axis order of its own.
 namespace VendorSdk
 {
 struct Pose
 {
   double Millimetres[3]; // right, away from the user, up
-  double Quaternion[4];  // x, y, z, w: how the pen is turned; its tail is towards the user if not
+  double Quaternion[4];  // x, y, z, w: the rotation of the pen; without a rotation its tail is
+                         // towards the user
   unsigned int Buttons;
 };
 

@@ -25,7 +25,7 @@ def radius(at):
 
 
 def frame(at):
-    """The ball at a time (s): an edge of 1.5 mm between 1000 inside and 0 outside."""
+    """The ball at a time (s): a value of 1000 inside, 0 outside, with an edge of 1.5 mm."""
     grid = pv.ImageData(dimensions=(41, 41, 41), spacing=(1.5,) * 3, origin=(-30.0,) * 3)
     distance = np.linalg.norm(grid.points, axis=1)
     grid["value"] = (500.0 * (1.0 - np.tanh((distance - radius(at)) / 1.5))).astype(np.float32)
@@ -41,12 +41,12 @@ ball = plotter.add_volume(
     opacity_unit_distance=3, show_scalar_bar=False)
 ball.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, times, visibility=False)
-haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N: the surface holds all forces here
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N; the surface holds all forces here
 haptics.head_up_display.AddTissue("the ball", 400, 1000)
 device = haptics.device
 plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
 plotter.camera.zoom(1.2)
-plotter.camera.SetWindowCenter(-0.16, 0.0)  # leave room for the figures
+plotter.camera.SetWindowCenter(-0.16, 0.0)  # leaves room for the figures
 plotter.show(interactive_update=True)
 
 device.GetVirtualHand().Place(REST, 0.0, 0.0)

@@ -74,7 +74,7 @@ def gaussian(volume):
 
 
 def find_surface():
-    """The position of level tissue below air that goes down most, and how far it goes (mm)."""
+    """Finds the level tissue below air that goes down most. Returns its position, and how far it goes down (mm)."""
     # Voxels of tissue with air in the four voxels above.
     above = np.stack([values[1 + i:values.shape[0] - 3 + i] < AIR for i in range(4)]).all(axis=0)
     depth = breath.depth(np.broadcast_to(breath.axes[2][:, None, None], values.shape))
@@ -113,7 +113,7 @@ device.GetPlayback().SetModeToPingPong()
 device.GetPlayback().SetDataTime(SECONDS)
 plotter.view_vector((0.25, -1.0, 0.15), (0, 0, 1))
 plotter.camera.zoom(1.5)
-plotter.camera.SetWindowCenter(-0.26, 0.0)  # leave room for the figures
+plotter.camera.SetWindowCenter(-0.26, 0.0)  # leaves room for the figures
 plotter.show(interactive_update=True)
 device.GetVirtualHand().Place(*rest)
 device.Arm()

@@ -15,9 +15,9 @@ block["depth"] = -100.0 * block.points[:, 2]
 
 
 def slide(depth, **functions):
-    """Goes down to a depth (mm), then 40 mm along, at 40 mm/s."""
+    """Goes down to a depth (mm), then 40 mm along the surface, at 40 mm/s."""
     material = vtkHapticProperty()
-    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 is nothing
+    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 there is nothing
     material.GetSurfaceStrength().AddPoint(1, functions.pop("strength"))
     for name, value in functions.items():
         getattr(material, f"Get{name}")().AddPoint(0, value)

@@ -36,7 +36,7 @@ def options(about, volume=True):
 
 
 def over_skin(head, directions, depth, speed=80.0):
-    """A path (mm) below the skin, where rays from the middle leave the head, at a speed (mm/s).
+    """Makes a path below the skin, where rays from the middle leave the head, at a speed (mm/s).
 
     depth: below the skin (mm), for each direction; negative is in the air.
     """
@@ -140,7 +140,7 @@ class Movie:
         self.writer.End()
 
     def add(self):
-        """The picture that is seen now."""
+        """Returns the picture that is shown now."""
         self.plotter.render()
         self.capture.Modified()
         self.writer.Write()
@@ -162,13 +162,13 @@ class Scene:
             time.sleep(0.005) if self.hidden else self.plotter.update()
 
     def strongest(self, seconds):
-        """The largest force (N) within a time."""
+        """Returns the largest force (N) within a time."""
         forces = [0.0]
         self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetState().GetComputedForce())))
         return max(forces)
 
     def film(self, file, pictures, span, rate):
-        """A movie of one loop or ping-pong of the data time, in evenly spaced pictures.
+        """Makes a movie of one loop or ping-pong of the data time, in evenly spaced pictures.
 
         Time stands still while a picture is taken, however long that takes. Each picture comes a whole span and a bit
         after the last one, so that the hand meets the moving surface anew: while the computer draws a picture, the
@@ -185,7 +185,7 @@ class Scene:
         def has_come(place):
             nonlocal last, gone
             way = abs(device.GetPlayback().GetDataTime() - last)
-            gone += min(way, span - way)  # counts across the end of a loop, too
+            gone += min(way, span - way)  # also counts across the end of a loop
             last = device.GetPlayback().GetDataTime()
             return gone >= place
 

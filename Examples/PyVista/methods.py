@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One stroke, felt with each method. Methods with a proxy look KernelRadius ahead, and so hold it earlier by that
+"""One stroke, felt with each method. Methods with a proxy look KernelRadius ahead, and so hold the proxy earlier by this
 radius; the surface proxy is a sphere, and the local surface has no size."""
 import gallery
 import numpy as np

@@ -66,7 +66,8 @@ def name_labels(file):
 
 
 def make_path(felt, across, spacing):
-    """The tip (mm), a point in each millisecond: from the top to the bottom of the felt organs, along their front."""
+    """Makes the tip's path (mm), a point in each millisecond: from the top to the bottom of the felt organs, along
+    their front."""
     slab = felt[:, :, across - 3:across + 4].any(axis=2)  # [z, y]
     rows = np.nonzero(slab.any(axis=1))[0]
     fronts = (slab[rows].argmax(axis=1) - 0.5) * spacing[1]  # walls are between voxels
@@ -152,7 +153,7 @@ def main():
     camera.SetPosition(middle + [120.0, -900.0, 160.0])
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(22.0)
-    for name, place in names:  # nearer to the eye on its line of sight, so before everything
+    for name, place in names:  # nearer to the eye on its line of sight, and so in front of everything
         scene.AddViewProp(write_name(name, 0.6 * place + 0.4 * np.array(camera.GetPosition())))
     scene.ResetCameraClippingRange()
     show(scene, chosen.picture)

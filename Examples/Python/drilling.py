@@ -40,7 +40,7 @@ def read(file):
 
 
 def find_bone(head):
-    """The outer side of the bone on a ray from the side of the largest x, behind the middle of the head (mm)."""
+    """Finds the outer side of the bone on a ray from the side of the largest x, behind the middle of the head (mm)."""
     (nx, ny, nz), (x0, y0, z0), (dx, dy, dz) = head.GetDimensions(), head.GetOrigin(), head.GetSpacing()
     first = head.GetExtent()
     values = vtk_to_numpy(head.GetPointData().GetScalars()).reshape(nz, ny, nx)
@@ -68,7 +68,7 @@ def make_path(bone):
 
 
 def drill(head, bone):
-    """The filter after its run, with the rest of the head, and the trace."""
+    """Returns the filter after its run, with the remaining head, and the trace."""
     burr = vtkHapticBurr()
     burr.SetRadius(RADIUS)
     burr.SetSolidToAbove()

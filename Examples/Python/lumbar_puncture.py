@@ -140,7 +140,7 @@ def find_way(labels, canal, spacing):
     return best
 
 
-CANAL_STEPS = 10  # mm from the canal's middle: bone is always near there
+CANAL_STEPS = 10  # mm from the canal's middle; bone is always near at this distance
 
 
 def make_path(entry, target):

@@ -27,8 +27,8 @@ namespace
 struct Device
 {
   char Id = -1;
-  bool HadForce = false; // force has been on since homing
-  bool HasWrist = false; // measures an orientation
+  bool HadForce = false; // whether force has been on since homing
+  bool HasWrist = false; // whether the device measures an orientation
   double MaximumTorque = 0.0;
   std::string Error;
 };
@@ -153,7 +153,7 @@ int GetSerial(void* handle, char* serial, size_t size)
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Below zero if the device's status says that the device can't be used now.
+// Checks the device's status. Below zero if the device can't be used now.
 int CheckStatus(Device& device)
 {
   int status[DHD_MAX_STATUS] = {};
@@ -181,7 +181,8 @@ int CheckStatus(Device& device)
   }
   if (!hasForce)
   {
-    // Not ready: else the device's button could switch on a force that has not grown from zero.
+    // Not ready: otherwise the device's button could switch on a force that has not grown from
+    // zero.
     device.Error = "has its force switched off. Press its force button, or Home().";
     return VOLUME_HAPTICS_VENDOR_WAITS;
   }
@@ -228,7 +229,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
     pose->HasOrientation = 1;
   }
   pose->Buttons = dhdGetButtonMask(device.Id);
-  // If asked too soon, the time guard repeats the last position: no fault.
+  // If a force is requested too soon, the time guard repeats the last position, which is no fault.
   return result == DHD_TIMEGUARD ? VOLUME_HAPTICS_VENDOR_DONE : VOLUME_HAPTICS_VENDOR_NEWS;
 }
 

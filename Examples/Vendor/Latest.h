@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The latest value from one thread to another, without locks. Of three places, the writer owns one,
-// the reader one, and the third lies between them.
+// Passes the latest value from one thread to another, without locks. Of three places, the writer
+// owns one, the reader one, and the third lies between them.
 #ifndef VolumeHapticsVendorLatest_h
 #define VolumeHapticsVendorLatest_h
 
@@ -13,13 +13,13 @@ template <typename T>
 class Latest
 {
 public:
-  // On the writer's thread.
+  // Called on the writer's thread.
   void Write(const T& value)
   {
     this->Places[this->Own] = value;
     this->Own = this->Between.exchange(this->Own | New, std::memory_order_acq_rel) & ~New;
   }
-  // On the reader's thread: true if a value was written since the last call.
+  // Called on the reader's thread: true if a value was written since the last call.
   bool Update()
   {
     if ((this->Between.load(std::memory_order_relaxed) & New) == 0)

@@ -185,7 +185,8 @@ void WaitForTick(Device& device)
   }
 }
 
-// Empties libHD's stack of faults. Not while the callback runs, which has to see them.
+// Empties libHD's stack of faults. Not called while the callback runs, because the callback has to
+// see the faults.
 void ForgetFaults()
 {
   while (HD_DEVICE_ERROR(hdGetError()))
@@ -332,7 +333,7 @@ int Home(void* handle)
 {
   auto& device = *static_cast<Device*>(handle);
   device.Forgives.store(true, std::memory_order_release);
-  // Wait until the callback reports the new try: its report before may have begun earlier.
+  // Waits until the callback reports the new try: the previous report may have begun earlier.
   WaitForTick(device);
   WaitForTick(device);
   return VOLUME_HAPTICS_VENDOR_DONE;

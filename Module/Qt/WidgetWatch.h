@@ -39,8 +39,8 @@ public:
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    // Only the window itself gets an event when it is minimised. Its widget may move to another
-    // window, such as a floating dock's, and is shown anew then.
+    // Only the window itself gets an event when it is minimised. The widget may move to another
+    // window, such as that of a floating dock, and is then shown again.
     const QEvent::Type type = event->type();
     if (type == QEvent::Hide ||
       (type == QEvent::WindowStateChange && this->Window && this->Window->isMinimized()))

@@ -24,7 +24,7 @@
 namespace
 {
 
-/** A kind of mode with other settings than its defaults. */
+/** A kind of mode with settings other than its defaults. */
 struct ModeVariant
 {
   const char* Name; ///< as in a row
@@ -42,7 +42,7 @@ constexpr ModeVariant ModeVariants[] = {
     [](vtkHapticMode* mode) { vtkHapticGuideMode::SafeDownCast(mode)->SetSideToInside(); } },
 };
 
-/** A mode by its name in a row; null if there is none. */
+/** Makes a mode by its name in a row; null if there is no such mode. */
 vtkSmartPointer<vtkHapticMode> MakeModeOfRow(const std::string& name)
 {
   const auto* const variant = std::find_if(std::begin(ModeVariants), std::end(ModeVariants),
@@ -72,8 +72,8 @@ vtkSmartPointer<vtkHapticMode> MakeModeOfRow(const std::string& name)
 }
 
 /**
- * The distances of an image, the active scalars or an array, as a field; null if there are none. An
- * image that is not computed yet gives an empty field, which is filled later.
+ * Makes a field of the distances of an image, which are its active scalars or an array; null if
+ * there are none. An image that is not computed yet gives an empty field, which is filled later.
  */
 vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& array)
 {
@@ -119,7 +119,7 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   return {};
 }
 
-/** The first data set in data that may be composite; null if there is none. */
+/** Returns the first data set in data that may be composite; null if there is none. */
 vtkDataSet* FindFirstSet(vtkDataObject* data)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(data);
@@ -140,7 +140,7 @@ vtkDataSet* FindFirstSet(vtkDataObject* data)
   return nullptr;
 }
 
-/** The first array that a mode can be about; empty if one is active, or there is none. */
+/** Returns the first array that a mode can read; empty if an array is active, or there is none. */
 std::string FindArray(vtkDataObject* data, vtkHapticMode* mode)
 {
   vtkDataSet* const set = FindFirstSet(data);

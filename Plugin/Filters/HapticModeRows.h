@@ -21,8 +21,8 @@ class vtkVolumeHapticsFilter;
 
 /**
  * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the shape or the distances
- * on the filter's port 2. A preset without an array searches the data of port 0. So modes are made
- * anew if these data change.
+ * on the filter's port 2. A preset without an array searches the data of port 0, so the modes are
+ * made again if these data change.
  */
 class HapticModeRows
 {

@@ -15,7 +15,7 @@
 #include <string>
 
 //------------------------------------------------------------------------------
-/** Opens the file before a pipeline looks at it. */
+/** Opens the file before a pipeline reads from it. */
 class vtkPVHapticLargeFile::Regions : public vtkHapticRegionSource
 {
 public:
@@ -24,7 +24,8 @@ public:
 
   vtkMTimeType GetMTime() override
   {
-    // Do not open it when the pipeline asks for information: opening changes this source.
+    // The file is not opened when the pipeline requests information, because opening changes this
+    // source.
     this->IsOpen = this->Owner && this->Owner->Open();
     return this->Superclass::GetMTime();
   }
@@ -35,7 +36,7 @@ protected:
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    // The owner has reported why.
+    // The owner has reported the reason.
     return this->IsOpen ? this->Superclass::RequestInformation(request, inputs, outputs) : 0;
   }
 

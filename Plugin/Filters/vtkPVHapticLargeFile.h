@@ -29,26 +29,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** A file as vtkHapticRegionSource::OpenFile() reads it. Default: none. */
+  /** The file, in a format that vtkHapticRegionSource::OpenFile() reads. Default: none. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** The large file that a connection comes from, also through ParaView's own filters; or null. */
+  /**
+   * Returns the large file that a connection comes from, also through ParaView's own filters; or
+   * null.
+   */
   static vtkPVHapticLargeFile* Find(vtkAlgorithmOutput* output);
 
-  /** The volume in the file, for paths. The file is opened at first use. */
+  /** Returns the volume in the file, for paths. Opens the file at the first call. */
   vtkHapticRegionSource* GetRegions();
 
   /**
-   * A source of the hand's own for the volume in the file; null, with an error, if the file can't
-   * be opened.
+   * Returns a second source of the volume in the file, for the hand; null, with an error, if the
+   * file can't be opened.
    */
   vtkSmartPointer<vtkHapticRegionSource> MakeRegions();
 
-  /** Open the file, unless that was tried since this was modified. False if that failed. */
+  /** Opens the file, unless this was tried since the last change of a setting. False on failure. */
   bool Open();
-  /** The time of the last opening. */
+  /** Returns when the file was opened last. */
   vtkMTimeType GetOpenTime() const { return this->Opened; }
 
 protected:
@@ -63,7 +66,7 @@ private:
 
   char* FileName = nullptr;
   vtkSmartPointer<Regions> Volume;
-  vtkTimeStamp Opened; // time of the last try
+  vtkTimeStamp Opened; // when opening was tried last
   bool IsOpen = false;
 
   vtkPVHapticLargeFile(const vtkPVHapticLargeFile&) = delete;

@@ -39,20 +39,21 @@ public:
    * SurfaceSide are then unused until it is "Custom" again. Any other name is an error that lists
    * these, and the output is empty. A preset for values without a unit is fitted to the image on
    * port 0, as vtkHapticProperty::ApplyPreset(name, image) does it, and again after the image has
-   * changed; other data than images are felt as the preset's table has it.
+   * changed; data other than images are felt as in the preset's table.
    */
   void SetPreset(const char* preset);
 
   /**
-   * By what the preset's values and gradients were multiplied: 1, 0 if the table is used as it is,
-   * with gradients per millimetre. A fitted preset has gradients per world unit.
+   * Get the two factors by which the preset's values and gradients were multiplied. (1, 0): the
+   * preset's own table is used, with gradients per millimetre; a fitted preset has gradients per
+   * world unit.
    */
   double* GetPresetScale() VTK_SIZEHINT(2);
 
   ///@{
   /**
-   * The functions of vtkHapticProperty, divided by their scale below. nullptr (default) or no
-   * points: the property's own default.
+   * The five functions of vtkHapticProperty, each divided by its scale below. nullptr (default) or
+   * a function without points: the default of the property.
    */
   void SetStiffnessFunction(vtkPiecewiseFunction* function);
   void SetFrictionFunction(vtkPiecewiseFunction* function);
@@ -61,7 +62,10 @@ public:
   ///@}
 
   ///@{
-  /** The unit of a function's values: N/m (default 1000), no unit (1), N (1) and N (4). */
+  /**
+   * The value of a function at 1: stiffness (N/m, default 1000), friction (no unit, 1), viscosity
+   * (N, 1) and surface strength (N, 4).
+   */
   void SetStiffnessScale(double scale);
   void SetFrictionScale(double scale);
   void SetViscosityScale(double scale);
@@ -70,8 +74,8 @@ public:
 
   ///@{
   /**
-   * On (default): distinctness keeps noise from being felt, and its function is unused until this
-   * is off. PerMillimeter: that of the property, of the function.
+   * On (default): distinctness keeps noise from being felt, and the function of distinctness is not
+   * used. PerMillimeter: as in vtkHapticProperty, for that function.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessPerMillimeter(bool perMillimeter);
@@ -80,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Whether the scalars are labels, and whether the image tells what is solid and how Hounsfield
-   * units are stored, as the property.
+   * Whether the scalars are labels, whether the image tells what is solid, and whether it tells how
+   * Hounsfield units are stored: see vtkHapticProperty.
    */
   void SetScalarsAreLabels(bool areLabels);
   void SetSolidFromImage(bool fromImage);
@@ -89,7 +93,7 @@ public:
   ///@}
 
   ///@{
-  /** The side, component, shift and scale of the property, and its ramp. */
+  /** Side, component, shift, scale and ramp: see vtkHapticProperty. */
   void SetSurfaceSide(int side);
   void SetComponent(int component);
   void SetScalarShift(double shift);
@@ -101,8 +105,8 @@ public:
   /**
    * What the labels of port 3 feel like: files for vtkHapticLabelTable::ReadFile, which add up;
    * then rows of a label, stiffness (N/m), friction, viscosity (N) and surface strength (N), -1
-   * where the functions hold; and the stand-off from forbidden labels (world units). A file that
-   * can't be read and a row that can't be are errors, and the output is empty.
+   * where the functions hold; and the stand-off from forbidden labels (world units). A file or a
+   * row that can't be read is an error, and the output is empty.
    */
   void AddLabelFile(const char* file);
   void RemoveAllLabelFiles();
@@ -114,13 +118,12 @@ public:
 
   ///@{
   /**
-   * Rows of texts, a vtkHapticMode each: its kind (one of vtkHapticMode::GetKindNames(), or
-   * VectorFrontTwoSided or RidgeDark; and what port 2 has as Guide, GuideOutside or GuideInside:
-   * polygons, an image of distances, or lines as Guide), the point array (empty: the active
-   * vectors, tensors or distances), its Strength, and the SecondStrength of kinds that have one. A
-   * function is a number of newtons, pairs such as "0 0, 0.5 2" of what it depends on and newtons,
-   * or empty for the mode's default.
-   * A row that can't be read is an error, and the output is empty.
+   * Rows of four texts, each for a vtkHapticMode. Kind: one of vtkHapticMode::GetKindNames(), or
+   * VectorFrontTwoSided or RidgeDark; or Guide, GuideOutside or GuideInside for the polygons or the
+   * image of distances on port 2 (Guide for lines, too). Point array: empty for the active vectors,
+   * tensors or distances. Strength, and SecondStrength of kinds that have one: a number of newtons;
+   * pairs such as "0 0, 0.5 2" of the quantity and newtons; or empty for the mode's default. A row
+   * that can't be read is an error, and the output is empty.
    */
   void AddModeRow(
     const char* kind, const char* array, const char* strength, const char* secondStrength);
@@ -128,8 +131,8 @@ public:
   ///@}
 
   /**
-   * "None" (default), or one of GetModePresetNames(): its modes come before those of the rows. They
-   * are about the active vectors or tensors or, if there are none, about the first ones.
+   * "None" (default), or one of GetModePresetNames(): its modes come before those of the rows.
+   * These modes read the active vectors or tensors or, if there are none, the first ones.
    */
   void SetModePreset(const char* preset);
 
@@ -147,8 +150,7 @@ public:
 
   ///@{
   /**
-   * The last stroke of a burr in the hand is undone, or done again; all tissue that it removed
-   * comes back.
+   * Undo the last stroke of a burr in the hand, redo it, and restore all tissue that it removed.
    */
   void UndoRemoval();
   void RedoRemoval();
@@ -156,7 +158,10 @@ public:
   ///@}
 
   using vtkVolumeHapticsFilter::SetInputConnection;
-  /** A vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it shows. */
+  /**
+   * Whether a vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it
+   * shows.
+   */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
 
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
@@ -172,12 +177,12 @@ protected:
   vtkPVVolumeHapticsFilter();
   ~vtkPVVolumeHapticsFilter() override;
 
-  /** Port 2 also takes an image, whose distances guide: see AddModeRow. */
+  /** Accepts an image on port 2, too, whose distances guide the hand: see AddModeRow. */
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /** A function from 0 to 1, and the quantity at its value 1. */
+  /** A function from 0 to 1, and the quantity that its value 1 stands for. */
   struct Curve
   {
     vtkSmartPointer<vtkPiecewiseFunction> Shape;
@@ -215,7 +220,7 @@ private:
   bool SolidFromImage = false;
   bool ShiftFromImage = false;
   int SurfaceSide = 0;
-  /** Times of image and array, the array, component, shift and scale that a preset is fitted to. */
+  /** the image, array and settings that the preset was fitted to, with their times */
   using GreyLevels = std::tuple<vtkMTimeType, void*, vtkMTimeType, int, double, double>;
   GreyLevels Fitted{};
   std::array<double, 2> PresetScale{ { 1.0, 0.0 } };

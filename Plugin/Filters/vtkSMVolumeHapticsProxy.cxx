@@ -19,7 +19,9 @@ namespace
 /** Newtons above which a surface is impenetrable; scales need not show more. */
 constexpr double Impenetrable = 1e4;
 
-/** The smallest value of 1, 2 or 5 times a power of ten that the function does not exceed. */
+/**
+ * Returns the smallest value of 1, 2 or 5 times a power of ten that the function does not exceed.
+ */
 double ChooseScale(vtkPiecewiseFunction* function)
 {
   double most = 0.0;

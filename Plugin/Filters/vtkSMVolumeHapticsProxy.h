@@ -30,7 +30,7 @@ protected:
 private:
   void OnPropertyUpdated(vtkObject*, unsigned long, void* name);
   void CopyPreset();
-  /** @param stretch of the positions of the function's points */
+  /** @param stretch the factor of the positions of the function's points */
   void CopyFunction(const char* name, vtkPiecewiseFunction* function, double stretch);
 
   vtkSMVolumeHapticsProxy(const vtkSMVolumeHapticsProxy&) = delete;

@@ -234,8 +234,8 @@ void HapticController::setTouchMode(bool on)
   pqView* const view = on && this->View ? this->findView() : nullptr;
   if (QWidget* const widget = view ? view->widget() : nullptr)
   {
-    // The keys of the touch mode come next, and the button has the keyboard: give it to the view. A
-    // part of the view's widget may be what takes keys.
+    // The next keys belong to the touch mode, but the button has the keyboard: give it to the view.
+    // A part of the view's widget may be the one that takes keys.
     const QList<QWidget*> parts = widget->findChildren<QWidget*>();
     const auto takesKeys = [](QWidget* part) { return part->focusPolicy() != Qt::NoFocus; };
     const auto part = std::find_if(parts.begin(), parts.end(), takesKeys);

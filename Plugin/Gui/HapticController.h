@@ -44,7 +44,7 @@ public:
     QString Name;  ///< maker, product, place
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
-  /** Searches for devices anew. "virtual" is first. */
+  /** Searches for devices again. "virtual" is first. */
   static QList<DeviceChoice> listDevices();
 
   /** The state that the dock shows. */
@@ -85,21 +85,21 @@ public Q_SLOTS:
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
   void setArmed(bool on);
-  /** On gives the view the keyboard, too. */
+  /** Sets the touch mode. On also gives the view the keyboard. */
   void setTouchMode(bool on);
   void home();
   /** Records into a .vtp or .csv; an empty name ends and writes the recording. */
   void record(const QString& file);
   ///@{
   /**
-   * Set preset and method of the attached filter, or of the active source's; do nothing without
-   * one.
+   * Set preset and method of the attached filter, or of the filter of the active source; do nothing
+   * without a filter.
    */
   void setPreset(const QString& name);
   void setMethod(int method);
   /**
-   * Read functions from a file of vtkHapticProperty::WritePreset, or write the felt ones to such a
-   * file.
+   * Read functions from a file of vtkHapticProperty::WritePreset, or write the felt functions to
+   * such a file.
    */
   void loadPreset(const QString& file);
   void savePreset(const QString& file);
@@ -112,7 +112,7 @@ public Q_SLOTS:
   void release();
 
 Q_SIGNALS:
-  /** The failure and its cure; empty if there is none. */
+  /** Emitted with the failure and its cure; empty if there is none. */
   void told(const QString& message);
 
 private Q_SLOTS:

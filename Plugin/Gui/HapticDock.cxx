@@ -28,9 +28,11 @@
 namespace
 {
 constexpr int Period = 100;    ///< ms between looks at the device
-constexpr int BarSteps = 1000; ///< of the bar, from 0 to the largest force
+constexpr int BarSteps = 1000; ///< steps of the bar, from 0 to the largest force
 
-/** The pointer by the window system, which knows of motions whose events are still to come. */
+/**
+ * Polls the pointer from the window system, which knows of motions whose events are still to come.
+ */
 void PollPointer(int position[2])
 {
   const QPoint place = QCursor::pos();
@@ -270,7 +272,7 @@ void HapticDock::listDevices()
   this->Device->clear();
   for (const HapticController::DeviceChoice& choice : HapticController::listDevices())
   {
-    // A state may be a sentence with the cure: show the whole in the tool tip.
+    // A state may be a sentence with the cure: the tool tip shows the whole text.
     const QString state = choice.State.section(". ", 0, 0);
     this->Device->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
     this->Device->setItemData(

@@ -94,8 +94,8 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
 }
 
 /**
- * Disarms the device: a hand must not suddenly feel something that it was not led to. Can't be
- * undone, and is not traced.
+ * Disarms the device, because a hand must not suddenly feel something to which it was not led.
+ * Can't be undone, and is not traced.
  */
 void Disarm(vtkSMProxy* device)
 {
@@ -191,7 +191,8 @@ pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
 }
 
 /**
- * The given name, if the source has it, or the first point array's name; empty if there is none.
+ * Returns the given name, if the source has it, or the first point array's name; empty if there is
+ * none.
  */
 std::string FindArray(pqPipelineSource* volume, const QString& wanted)
 {
@@ -207,7 +208,10 @@ std::string FindArray(pqPipelineSource* volume, const QString& wanted)
                                                    : points->GetArrayInformation(0)->GetName();
 }
 
-/** The shortest edge of an image's voxel; for other data, a fraction of the longest edge of all. */
+/**
+ * Returns the shortest edge of an image's voxel; for other data, a fraction of the longest edge of
+ * all data.
+ */
 double ComputeVoxel(pqPipelineSource* volume)
 {
   constexpr double parts = 128.0;

@@ -24,25 +24,25 @@ bool IsVolume(pqPipelineSource* source);
 ///@}
 
 /**
- * The HapticDevice for a source: the source itself, or the device that feels it, through a
+ * Returns the HapticDevice for a source: the source itself, or the device that feels it through a
  * VolumeHaptics filter. Missing objects are made. There is one hand, so a device that feels
- * something else is disarmed and used for this source from now on. nullptr if the source can't be
+ * something else is disarmed, and used for this source from now on. nullptr if the source can't be
  * felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 
 ///@{
 /**
- * The objects upstream: the filter of a device, and the input of the filter. nullptr if there is
- * none.
+ * Return the objects upstream: the filter of a device, and the input of the filter. nullptr if
+ * there is none.
  */
 pqPipelineSource* GetTouch(pqPipelineSource* device);
 pqPipelineSource* GetVolume(pqPipelineSource* touch);
 ///@}
 
 /**
- * The VolumeHaptics filter: the source itself, or the filter of its device or of a volume; or
- * nullptr.
+ * Returns the VolumeHaptics filter: the source itself, or the filter of its device or of a volume;
+ * or nullptr.
  */
 pqPipelineSource* FindTouch(pqPipelineSource* source);
 

@@ -230,7 +230,7 @@ void HapticDataLink::Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
 
 void HapticDataLink::UpdateTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
-  // Its name differs between versions of ParaView; exactly one name exists.
+  // The name differs between versions of ParaView; exactly one of these names exists.
   vtkNew<vtkCollection> keepers;
   proxy->GetSessionProxyManager()->GetProxies("timekeeper", keepers);
   vtkSMProxy* const keeper = vtkSMProxy::SafeDownCast(keepers->GetItemAsObject(0));

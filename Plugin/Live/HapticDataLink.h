@@ -47,7 +47,7 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Watch the changes of the proxy's settings; nullptr ends that. */
+  /** Watch the changes of the proxy's settings; nullptr ends the watch. */
   void Watch(vtkSMProxy* touch);
 
   /** Null without a proxy, or if it is no vtkVolumeHapticsFilter. */
@@ -55,7 +55,7 @@ public:
   vtkSMProxy* GetTouch() const;
 
   /**
-   * The source to which an input of the followed proxy is connected, and its port; or null.
+   * Returns the source to which an input of the followed proxy is connected, and its port; or null.
    */
   vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
 
@@ -64,7 +64,7 @@ private:
   /** Called with the name of a chosen command. */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
   void ShareRemoval();
-  /** The followed filter, if it is in this process; else null. */
+  /** Returns the followed filter, if it is in this process; else null. */
   vtkVolumeHapticsFilter* GetTouched() const;
   void LetGo();
   void CopySettings();
@@ -97,10 +97,10 @@ public:
   /** See vtkSMHapticDeviceProxy::SetVisibility. */
   void SetVisibility(vtkVolumeProperty* property) { this->Visibility = property; }
 
-  /** The time (s) of fetching a region; 0 before the first. */
+  /** Returns the time (s) of fetching a region; 0 before the first. */
   double GetLatency() const { return this->Region.GetLatency(); }
 
-  /** Forget the last fetched region. */
+  /** Drops the region that was fetched last. */
   void ClearRegion() { this->Region.Clear(); }
 
   /** Whether the data are on this process. */

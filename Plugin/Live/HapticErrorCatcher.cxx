@@ -41,7 +41,7 @@ std::string HapticErrorCatcher::Drain()
 
 void HapticErrorCatcher::Record(vtkObject*, unsigned long, void* data)
 {
-  // "ERROR: In <file>, line <n>\n<class> (<address>): <text>\n\n"
+  // The text has the form "ERROR: In <file>, line <n>\n<class> (<address>): <text>\n\n".
   std::string text = data ? static_cast<const char*>(data) : "";
   const auto start = text.find("): ");
   text.erase(0, start == std::string::npos ? 0 : start + 3);

@@ -31,7 +31,7 @@ public:
    */
   void Catch(vtkObject* object);
   /**
-   * The errors since the last call, without files and addresses; empty if there were none.
+   * Returns the errors since the last call, without files and addresses; empty if there were none.
    */
   std::string Drain();
 

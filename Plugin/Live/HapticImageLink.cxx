@@ -48,7 +48,7 @@ vtkDataObject* DataOf(vtkAlgorithmOutput* output)
   return output ? output->GetProducer()->GetOutputDataObject(output->GetIndex()) : nullptr;
 }
 
-/** The time of the last change in the pipeline up to an output; executing is no change. */
+/** Returns the time of the last change in the pipeline up to an output; executing is no change. */
 vtkMTimeType PipelineTimeOf(vtkAlgorithmOutput* output)
 {
   auto* const pipeline =

@@ -3,7 +3,8 @@
 /**
  * @file
  * Gives data of this process' own pipeline to a filter in the client: shared, not copied. Also
- * large files, the part to which ParaView crops a volume, and the opacity with which it shows it.
+ * gives it large files, the part to which ParaView crops a volume, and the opacity with which
+ * ParaView shows the volume.
  */
 #ifndef HapticImageLink_h
 #define HapticImageLink_h
@@ -48,10 +49,10 @@ public:
    */
   void PollTimeSteps(vtkSMSourceProxy* source, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
-  /** Makes the next Follow give the output, even if it has not changed. */
+  /** Makes the next Update give the output, even if it has not changed. */
   void Forget();
 
-  /** The updated output of a source of this process; null without a source. */
+  /** Returns the updated output of a source of this process; null without a source. */
   static vtkAlgorithmOutput* GetUpdatedOutput(vtkSMSourceProxy* source, unsigned int port);
 
 private:
@@ -106,10 +107,10 @@ class HapticOpacityLink
 {
 public:
   /**
-   * The opacity function of a source's volume rendering, in the active view, or else in any view:
-   * as a volume property with ParaView's own function. Null if the source is not volume-rendered,
-   * if the shown array or component is not the touched one, or if opacity does not depend on that
-   * array's value alone.
+   * Finds the opacity function of a source's volume rendering, in the active view, or else in any
+   * view, as a volume property with ParaView's own function. Null if the source is not
+   * volume-rendered, if the shown array or component is not the touched one, or if opacity does not
+   * depend on that array's value alone.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 

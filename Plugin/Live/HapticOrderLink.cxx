@@ -145,12 +145,12 @@ void HapticOrderLink::HandleFault(bool isServerLost)
   const bool isFault = status == vtkHapticDevice::FAULT;
   if (isServerLost && this->Device->IsRunning() && (isFault || status <= vtkHapticDevice::READY))
   {
-    this->Stop(this->Report.GetNotice()); // the force has faded, or was cut off before
+    this->Stop(this->Report.GetNotice()); // the force has faded, or was cut off earlier
     return;
   }
   if (this->Device->IsArmOrdered() && (isFault || status < vtkHapticDevice::READY))
   {
-    this->Device->Disarm(); // only the user may arm again
+    this->Device->Disarm(); // only the user may arm the device again
   }
 }
 
@@ -168,7 +168,7 @@ void HapticOrderLink::ApplyRunning(vtkVolumeHapticsFilter* filter)
   this->Report.SetNotice("");
   if (filter && !filter->GetInputDataObject(0, 0) && this->Report.HasProblem())
   {
-    // A server that refuses its volume leaves nothing to start with, and has reported why.
+    // A server that refuses its volume leaves nothing to start with, and has reported the reason.
     this->Stop("");
     this->Report.SetNotice(this->Report.GetProblem());
     return;
@@ -256,7 +256,7 @@ void HapticOrderLink::Stop(const std::string& why)
 void HapticOrderLink::EndForce()
 {
   this->Device->Disarm();
-  // Wait, so that a recording includes the last orders.
+  // Waits, so that a recording includes the last orders.
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();

@@ -26,9 +26,9 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink;
 
 /**
- * Asks first for the position of the volume. The answer is a corner of it, with which the servo can
- * start, because a tip outside the corner feels nothing. From then on, asks for the regions that
- * vtkHapticRegionPlanner plans.
+ * First requests the position of the volume. The answer is a corner of the volume, with which the
+ * servo can start, because a tip outside the corner feels nothing. From then on, requests the
+ * regions that vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
 {
@@ -50,12 +50,12 @@ public:
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
 
-  /** The time (s) from wanting a region to having it; 0 before the first. */
+  /** Returns the time (s) from wanting a region to having it; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
-  /** The reason why the last region was refused. */
+  /** Returns the reason why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
-  /** A new number makes a refused region be requested again. */
+  /** Sets the most voxels of a region. A new number makes a refused region be requested again. */
   void SetMaximumVoxels(vtkIdType voxels)
   {
     const vtkIdType before = this->Planner->GetMaximumVoxels(); // the planner limits it

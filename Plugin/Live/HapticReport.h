@@ -33,7 +33,10 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
   ///@{
-  /** The reason why the device was stopped, until it is started again. A problem hides it. */
+  /**
+   * Set the reason why the device was stopped, which is shown until it is started again. A problem
+   * hides it.
+   */
   void SetNotice(const std::string& notice) { this->Notice = notice; }
   const std::string& GetNotice() const { return this->Notice; }
   ///@}

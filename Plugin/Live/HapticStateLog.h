@@ -17,9 +17,8 @@ namespace VolumeHapticsLive
 {
 
 /**
- * A .csv with the columns of vtkHapticState::Drain, in the format of all traces
- * (TraceWriter.h). It lacks data for a replay to the bit, but its tips are a path for Volume
- * Haptics.
+ * A .csv with the columns of vtkHapticState::Drain, in the format of all traces (TraceWriter.h).
+ * The log lacks data for a replay to the bit, but its tips are a path for Volume Haptics.
  */
 class HapticStateLog
 {

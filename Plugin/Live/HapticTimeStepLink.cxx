@@ -24,13 +24,17 @@ namespace
 {
 
 ///@{
-/** The duration (s) of a step of the animation: least, greatest, and for a single step. */
+/**
+ * The shortest and the longest duration (s) of a step of the animation, and the duration of a
+ * single step.
+ */
 constexpr double ShortestStep = 0.02;
 constexpr double LongestStep = 0.3;
 constexpr double SingleStep = 0.1;
 ///@}
 /**
- * Feel a step within this fraction of the last step's time, so that it ends before the next step.
+ * A step is felt within this fraction of the last step's time, so that it ends before the next
+ * step.
  */
 constexpr double StepFraction = 0.9;
 /**

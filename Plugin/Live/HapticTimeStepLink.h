@@ -23,9 +23,9 @@ namespace VolumeHapticsLive
 /**
  * ParaView has the data of one time: the animation's time, which a view shows. When this time
  * changes, the servo moves from the last image to the new one in the duration of the animation's
- * last step. So the feel is a step behind the view, but does not jump, whatever the VCR buttons do,
- * forward or backward. Nothing is read twice. If the animation is faster than that, images are left
- * out; if it stands still, so does the volume.
+ * last step. So the hand feels the previous step of the view, but the volume does not jump,
+ * whatever the VCR buttons do, forward or backward. Nothing is read twice. If the animation is
+ * faster than the servo, images are left out; if it stands still, the volume does, too.
  */
 class HapticTimeStepLink
 {

@@ -23,13 +23,13 @@ public:
   /** The touched filter; this connection only shows in ParaView that the two belong together. */
   void SetTouch(vtkObject*) {}
 
-  /** Length of a state. */
+  /** The number of values in a state. */
   static constexpr int Length = 30;
 
   /**
-   * 1 for a state and 0 for none; tip, proxy, x_s, x_v (world units); commanded and computed force
-   * (N); normal; force of the surface and of friction (N), contact, value in the surface;
-   * orientation of the stylus (w, x, y, z; all 0: none).
+   * The values of a state: 1 (0: there is no state); tip, proxy, x_s, x_v (world units); commanded
+   * and computed force (N); normal; force of the surface and of friction (N); contact; value in the
+   * surface; orientation of the stylus (w, x, y, z; all 0: none).
    */
   void SetState(const double state[30]);
 

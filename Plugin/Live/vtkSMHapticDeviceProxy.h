@@ -45,7 +45,7 @@ public:
   vtkTypeMacro(vtkSMHapticDeviceProxy, vtkSMSourceProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The device; this proxy opens, starts and arms it by its properties. */
+  /** The device. Set the properties of this proxy to open, start and arm it. */
   vtkHapticDevice* GetDevice();
 
   /** The filter in the client; null while there is nothing to touch. */
@@ -74,7 +74,7 @@ public:
   ///@}
 
   ///@{
-  /** Without Running, Armed and Recording, which stay unchanged. */
+  /** Saves and loads the state, except Running, Armed and Recording, which stay unchanged. */
   using Superclass::SaveXMLState;
   vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* properties) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;

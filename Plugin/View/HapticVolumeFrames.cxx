@@ -47,7 +47,7 @@ int NumberOf(vtkSMProxy* proxy, const char* name)
   return proxy->GetProperty(name) ? vtkSMPropertyHelper(proxy, name, true).GetAsInt() : 0;
 }
 
-/** The part of a representation that now draws it as a volume, if any. */
+/** Returns the part of a representation that now draws it as a volume, if any. */
 vtkSMProxy* FindVolume(vtkSMProxy* representation)
 {
   if (!representation || !representation->GetProperty(Mode) ||

@@ -35,7 +35,7 @@ namespace VolumeHaptics
  * - Frames in motion that the client draws with that ray caster take 30 ms: it gets the time that
  *   the rest of the frame leaves, and casts as many rays as fit. Qt draws its window meanwhile,
  *   so that 20 frames a second are left. ParaView itself asks for 5.
- * - These frames go without FXAA, which takes more time there than all else.
+ * - These frames are drawn without FXAA, which would take more time there than everything else.
  * - Frames at rest take half a second at most while a device is armed. While the scene is touched,
  *   they are given up within 0.2 s of a motion of the pointer, if its position is known; VTK asks
  *   no more often.
@@ -55,7 +55,10 @@ public:
   HapticVolumeFrames(const HapticVolumeFrames&) = delete;
   HapticVolumeFrames& operator=(const HapticVolumeFrames&) = delete;
 
-  /** Restores the own mode of the last view's volumes. nullptr for none. */
+  /**
+   * Restores the own mode of the last view's volumes, and adjusts those of another view. nullptr
+   * for none.
+   */
   void SetView(vtkSMRenderViewProxy* view);
   /** Leaves the volumes as they are: nothing may be sent to a lost server. */
   void Forget() { this->Volumes.clear(); }

@@ -56,7 +56,7 @@ private:
 constexpr double RadiusPart = 0.006;
 constexpr double NewtonPart = 0.05;
 
-/// The largest of 1, 2 or 5 times a power of ten that is not above a length.
+/// Returns the largest of 1, 2 or 5 times a power of ten that is not above a length.
 double RoundLength(double length)
 {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -251,7 +251,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Disarm first, because the hand is no longer shown after this.
+  // Disarms first, because the hand is no longer shown after this.
   d.Device->Disarm();
   for (auto& [object, tag] : d.Observers)
   {
@@ -328,7 +328,7 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // A user who pressed a button has no pointer in the view yet: begin in its middle.
+  // A user who pressed a button has no pointer in the view yet, so the touch begins in its middle.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

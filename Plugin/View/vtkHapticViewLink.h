@@ -39,19 +39,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * False, with an error that names the cure, if the view has no interactor (as in pvbatch), or
-   * already has a device. Detaches from another view first.
+   * Attaches. False, with an error that names the cure, if the view has no interactor (as in
+   * pvbatch), or already has a device. Detaches from another view first.
    */
   bool Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device);
-  /** Detaches; does nothing if nothing is attached. */
+  /** Detaches from the view, if attached. */
   void Detach();
   bool IsAttached() const;
 
-  /** Why the link has ended by itself; empty while attached, and after Detach(). */
+  /** Returns why the link has ended by itself; empty while attached, and after Detach(). */
   std::string GetReason() const;
 
   ///@{
-  /** Null unless attached. */
+  /** Return the attached view, device and style; null unless attached. */
   vtkSMRenderViewProxy* GetView() const;
   vtkSMHapticDeviceProxy* GetDeviceProxy() const;
   vtkInteractorStyleHaptic* GetStyle() const;
@@ -68,7 +68,7 @@ public:
   ///@}
 
   /**
-   * The keys of the view: lines of an action, a tabulator, and its keys in the format of
+   * Returns the keys of the view: lines of an action, a tabulator, and its keys in the format of
    * vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
    */
   std::string GetKeys() const;

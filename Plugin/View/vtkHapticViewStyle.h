@@ -64,10 +64,10 @@ public:
   ///@}
 
   /**
-   * Sets a function that returns the pointer's position on the screen, in pixels, in a program
-   * whose mouse events wait in a queue that is not VTK's: it is asked during fine frames, and a
-   * motion gives the frame up. The dock window sets Qt's. Null: such frames are drawn to their end.
-   * Default null.
+   * Sets a function that returns the pointer's position on the screen, in pixels. It is called
+   * while a fine picture is drawn, and the picture is given up if the pointer has moved: for a
+   * program whose mouse events wait in a queue that is not VTK's. The dock window passes Qt's
+   * position. Null (default): pictures are always completed.
    */
   static void SetPointerQuery(void (*query)(int position[2]));
 

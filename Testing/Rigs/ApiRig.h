@@ -60,7 +60,7 @@ std::vector<Point> Line(const Point& a, const Point& b, int steps);
 /// Makes a function constant: removes all points and adds one.
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/// An entry of an output's point array; fails the test if there is no such array.
+/// Returns an entry of an output's point array; fails the test if there is no such array.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
 /// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are equal to the

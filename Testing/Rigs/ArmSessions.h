@@ -5,9 +5,10 @@
  * Random sessions of an arm, a device and a volume in closed loop through the safety stage: honest
  * ones, and loops that are unstable.
  *
- * It shares nothing with PortSessions.h, on which the bounds of the observers were chosen. The arm
- * is a second mass, led by muscles along a path, that holds the device's mass by a soft grip; the
- * device has viscous friction and friction with a Stribeck curve, so that it sticks and slips:
+ * These sessions share nothing with PortSessions.h, on which the bounds of the observers were
+ * chosen. The arm is a second mass, led by muscles along a path, that holds the device's mass by a
+ * soft grip; the device has viscous friction and friction with a Stribeck curve, so that it sticks
+ * and slips:
  *
  *   m x''  = F - b x' - f(x') + c (y' - x') + g (y - x),
  *   M y''  = -c (y' - x') - g (y - x) + C (p' - y') + K (p - y),
@@ -251,7 +252,7 @@ private:
   using State = std::array<Vector3, 4>; ///< device, its velocity, arm, its velocity
 
   static constexpr double Pi = 3.14159265358979323846;
-  /** Of the stiffness, so that no direction is stiffer. */
+  /** A fraction of the stiffness, so that no direction is stiffer. */
   static constexpr double RippleFraction = 0.4;
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
 
@@ -268,7 +269,7 @@ private:
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
-    // A hand does not accelerate faster than this.
+    // No hand accelerates faster than this.
     const double most = 10.0 / (beat * beat);
     // Starts from rest.
     const double begun = std::clamp((time - 0.1) / 0.5, 0.0, 1.0);
@@ -347,7 +348,7 @@ private:
         return {};
       case Matter::Layers:
       {
-        // Layers of 4 mm, with a slope of k at most.
+        // Layers of 4 mm, with a slope of at most k.
         const double turn = 2.0 * Pi / 4e-3;
         return { 0.0, 0.0, k / turn * (1.0 + std::sin(turn * tip.Z)) };
       }

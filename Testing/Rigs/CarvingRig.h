@@ -61,15 +61,15 @@ inline std::vector<std::uint8_t> CopyTissue(const CarvedBricks& bricks, const st
   return fractions;
 }
 
-/// The share at which a sample of a solid value reaches the level: r = (V_c - V_air)/(V - V_air),
-/// between half a 255th and one minus that.
+/// Returns the fraction at which a sample of a solid value reaches the level: r = (V_c - V_air)/(V
+/// - V_air), between half a 255th and one minus that.
 inline double EdgeOf(double value, double level, double air)
 {
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// The fraction of a voxel's volume that the fraction rho leaves: it falls from 1 at r + 1/12 to 0
-/// at r - 1/12, or at 1 and 0 if those are nearer.
+/// Returns the part of a voxel's volume that the fraction rho leaves: it falls from 1 at r + 1/12
+/// to 0 at r - 1/12, or at 1 and 0 if these are nearer.
 inline double LeftOf(double rho, double edge)
 {
   const double low = std::max(edge - 1.0 / 12.0, 0.0);

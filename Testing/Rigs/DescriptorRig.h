@@ -28,7 +28,7 @@ inline HidReportDescriptor Parsed(const Bytes& bytes)
   return descriptor;
 }
 
-/** The error of a bad descriptor. */
+/** Returns the error of a bad descriptor. */
 inline std::string ErrorOf(const Bytes& bytes)
 {
   HidReportDescriptor descriptor;

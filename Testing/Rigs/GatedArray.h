@@ -13,7 +13,7 @@
 
 namespace devicetest
 {
-/// An array whose values other threads than its maker's get only while it is open.
+/// An array whose values other threads than the one that made it get only while it is open.
 class GatedArray : public vtkShortArray
 {
 public:

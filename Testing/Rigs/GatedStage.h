@@ -14,7 +14,7 @@ namespace rigs
 class GatedStage
 {
 public:
-  /// Arms anew, even while force flows.
+  /// Arms again, even while force flows.
   void Arm()
   {
     this->Gate.Arm(false);

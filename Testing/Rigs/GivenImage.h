@@ -16,8 +16,9 @@ namespace apitest
 {
 
 /**
- * Gives the image that it gets, with its time steps. Behind a source whose frames are felt without
- * a copy, it acts like a reader of files: its steps are copied one by one when time reaches them.
+ * Gives the image that it gets, with its time steps. Behind a source whose time steps are felt
+ * without a copy, it acts like a reader of files: its steps are copied one by one when time reaches
+ * them.
  */
 class GivenImage : public vtkImageAlgorithm
 {

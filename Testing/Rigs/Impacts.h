@@ -89,9 +89,9 @@ struct Loop
       body.Move(onTheWay.front(), this->Tick);
       onTheWay.pop_front();
     }
-    return std::numeric_limits<double>::infinity(); // never free again
+    return std::numeric_limits<double>::infinity(); // the body never gets free again
   }
-  /// Flies without a slew limit, and without a clamp if `most` (N) is more than any force.
+  /// Flies without a slew limit; also without a clamp if `most` (N) is more than any force.
   double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;

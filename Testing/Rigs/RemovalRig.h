@@ -90,8 +90,8 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   return isRead;
 }
 
-/// A copy of an image with the hole in a component. Each sample has the mean of a cube of shares,
-/// of a volume that begins at `first` and is `step` times as fine.
+/// A copy of an image with the hole in a component. Each sample has the mean of a cube of
+/// fractions, of a volume that begins at `first` and is `step` times as fine.
 inline vtkSmartPointer<vtkImageData> MakeLeft(
   vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
 {

@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline const std::string Root = VolumeHaptics_SOURCE_DIR;
 
-/// The letters of a text; equal for "Local surface", LOCAL_SURFACE and LocalSurface.
+/// Returns the letters of a text; equal for "Local surface", LOCAL_SURFACE and LocalSurface.
 inline std::string Letters(const std::string& text)
 {
   std::string letters;
@@ -44,7 +44,7 @@ inline bool BeginsWith(const std::string& text, const std::string& beginning)
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-/// The path of a public header, in the room of its parts.
+/// Returns the path of a public header, in the room of its parts.
 inline std::filesystem::path PublicHeader(const std::string& header)
 {
   for (const std::filesystem::directory_entry& entry :
@@ -58,7 +58,7 @@ inline std::filesystem::path PublicHeader(const std::string& header)
   return {};
 }
 
-/// The comment before the setter of a setting.
+/// Returns the comment before the setter of a setting.
 inline std::string HeaderComment(const std::string& header, const std::string& name)
 {
   std::ifstream file(PublicHeader(header));

@@ -26,7 +26,7 @@ namespace
 
 constexpr double Strength = 1000.0;    // N, much more than any device has
 constexpr double MediumSpacing = 40.0; // mm
-constexpr int MediumSteps = 6;         // beyond every device's workspace
+constexpr int MediumSteps = 6;         // reaches farther than every device's workspace
 
 /**
  * Makes the filter a medium in which the proxy never moves: a spring of this stiffness (N/m) in all

@@ -23,13 +23,13 @@ class vtkVolumeHapticsFilter;
 namespace
 {
 
-/// Newtons on the hand, at most.
+/// The largest force on the hand, in newtons.
 constexpr double GentleForce = 1.0;
 
 constexpr double Stiffness = 200.0;       // N/m: the whole force after 5 mm
 constexpr double SurfaceStrength = 100.0; // N, much more than the hand gets: it never falls through
 constexpr double WallSpacing = 4.0;       // mm
-constexpr int WallSteps = 50;             // beyond every device's workspace
+constexpr int WallSteps = 50;             // reaches farther than every device's workspace
 
 /**
  * Makes the filter a wall across an axis (0 to 2): free on the positive side of the device's

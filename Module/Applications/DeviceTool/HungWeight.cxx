@@ -18,8 +18,8 @@ constexpr double SaturatedFraction = 0.97;
 constexpr double MostSaturation = 1.0;
 /// A released handle comes to rest within this time (s).
 constexpr double SettleTime = 20.0;
-/// A weight is noticed if it changes the force by this fraction of the largest and this multiple of
-/// the friction: without a weight, the friction may hold in either direction.
+/// A weight is noticed if it changes the force by more than this fraction of the largest force and
+/// this multiple of the friction, which may hold in either direction without a weight.
 constexpr double NoticedFraction = 0.01;
 constexpr double NoticedFriction = 1.2;
 /// Without friction, the weight has to change the force by this fraction of the largest.

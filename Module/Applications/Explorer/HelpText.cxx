@@ -10,7 +10,7 @@
 
 namespace
 {
-/// ", first, second" for names, with or without quotes.
+/// Returns ", first, second" for names, with or without quotes.
 std::string List(vtkStringArray* names, const std::string& quote)
 {
   std::string list;

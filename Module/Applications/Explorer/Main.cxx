@@ -40,8 +40,8 @@ enum ExitCode
   NO_DISPLAY = 3
 };
 
-/// Tests whether a window opens and draws. Otherwise VTK crashes, for example on an X server
-/// without GLX.
+/// Tests whether a window opens and draws. Without this test, VTK would crash, for example on an X
+/// server without GLX.
 int CheckDisplay()
 {
   vtkNew<vtkRenderWindow> window;
@@ -95,7 +95,7 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-/// A window that shows the progress until the scene is there. Null if no scene follows.
+/// Opens a window that shows the progress until the scene is there. Null if no scene follows.
 vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 {
   if (options.Pictures || options.Live || !Explore::HasDisplay())
@@ -289,7 +289,7 @@ int RunAll(Explore::Options options)
   int code = Run(options, next);
   while (!next.Path.empty())
   {
-    // Done once, with the first volume.
+    // Shown only once, with the first volume.
     options.Notice.clear();
     options.BringBack = false;
     options.Script.clear();
@@ -297,7 +297,7 @@ int RunAll(Explore::Options options)
     options.Replay.clear();
     const Explore::Options before = options;
     options.Measurements.clear();
-    // Options given for the first volume do not apply to another one.
+    // Options that were given for the first volume do not apply to another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;

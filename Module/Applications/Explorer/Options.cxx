@@ -61,7 +61,7 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// All methods, each mapped to itself.
+/// Returns all methods, each mapped to itself.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
@@ -78,7 +78,7 @@ double ParseNumber(const std::string& text)
   return VolumeHaptics::ParseNumber(text).value_or(std::nan(""));
 }
 
-/// Newtons along a stick's axes: "2.5" for both, or "2.5,0".
+/// Parses newtons along a stick's axes: "2.5" for both, or "2.5,0".
 std::array<double, 2> ParseNewtons(const std::string& text)
 {
   const std::size_t comma = text.find(',');
@@ -146,7 +146,7 @@ void CheckMovieFile(const std::string& name)
   }
 }
 
-/// To a file, or with an empty name to the loudspeakers.
+/// Sends the sound to a file, or with an empty name to the loudspeakers.
 void SetSound(Options& options, const std::string& file)
 {
   if (!file.empty())

@@ -21,28 +21,28 @@ struct Options
   bool Json = false;         // of Inspect: for programs
   bool Large = false;        // read it around the hand only, whatever its size
   std::string VolumePath;
-  int Series = 0;                     // of a DICOM folder; 0: the largest
+  int Series = 0;                     // number of the series in a DICOM folder; 0: the largest
   std::string Array;                  // the array to show and feel
   std::vector<std::string> MorePaths; // further time steps of a volume that moves
   std::string Displacements;          // array with the motion of its material
-  bool AsLabels = false;              // its values are labels
-  std::string Notice;                 // the window's, at the beginning
+  bool AsLabels = false;              // whether the values of the volume are labels
+  std::string Notice;                 // notice of the window at the beginning
   bool BringBack = false;             // restore work that was not saved in the last window
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for the labels
   std::string Folder = "explore-pictures";
-  bool Pictures = false;       // even if there is a display
+  bool Pictures = false;       // write pictures even if there is a display
   DeviceChoice Device;         // the window's
   std::string Setup;           // file of the window's functions, settings and camera
   std::string Measurements;    // file of what is measured in the window
-  std::string Script;          // the window's demonstration
-  std::string Movie;           // of the window, from its beginning to its end
+  std::string Script;          // file of the window's demonstration
+  std::string Movie;           // movie of the window, from its beginning to its end
   std::string Replay;          // a recording to show in the window
   std::string Stereo;          // the window's
   bool Slices = false;         // in the window
   CutKind Cut = CutKind::None; // in the window
   bool Sound = false;          // in the window
-  std::string Tool;            // in the window: "needle", "burr", a file, or empty for a point
+  std::string Tool;            // tool in the window: "needle", "burr", a file, or empty for a point
   std::string SoundFile;       // for the sound along the path
   std::string WrittenVolume;   // file for the volume alone, if it is only converted
   Settings How;

@@ -4,9 +4,9 @@
  * @file
  * The remaining fraction of the tissue at each sample of a volume.
  *
- * Shares are bytes, 255 for all of it. They need memory only where tissue was removed: in bricks of
- * 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size locates them, so
- * that nothing grows with the volume.
+ * Fractions are bytes; 255 is all of the tissue. They need memory only where tissue was removed: in
+ * bricks of 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size locates
+ * them, so that nothing grows with the volume.
  *
  * One thread writes, without a lock or an allocation. Any other thread may read at any time; the
  * parts of a brick that it reads may be of different moments. A few threads may follow the changes:
@@ -47,7 +47,7 @@ public:
   /** A brick's place has 21 bits along each axis. */
   static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
 
-  /** Allocates all of its memory, and writes to it once. */
+  /** Allocates all of its memory, and touches it once. */
   explicit CarvedBricks(std::uint32_t most = DefaultMost);
   CarvedBricks(const CarvedBricks&) = delete;
   CarvedBricks& operator=(const CarvedBricks&) = delete;
@@ -65,11 +65,11 @@ public:
   }
 
   ///@{
-  /** From any thread. */
+  /** These may be called from any thread. */
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
-  /** Whether all tissue remains; visits all bricks if it does. */
+  /** Whether all tissue remains. Visits all bricks if it does. */
   bool IsWhole() const noexcept;
   /** Whether all tissue of one brick remains. */
   bool IsWhole(std::uint32_t brick) const noexcept;
@@ -95,20 +95,22 @@ public:
   {
     return this->Fractions[RowAt(brick, row)].load(std::memory_order_relaxed);
   }
-  /** The share at a sample, whose index is not negative. */
+  /** The remaining fraction at a sample, whose index is not negative. */
   std::uint8_t GetFraction(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
   /** Whether any sample in a box of indices, both ends included, is in a brick. */
   bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
   ///@}
 
   ///@{
-  /** Called by the writer. A new brick has all of its tissue; None if there is no room for it. */
+  /**
+   * Called by the writer: adds a brick, with all of its tissue; None if there is no room for it.
+   */
   std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
   void SetRow(std::uint32_t brick, int row, std::uint64_t fractions) noexcept
   {
     this->Fractions[RowAt(brick, row)].store(fractions, std::memory_order_relaxed);
   }
-  /** Call it after setting rows of a brick. */
+  /** Reports that rows of a brick were set. */
   void MarkChanged(std::uint32_t brick) noexcept
   {
     this->Changed[brick / BricksOfWord].fetch_or(
@@ -120,8 +122,8 @@ public:
 
   ///@{
   /**
-   * From any thread: the number of a new follower, for which all bricks count as changed; -1 if
-   * this would leave fewer than keptFree places for followers.
+   * From any thread: registers a follower, for which all bricks count as changed, and returns its
+   * number; -1 if fewer than keptFree places for followers would remain.
    */
   int AddFollower(int keptFree = 0) noexcept;
   void RemoveFollower(int follower) noexcept
@@ -137,7 +139,7 @@ public:
   template <typename F>
   void DrainChanged(int follower, F&& f)
   {
-    constexpr std::uint64_t first = 0x0101010101010101; // a follower's bits
+    constexpr std::uint64_t first = 0x0101010101010101; // the bits of one follower
     const std::uint64_t mine = first << follower;
     const std::uint32_t count = this->GetCount();
     for (std::uint32_t word = 0; BricksOfWord * word < count; ++word)

@@ -86,7 +86,7 @@ void RemovalJournal::End() noexcept
   Stroke& stroke = this->At(this->Last);
   if (this->IsTooLarge)
   {
-    // The strokes before it are gone, too.
+    // This stroke is lost, and so are the strokes before it.
     this->Head = stroke.Begin;
     return;
   }

@@ -35,7 +35,8 @@ public:
 
   ///@{
   /**
-   * Begins a stroke: before each change of a brick, the brick is stored. Not while work is pending.
+   * Begins a stroke: from now on each brick is stored before it first changes. Not while work is
+   * pending.
    */
   void Begin() noexcept;
   bool IsOpen() const noexcept { return this->HasOpen; }
@@ -43,12 +44,17 @@ public:
   /** Adds a removed volume (mm^3), to the open stroke if there is one. */
   void Count(double volume) noexcept;
   void End() noexcept;
-  /** Ends an open stroke; no stroke so far can be undone or redone. Not while work is pending. */
+  /**
+   * Ends an open stroke. No stroke so far can then be undone or redone. Not while work is pending.
+   */
   void Forget() noexcept;
   ///@}
 
   ///@{
-  /** Each ends an open stroke; false if there is nothing to do, or if work is pending. */
+  /**
+   * Begins to undo, redo or restore; each ends an open stroke, and returns false if there is
+   * nothing to do or if work is pending.
+   */
   bool StartUndo() noexcept;
   bool StartRedo() noexcept;
   /** Restores all tissue, with nothing to undo afterwards. */
@@ -59,7 +65,9 @@ public:
   void Continue(std::size_t bricks) noexcept;
 
   ///@{
-  /** From any thread: the number of strokes that can be undone, with an open one, and redone. */
+  /**
+   * From any thread: the number of strokes that can be undone, including an open one, and redone.
+   */
   std::size_t GetUndoable() const noexcept { return this->Undoable.load(); }
   std::size_t GetRedoable() const noexcept { return this->Redoable.load(); }
   ///@}
@@ -100,7 +108,7 @@ private:
   std::vector<Entry> Entries;
   std::vector<Stroke> Strokes;
   std::vector<std::uint32_t> Stamps; ///< per brick: the last stroke that stored it
-  std::uint32_t Stamp = 0;           ///< the open stroke's
+  std::uint32_t Stamp = 0;           ///< of the open stroke
   std::uint64_t Head = 0;            ///< the number of the next entry
   ///@{
   /** Strokes from First on can be undone, those from Applied on redone, up to Last. */

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shares as a plain image, a byte for each sample, x first: to save, load and show removed tissue.
+ * The remaining fractions as a plain image, a byte for each sample, x first: to save, load and show
+ * removed tissue.
  */
 #ifndef TissueImage_h
 #define TissueImage_h
@@ -27,15 +28,15 @@ struct TissueBox
 void WriteTissue(const CarvedBricks& bricks, const TissueBox& box, std::uint8_t* to) noexcept;
 
 /**
- * Writes the fractions of one brick to the image of a box; other bricks stay as they are. For a
- * reader that follows changes. A brick outside the box changes nothing.
+ * Writes the fractions of one brick to the image of a box, for a reader that follows changes. A
+ * brick outside the box changes nothing.
  */
 void WriteBrick(
   const CarvedBricks& bricks, std::uint32_t brick, const TissueBox& box, std::uint8_t* to) noexcept;
 
 /**
- * Called by the writer: sets all shares from an image; tissue comes back where the image has all of
- * it. False, without a change, if there are not enough bricks, or indices are below 0.
+ * Called by the writer: sets all fractions from an image; tissue comes back where the image has all
+ * of it. False, without a change, if there are not enough bricks, or indices are below 0.
  */
 bool ReadTissue(CarvedBricks& bricks, const TissueBox& box, const std::uint8_t* from) noexcept;
 

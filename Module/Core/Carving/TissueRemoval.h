@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The tissue that a tool has removed from a volume. Apart from its own state, a tick writes only
- * this.
+ * @file The tissue that a tool has removed from a volume. A tick writes to nothing else but its own
+ * state.
  */
 #ifndef TissueRemoval_h
 #define TissueRemoval_h
@@ -30,8 +29,8 @@ enum class RemovalRequest : std::uint8_t
 };
 
 /**
- * Shares, their journal, and the undo and redo requests of another thread, which the thread that
- * ticks carries out piece by piece.
+ * The remaining fractions, their journal, and the undo and redo requests of another thread, which
+ * the thread that ticks carries out piece by piece.
  */
 class TissueRemoval
 {
@@ -45,7 +44,7 @@ public:
   TissueRemoval(const TissueRemoval&) = delete;
   TissueRemoval& operator=(const TissueRemoval&) = delete;
 
-  /** Called by one thread. False if too many requests wait. */
+  /** Queues a request. Called by one thread. False if too many requests wait. */
   bool Request(RemovalRequest request) noexcept;
   /** From any thread: requests that wait or are carried out. */
   std::size_t GetPending() const noexcept
@@ -72,16 +71,16 @@ public:
 
   ///@{
   /**
-   * A copy of all shares at one tick. One other thread at a time begins it, which allocates; then
-   * the thread that ticks completes it with TakeSnapshot, at the beginning of a tick and before
-   * Serve. TakeSnapshot returns false if it can't complete a copy now: none was begun, or a request
-   * is being carried out, or so much has changed that the copy has to be begun again
+   * Copies all fractions at one tick. One other thread at a time begins the copy, which allocates;
+   * then the thread that ticks completes it with TakeSnapshot, at the beginning of a tick and
+   * before Serve. TakeSnapshot returns false if it can't complete a copy now: none was begun, or a
+   * request is being carried out, or so much has changed that the copy has to be begun again
    * (IsSnapshotLate). From then on, earlier strokes can no longer be undone or redone.
    */
   void BeginSnapshot() { this->Snapshot = std::make_unique<TissueSnapshot>(this->Bricks); }
   bool TakeSnapshot() noexcept;
   bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
-  /** Ends it and returns the copy; empty if it was not completed. */
+  /** Ends the copying and returns the copy; empty if it was not completed. */
   std::vector<BrickTissue> EndSnapshot();
   ///@}
 
@@ -90,7 +89,7 @@ public:
 
 private:
   static constexpr std::size_t MostRequests = 64;
-  /** Bricks that a tick exchanges: 16 KiB. */
+  /** The number of bricks that a tick exchanges: 16 KiB. */
   static constexpr std::size_t BricksPerTick = 32;
 
   std::atomic<RemovalRequest> Requests[MostRequests] = {};

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A copy of all shares at one tick; the thread that ticks copies only the last changes.
+ * A copy of all remaining fractions at one tick; the thread that ticks copies only the last
+ * changes.
  */
 #ifndef TissueSnapshot_h
 #define TissueSnapshot_h
@@ -25,9 +26,12 @@ struct BrickTissue
   std::array<std::uint64_t, CarvedBricks::Rows> Rows;
 };
 
-/** The bricks that are not whole. From any thread, but from different moments if they change. */
+/**
+ * Returns the bricks that are not whole. From any thread; if bricks change meanwhile, the copies
+ * are from different moments.
+ */
 std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
-/** Called by the writer: returns false if there is no room for all of them. */
+/** Called by the writer: stores bricks; false if there is no room for all of them. */
 bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept;
 
 class TissueSnapshot
@@ -47,11 +51,11 @@ public:
    * they are too many, or if the snapshot is complete already.
    */
   bool Complete() noexcept;
-  /** From any thread: whether too many had changed. */
+  /** From any thread: whether too many bricks had changed. */
   bool IsLate() const noexcept { return this->State.load(std::memory_order_acquire) == Late; }
   /**
-   * All bricks, in their order, including whole ones, since they take up room, too. Empty if the
-   * snapshot is not complete.
+   * Returns all bricks, in their order, including whole ones, since these take up room, too. Empty
+   * if the snapshot is not complete.
    */
   std::vector<BrickTissue> Collect() const;
 

@@ -101,7 +101,7 @@ CarvedBox ComputeBox(
     const auto least = static_cast<double>(first);
     const auto most = static_cast<double>(last);
     const double inside = position[a] > least ? std::min(position[a], most) : least;
-    // At the last sample, a kernel may take the cell before it.
+    // At the last sample, a kernel may use the cell before it.
     const std::int64_t cell =
       std::max(std::min(static_cast<std::int64_t>(inside), last - 1), first);
     box.Low[a] = std::max(cell - before, first);
@@ -130,7 +130,7 @@ bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedB
   {
     elements += box.Low[a] * copy.Stride[a];
   }
-  // Computed as a number, since no memory may be there.
+  // The address is computed as a number, because no memory may be there.
   copy.Data = reinterpret_cast<const void*>(
     reinterpret_cast<std::uintptr_t>(to) - static_cast<std::uintptr_t>(elements) * sizeof(double));
   return true;

@@ -20,17 +20,18 @@ namespace VolumeHaptics
 {
 
 /**
- * Shares, and the value of a sample without tissue. Borrows the bricks; null if nothing is removed.
+ * The remaining fractions, and the value of a sample without tissue. Borrows the bricks; null if
+ * nothing is removed.
  */
 struct CarvedView
 {
   const CarvedBricks* Bricks = nullptr;
   double Air = 0.0;
 
-  /** Whether any tissue of any sample was removed. */
+  /** Whether any tissue was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
   /**
-   * The remaining value; to the bit the value itself if all of its tissue remains.
+   * The remaining value; equals the value, to the bit, if all of its tissue remains.
    * @param fraction 0 to CarvedBricks::Whole, or a mean of such fractions
    */
   double Left(double value, double fraction) const noexcept
@@ -53,8 +54,8 @@ struct CarvedBox
 };
 
 /**
- * All samples from `before` a position's cell to `behind` the sample after it, as far as they are
- * resident. The position is clamped to them.
+ * The box of the samples from `before` a position's cell to `behind` the sample after it, as far as
+ * they are resident. The position is clamped to the resident samples.
  */
 CarvedBox ComputeBox(
   const VolumeView& view, const double* position, int before, int behind) noexcept;

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int MostNewtonSteps = 3;
-/** Voxels; a step as short as this is the last one. */
+/** A step as short as this (voxels) is the last one. */
 constexpr double ShortNewtonStep = 0.01;
 /**
  * Below this determinant of the map from the first time step, the displacements fold the volume.
@@ -97,7 +97,7 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
-  // In terms of the motion: where there is none, this is the index itself, to the bit.
+  // Computed from the motion, so that without motion this is the index itself, to the bit.
   place.First = index - fraction * motion;
   place.Second = index + (1.0 - fraction) * motion;
   return place;

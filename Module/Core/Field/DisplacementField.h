@@ -10,16 +10,16 @@
  *   x = X + share u(X)
  *
  * in between. Given x, X is found by Newton's method from X = x, with u and its derivatives at X:
- * so u is read at the material's place in the first time step, not at x. After a step of e voxels,
- * X is off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most,
+ * so u is read where the material was in the first time step, not at x. After a step of e voxels, X
+ * is off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most,
  * and a step of 0.01 voxel is the last one. The remaining error is zero where u is linear (a rigid
  * motion, or an even stretch), and 2e-6 voxel for a breath that moves by 5 voxels a time step and
  * comes and goes over 100. Where the displacements fold the volume, u is read at x.
  *
  * Between the points, u is the smoothing cubic B-spline of VectorSampler, since its derivatives
- * must be continuous: normals turn with them. It reproduces linear displacements, and rounds others
- * off by h^2/6 of their second derivatives, h being the distance of the points. Where displacements
- * are not finite, they count as 0.
+ * must be continuous: normals turn with them. It reproduces linear displacements exactly, and
+ * smooths others by h^2/6 of their second derivatives, h being the distance of the points. Where
+ * displacements are not finite, they count as 0.
  */
 #ifndef DisplacementField_h
 #define DisplacementField_h
@@ -39,7 +39,10 @@ struct DisplacementView
   ScalarType Type = ScalarType::Float64;
 };
 
-/** The material of the first time step, the second one, and an instant in between, at one place. */
+/**
+ * One piece of material: where it is in the first time step, in the second one, and at an instant
+ * between them.
+ */
 struct MaterialPlace
 {
   Vector3 First;  ///< X, an index

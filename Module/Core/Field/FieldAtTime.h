@@ -10,9 +10,8 @@
  *
  *   V(x) = V_a(X) + share (V_b(X + u(X)) - V_a(X)),   X + share u(X) = x.
  *
- * Where both time steps have the same samples, the values are those of either
- * time step, to the bit, unless the material goes elsewhere. A volume that does not move has one
- * time step.
+ * Where both time steps have the same samples, the blend equals either time step, to the bit,
+ * unless the material moves elsewhere. A volume that does not move has one time step.
  */
 #ifndef FieldAtTime_h
 #define FieldAtTime_h
@@ -59,7 +58,7 @@ public:
   {
   }
 
-  // As in FieldSampler.
+  // See FieldSampler.
   double Value(const Vector3& index) const noexcept
   {
     if (this->FollowsMaterial())
@@ -103,7 +102,7 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
-  /** Whether each time step is read at its own place. */
+  /** Whether each time step is read at a position of its own. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   FieldSampler::OtherTimeStep GetOther() const noexcept

@@ -96,13 +96,13 @@ bool FieldSampler::ReadCarved(const Vector3& index, FieldSample& sample) const n
 {
   const double position[3] = { index.X, index.Y, index.Z };
   const int reach = this->View.Kernel.Radius;
-  // A read at a distance may be rounded up into the next cell.
+  // The position may be rounded up into the next cell.
   const CarvedBox box = ComputeBox(this->Given, position, reach, reach + 1);
   if (!this->Carved.Bricks->HasBricks(box.Low, box.High))
   {
     return false;
   }
-  // A large copy needs much of the stack: only wide kernels use it.
+  // A large copy needs much of the stack, so only wide kernels use it.
   constexpr int fewest = 9;
   const auto read = 2 * reach + 3 <= fewest ? GradientOfCopy<fewest>
                                             : GradientOfCopy<GradientKernel::MaximumTaps + 1>;

@@ -27,8 +27,8 @@ namespace VolumeHaptics
 struct FieldSample
 {
   /**
-   * The estimator's own (smoothed) value. The gradient is its derivative with CubicBSpline and
-   * GaussianWeights::OwnDerivative; else the value is only a measure of scale.
+   * The estimator's own (smoothed) value. With CubicBSpline and GaussianWeights::OwnDerivative, the
+   * gradient is its derivative; otherwise this value is only a measure of scale.
    */
   double Value = 0.0;
   /** Per step of the index, along the index axes. */
@@ -38,15 +38,15 @@ struct FieldSample
 /** The samples and the weights of a kernel; borrows both. */
 struct FieldView
 {
-  /** Its pointer Data is that of the volume's first sample, even if only a region is resident. */
+  /** Data points to the volume's first sample, even if only a region is resident. */
   VolumeView Volume;
   KernelView Kernel;
   double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis
-  double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest one
+  double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest resident index along each axis
   std::uint64_t Number = 0;            ///< unique among all fields
 };
 
-/** Values on both sides of a position: a tick always needs both. */
+/** The values on both sides of a position; a tick always needs both. */
 struct ValuePair
 {
   double Ahead;
@@ -61,7 +61,7 @@ struct TimeStepBlend
   double Fraction;
 };
 
-/** Values of a blend at two shares. */
+/** The values of a blend at two fractions. */
 struct FractionPair
 {
   double First = std::numeric_limits<double>::quiet_NaN();
@@ -84,7 +84,7 @@ using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** As above, for a blend of two time steps with the same geometry, type and kernel. */
+/** The same for a blend of two time steps with the same geometry, type and kernel. */
 using BlendedValueFunction = double (*)(
   const TimeStepBlend&, double x, double y, double z) noexcept;
 using SharedValuesFunction = FractionPair (*)(
@@ -95,7 +95,7 @@ using BlendedGradientFunction = FieldSample (*)(
   const TimeStepBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 ///@{
-/** As the functions above, for values of a blend, from a memory of both time steps. */
+/** The same for values of a blend, from a memory of both time steps. */
 using TapValueFunction = double (*)(
   const TimeStepTaps&, const FieldView&, double fraction, double x, double y, double z) noexcept;
 using SharedTapValuesFunction = FractionPair (*)(const TimeStepTaps&, const FieldView&,
@@ -107,8 +107,8 @@ using TapPairFunction = ValuePair (*)(const TimeStepTaps&, const FieldView&, dou
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
 /**
- * The gradient from the memory's taps, which are read anew if necessary; false if it can't be
- * computed in this way.
+ * Computes the gradient from the memory's taps, which are read again if necessary; false if it
+ * can't be computed in this way.
  */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
@@ -120,7 +120,7 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  SharedValuesFunction SharedValues = nullptr; ///< at the blend's share, and at another one
+  SharedValuesFunction SharedValues = nullptr; ///< at the blend's fraction, and at another one
   BlendedPairFunction BlendedPair = nullptr;
   /** Null for kernels of many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
@@ -148,7 +148,7 @@ InstructionSet DetectInstructionSet();
 
 /**
  * A volume and an estimator, ready to be sampled. Borrows the samples, the kernel's table, and the
- * fractions of removed tissue.
+ * remaining fractions of tissue.
  */
 class FieldSampler
 {
@@ -215,9 +215,9 @@ public:
 
   ///@{
   /**
-   * As above, with another time step of the volume, whose fraction is from 0 to 1. Blends samples
-   * before they are summed where possible, else sums. Reads values from `taps` if they are there:
-   * GetTaps() of a gradient's memory.
+   * Computes the same for a blend with another time step of the volume, whose fraction is from 0 to
+   * 1. Where possible, samples are blended before they are summed, else the sums are blended.
+   * Values come from `taps`, which is GetTaps() of a gradient's memory, if they are there.
    */
   double Value(const OtherTimeStep& other, const Vector3& index,
     const TimeStepTaps* taps = nullptr) const noexcept
@@ -295,8 +295,7 @@ public:
       Blend(first.Behind, second.Behind, other.Fraction) };
   }
   /**
-   * The samples of both time steps that a gradient has stored; null if they are of other time
-   * steps.
+   * The samples of both time steps that a gradient has stored; null if it stored other time steps.
    */
   const TimeStepTaps* GetTaps(const OtherTimeStep& other, const TickMemory& memory) const noexcept
   {
@@ -338,7 +337,7 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** The nearest index within that box; 0 along an axis that is NaN. */
+  /** The nearest index within the bounding box; 0 along an axis that is NaN. */
   Vector3 Nearest(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
@@ -391,9 +390,9 @@ private:
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
   }
 
-  /** The value where tissue may have been removed. */
+  /** Reads the value where tissue may have been removed. */
   double CarvedValue(const Vector3& index) const noexcept;
-  /** The gradient, if tissue was removed around the index. */
+  /** Computes the gradient if tissue was removed around the index. */
   bool ReadCarved(const Vector3& index, FieldSample& sample) const noexcept;
 
   FieldView View;
@@ -401,7 +400,7 @@ private:
   CarvedView Carved;
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
-  FieldFunctions OfCopies; ///< for doubles
+  FieldFunctions OfCopies; ///< functions for copies, which are doubles
   int ValueReach = 0;      ///< samples beyond a position's cell
 };
 

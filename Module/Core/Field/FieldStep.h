@@ -9,9 +9,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving volume at two instants between the same two time steps: as two FieldAtTime, to the bit,
- * but with less work, since both have the same samples, and the samples of the last gradient are
- * stored. Neither instant is that of a time step.
+ * A moving volume at two instants between the same two time steps. Gives the results of two
+ * FieldAtTime, to the bit, with less work: both instants read the same samples, and the samples of
+ * the last gradient are stored. Neither instant may be that of a time step.
  */
 class FieldStep
 {
@@ -32,7 +32,10 @@ public:
 
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
-  /** At the later instant. Call it first: it reads the samples for the other calls. */
+  /**
+   * Reads value and gradient at the later instant. Call it first: it reads the samples for the
+   * other calls.
+   */
   FieldSample Gradient(const Vector3& index) noexcept
   {
     const FieldSampler::OtherTimeStep now = this->GetNow();
@@ -51,7 +54,7 @@ public:
   }
 
   ///@{
-  /** At the later instant, as in FieldAtTime. */
+  /** The result of the same function of FieldAtTime, at the later instant. */
   double Value(const Vector3& index) const noexcept
   {
     return this->First.Value(this->GetNow(), index, this->Taps);

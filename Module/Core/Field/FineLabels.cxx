@@ -16,20 +16,20 @@ namespace
 {
 
 /**
- * If a slice lacks a label, the label counts as this many slices away, but at most Farthest, in
- * fine voxels.
+ * If a slice lacks a label, the label counts as this many slices away, but at most Farthest fine
+ * voxels.
  */
 constexpr double AwaySlices = 12.0;
 constexpr double Farthest = 120.0;
 /**
- * Fine voxels: nearer than this to another label in its slice, a pixel may have a fraction of it
- * above 0.
+ * A pixel nearer than this (fine voxels) to another label in its slice may have a fraction of that
+ * label above 0.
  */
 constexpr double ActiveWidth = 4.0;
 /** The number of slices that are processed at once. */
 constexpr std::int64_t ChunkSlices = 16;
 
-/** A cubic between two values, with limited slopes: it stays between them. */
+/** A cubic between two values, whose slopes are limited so that it stays between them. */
 struct Cubic
 {
   Cubic(float before, float from, float to, float after)
@@ -61,7 +61,7 @@ struct Cubic
 template <typename T>
 struct Place
 {
-  /** `rise` is the rise of the distance to the next layer. */
+  /** `rise` is by how much the distance grows from this layer to the next one. */
   void Add(T label, float distance, float rise)
   {
     if (distance > this->Best)
@@ -80,8 +80,8 @@ struct Place
   }
 
   /**
-   * The other label's share, in parts. The boundary is half the difference of the distances away,
-   * within the slice.
+   * The other label's fraction, in parts. The boundary is half the difference of the distances
+   * away, within the slice.
    */
   std::uint8_t ComputeFraction() const
   {
@@ -174,7 +174,7 @@ struct FineLabels::Pass
     return labels;
   }
 
-  /** The slices whose hash has changed since the last time; all if there is no last time. */
+  /** The slices whose hash has changed since the last time; all slices at the first time. */
   std::vector<char> CollectChanged(const std::vector<std::uint64_t>& last) const
   {
     std::vector<char> changed(static_cast<std::size_t>(this->Slices), 1);
@@ -228,12 +228,13 @@ struct FineLabels::Pass
   }
 
   /**
-   * Pixels whose label changes up to the next slice, or differs from a nearby pixel's in one of the
-   * two; `Piece` of a run is the number of those before it. `from` has the labels of the slice.
+   * Collects the pixels whose label changes up to the next slice, or differs from a nearby pixel's
+   * in one of the two slices; `Piece` of a run is the number of such pixels before it. `from` has
+   * the labels of the slice.
    */
   std::vector<PieceRun> FindActive(const std::vector<std::int64_t>& from, std::int64_t slice) const;
 
-  /** Computes the labels from a slice up to the next one, or of the last slice. */
+  /** Computes the labels from a slice up to the next one, or the labels of the last slice. */
   template <typename T>
   void FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice, const VolumeView& view,
     T* labels, std::uint8_t* fractions) const;
@@ -270,7 +271,7 @@ std::vector<PieceRun> FineLabels::Pass::FindActive(
         : 0;
     }
   }
-  // Widened along columns, then along rows.
+  // the box is widened along columns, then along rows
   std::int64_t reach[2];
   for (int a = 0; a < 2; ++a)
   {
@@ -294,7 +295,7 @@ std::vector<PieceRun> FineLabels::Pass::FindActive(
   {
     count(j + reach[1], 1);
     count(j - reach[1] - 1, -1);
-    std::int64_t end = 0; // of the row's last run
+    std::int64_t end = 0; // the end of the row's last run
     for (std::int64_t i = 0; i < width; ++i)
     {
       if (edges[static_cast<std::size_t>(i)] == 0)
@@ -342,7 +343,8 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
     : runs.back().Piece + static_cast<std::size_t>(runs.back().End - runs.back().Begin);
   const std::size_t count = static_cast<std::size_t>(layers) * area;
   std::vector<Place<T>> places(count);
-  std::vector<float> limits[4]; // for the distances in the four slices; empty if no piece ends
+  std::vector<float> limits[4]; // limits for the distances in the four slices; empty if no piece
+                                // ends
   for (int s = 1; s < 3 && layers > 1; ++s)
   {
     for (const LabelShape& shape : *around[s])
@@ -410,7 +412,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
           }
           if (std::min(limits[1][place], limits[2][place]) < HUGE_VALF)
           {
-            // The end of a piece is where a line is 0.
+            // Continue the line through the two distances: the piece ends where the line is 0.
             along[0] = 2.0F * along[1] - along[2];
             along[3] = 2.0F * along[2] - along[1];
           }
@@ -503,7 +505,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
   std::shared_ptr<FineLabels> fine(new FineLabels);
   fine->Spacing = spacing;
   fine->Steps = steps;
-  std::vector<std::byte> before; // the labels of the pass before
+  std::vector<std::byte> before; // the labels of the previous pass
   for (const int axis : FromCoarsest(spacing))
   {
     if (factors[axis] == 1)
@@ -600,7 +602,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
     }
     step[axis] /= factors[axis];
     image = found;
-    before = std::move(fine->Labels); // its memory does not move: the next pass reads it
+    before = std::move(fine->Labels); // the memory does not move: the next pass reads it
     image.Data = before.data();
   }
   fine->Labels = std::move(before);

@@ -48,8 +48,8 @@ public:
 
   using Body = std::function<void(std::int64_t)>;
   /**
-   * Calls a function with each number below a count, in any order, maybe at the same time; or with
-   * fewer, to end Make(), whose result is then of no use.
+   * Calls a function with each number below a count, in any order, perhaps in parallel. A loop that
+   * leaves out numbers ends Make(), whose result is then of no use.
    */
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
@@ -61,7 +61,7 @@ public:
    * Null if the spacings are similar, or if the image is too large or has too many labels: then
    * walls come from its own voxels. If `last` was made from an earlier state of the same image,
    * only changed slices are computed again.
-   * @param spacing of the image, above 0
+   * @param spacing the spacing of the image, above 0
    * @param mostVoxels MostVoxels; less in tests
    */
   static std::shared_ptr<const FineLabels> Make(const LabelView& view, const Vector3& spacing,
@@ -72,7 +72,7 @@ public:
   FineLabels& operator=(const FineLabels&) = delete;
 
   const LabelView& GetView() const noexcept { return this->View; }
-  /** Fine voxels in a voxel of the image, along each axis: the first samples of both coincide. */
+  /** The number of fine voxels in a voxel of the image, along each axis. First samples coincide. */
   const Vector3& GetSteps() const noexcept { return this->Steps; }
   /**
    * For each sample of GetView(), how much of it has another label, in Parts: the label of its
@@ -85,7 +85,7 @@ public:
     return sizeof(*this) + this->Labels.capacity() + this->Fractions.capacity() +
       this->Hashes.capacity() * sizeof(std::uint64_t);
   }
-  /** The slices that Make computed, and did not take over from the last one. */
+  /** The number of slices that Make computed, and did not take over from the last one. */
   std::int64_t GetSlicesFound() const noexcept { return this->SlicesFound; }
 
 private:
@@ -98,7 +98,7 @@ private:
   std::vector<std::byte> Labels;
   std::vector<std::uint8_t> Fractions;
   ///@{
-  /** Data of the image that Make() compares. */
+  /** The data of the image that Make() compares. */
   std::vector<std::uint64_t> Hashes; ///< one per slice; empty if more than one axis was refined
   Vector3 Spacing;
   ///@}

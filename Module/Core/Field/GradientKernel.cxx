@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** w of the taps, and the least-squares fit with it. */
+/** Computes w at the taps, and the least-squares fit with it. */
 void FitLine(int radius, double fraction, const std::function<double(double)>& window,
   double* smoothing, double* derivative, double& mean)
 {
@@ -60,7 +60,7 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
 namespace
 {
 
-/** Writes a_i in place of the smoothing weights; Differentiate writes the derivative's. */
+/** Replaces the smoothing weights by a_i; Differentiate then writes their derivative. */
 void ComputeFittedValueWeights(int radius, double s, double fraction, double* value, double* slope)
 {
   const double cut = radius + 1.0;
@@ -82,7 +82,7 @@ void ComputeFittedValueWeights(int radius, double s, double fraction, double* va
   }
 }
 
-/** The derivative's polynomials from those of the smoothing, along the fraction. */
+/** Computes the polynomials of the derivative from those of the smoothing, along the fraction. */
 void Differentiate(const GradientKernel& kernel, double* coefficients)
 {
   const int count = 2 * kernel.Taps;
@@ -98,8 +98,9 @@ void Differentiate(const GradientKernel& kernel, double* coefficients)
 }
 
 /**
- * Polynomials through the weights at equidistant fractions of an interval, by Newton's divided
- * differences. They are linear in the weights, as are the sums that make linear fields exact.
+ * Finds the polynomials through the weights at equidistant fractions of an interval, by Newton's
+ * divided differences. They are linear in the weights, as are the sums that make linear fields
+ * exact.
  */
 void Interpolate(const GradientKernel& kernel, int interval, double* coefficients)
 {
@@ -135,7 +136,7 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
         difference[j] = (difference[j] - difference[j - 1]) / (node(j) - node(j - level));
       }
     }
-    // Multiplied out, from the innermost bracket of Newton's form.
+    // Multiplies Newton's form out, from the innermost bracket on.
     double power[order] = { difference[order - 1] };
     for (int j = order - 2; j >= 0; --j)
     {

@@ -27,9 +27,9 @@
  * the fit's value,
  *   smoothing   a_i = w_i / sum w - m (the derivative weights above),
  *   derivative  d a_i / d fraction,
- * so that the gradient is the derivative of the smoothed value, to rounding. To leave no step in
- * it, w goes to zero at c with its slope, w(t) = exp(-u) - exp(-u_c) (1 + u_c - u), u = t^2 / (2
- * s^2), and s = 0.56 Radius lets as much noise through.
+ * so that the gradient is the derivative of the smoothed value, to rounding. To avoid a step, w and
+ * its slope go to zero at c, w(t) = exp(-u) - exp(-u_c) (1 + u_c - u), u = t^2 / (2 s^2), and s =
+ * 0.56 Radius lets as much noise through.
  */
 #ifndef GradientKernel_h
 #define GradientKernel_h
@@ -79,7 +79,10 @@ struct GradientKernel
   GaussianWeights Weights = GaussianWeights::FittedLine;
   /** In voxels, 1 to MaximumRadius. */
   int Radius = 2;
-  /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
+  /**
+   * The number of taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius +
+   * 1.
+   */
   int Taps = 6;
   /** Scale of the Gaussian of GaussianWeights::OwnDerivative, in voxels. */
   double OwnScale = 0.0;
@@ -90,7 +93,7 @@ struct GradientKernel
   std::vector<double, CacheLines<double>> Table;
 
   GradientKernel() = default;
-  /** A scale (voxels) of 0 stands for the default of OwnDerivative. */
+  /** Makes the weights. A scale (voxels) of 0 stands for the default of OwnDerivative. */
   GradientKernel(GradientEstimator estimator, int radius,
     GaussianWeights weights = GaussianWeights::FittedLine, double ownScale = 0.0);
 

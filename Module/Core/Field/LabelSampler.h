@@ -12,8 +12,8 @@
  * Across a wall, rows mostly begin or end with a label: then the sums over the first and over the
  * last voxels suffice, and a row costs one lookup (LabelSteps, StepWeights).
  *
- * As for FieldSampler, the kernels are compiled once per instruction set and all of them give the
- * same shares, to the bit.
+ * The kernels are compiled once per instruction set, as for FieldSampler; all of them give the same
+ * fractions, to the bit.
  */
 #ifndef LabelSampler_h
 #define LabelSampler_h
@@ -40,8 +40,8 @@ struct LabelBlock
 };
 
 /**
- * The rows of a label, if all of them begin or end with it, or have it everywhere or nowhere: for
- * each row, the place in StepWeights::Sums, in bytes.
+ * The rows of a label, if each row begins or ends with the label, or has it everywhere or nowhere:
+ * for each row, the place in StepWeights::Sums, in bytes.
  */
 struct LabelSteps
 {
@@ -59,7 +59,7 @@ struct StepWeights
   /** The sums over the first 0 to 8 weights of a row, then over the last 0 to 8: LabelWeights. */
   alignas(32) double Sums[2 * Ends][4];
   ///@{
-  /** As in LabelWeights. */
+  /** See LabelWeights. */
   alignas(32) double Across[LabelBlock::Taps][4];
   alignas(32) double Along[2 * LabelBlock::Taps];
   ///@}
@@ -138,14 +138,14 @@ public:
     return this->Functions.Fraction(weights, planes);
   }
 
-  /** As above, at a continuous index within the image, for a label whose rows are steps. */
+  /** The same for a label whose rows are steps, at a continuous index within the image. */
   FieldSample Fraction(const Vector3& index, const LabelSteps& steps) const noexcept
   {
     return this->Functions.FractionSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{
-  /** The memory outside the object. */
+  /** The size (bytes) of the memory outside the object. */
   const void* GetMemory() const noexcept { return this->Table.data(); }
   std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
   ///@}

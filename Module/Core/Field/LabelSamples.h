@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-// In an unnamed namespace, for the kernels: see FieldKernels.h.
+// In an unnamed namespace, as the kernels need it: see FieldKernels.h.
 namespace
 {
 
@@ -31,7 +31,7 @@ VOLUME_HAPTICS_INLINE constexpr std::int64_t ToLabel(T sample) noexcept
   }
   else if constexpr (std::is_floating_point_v<T>)
   {
-    // Beyond this, and for NaN, the result would be undefined.
+    // Beyond this number, and for NaN, the result would be undefined.
     constexpr T end = T(9223372036854775808.0);
     return sample >= -end && sample < end ? static_cast<std::int64_t>(sample) : NoLabel;
   }

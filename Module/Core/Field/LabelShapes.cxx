@@ -11,9 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Fine voxels: the Gaussian that smooths distances along a slice. */
+/** The width (fine voxels) of the Gaussian that smooths distances along a slice. */
 constexpr double Smoothing = 2.0;
-/** Fine voxels: labels or gaps twice this thick are smoothed; half as thick ones not at all. */
+/** Labels or gaps twice this thick (fine voxels) are smoothed; those half as thick are not. */
 constexpr float Thick = 4.0F;
 /** Distances are kept in parts of a fine voxel. */
 constexpr float DistanceParts = 256.0F;
@@ -95,7 +95,7 @@ public:
   {
   }
 
-  /** Above 0 where `is` is set. */
+  /** Computes distances that are above 0 where `is` is set. */
   std::vector<std::int16_t> Compute(const std::vector<std::uint8_t>& is)
   {
     const std::vector<float> inside = this->Transform(is, 0);
@@ -134,7 +134,7 @@ private:
     const auto pixel = static_cast<float>(this->Grid.Pixel[0]);
     for (std::int64_t j = 0; j < this->Size[1]; ++j)
     {
-      // Along a row, up and down again.
+      // Goes along a row, up and then down.
       const std::uint8_t* const row = &is[static_cast<std::size_t>(this->Size[0] * j)];
       float* const to = &squares[static_cast<std::size_t>(this->Size[0] * j)];
       float way = NoSite;
@@ -254,9 +254,9 @@ private:
 };
 
 /**
- * The fraction of the way to the next slice at which a piece that the next slice lacks ends, at a
- * pixel with the distance `here`, and `before` in the slice before; the piece's largest distances
- * are `most` and `mostBefore`. Slices are `step` fine voxels apart.
+ * Returns where a piece that the next slice lacks ends, as a fraction of the way to that slice, at
+ * a pixel with the distance `here` in this slice and `before` in the previous one. The piece's
+ * largest distances are `most` and `mostBefore`. Slices are `step` fine voxels apart.
  *
  * In the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
  * difference -2 step^2. A piece that does not become smaller ends halfway.
@@ -278,7 +278,9 @@ float ComputeEnd(float here, float before, float most, float mostBefore, float s
   return end <= 1.0F ? std::clamp(end, least, last) : std::max(2.0F - end, half);
 }
 
-/** The decrease of the radius of such a piece up to the next slice; 0 if there is none. */
+/**
+ * Returns by how much the radius of such a piece decreases up to the next slice; 0 if it does not.
+ */
 float ComputeFall(float most, float mostBefore, float step)
 {
   const float fall = (mostBefore * mostBefore + step * step - most * most) / (2.0F * most);
@@ -298,7 +300,7 @@ void CollectPieces(LabelShape& shape)
     return run;
   };
   const PixelBox& box = shape.Box;
-  std::size_t first = 0; // run of the row before
+  std::size_t first = 0; // the first run of the previous row
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)
   {
     const std::int16_t* const row = shape.GetRow(j);
@@ -388,7 +390,7 @@ SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>
     }
     shapes.push_back(std::move(shape));
   }
-  // In an order that does not depend on the hash.
+  // Sorted, so that the order does not depend on the hash.
   std::sort(shapes.begin(), shapes.end(),
     [](const LabelShape& a, const LabelShape& b) { return a.Label < b.Label; });
   return shapes;
@@ -466,7 +468,8 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
   }
   const PixelBox& box = shape.Box;
   const std::int64_t width = box.Size(0);
-  std::vector<float> falls(shape.Distances.size(), 0.0F); ///< at the pixels of such pieces
+  std::vector<float> falls(shape.Distances.size(), 0.0F); ///< the decrease at the pixels of such
+                                                          ///< pieces
   const auto step = static_cast<float>(grid.Step);
   for (const PieceRun& run : shape.Runs)
   {
@@ -481,7 +484,7 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }
-  // Around a piece: as at the piece's nearest pixel.
+  // Around a piece, the decrease is that of the piece's nearest pixel.
   const auto acrossX = static_cast<float>(grid.Pixel[0]);
   const auto acrossY = static_cast<float>(grid.Pixel[1]);
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes of labels in one slice of a label image: distances from their outlines, and pieces.
+ * The shapes of labels in one slice of a label image: distances from their outlines, and connected
+ * pieces.
  */
 #ifndef LabelShapes_h
 #define LabelShapes_h
@@ -14,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Pixels of a slice: from Low up to, but without, High, along the two axes. */
+/** Pixels of a slice: from Low (included) to High (excluded) along the two axes. */
 struct PixelBox
 {
   std::int64_t Low[2];
@@ -43,8 +44,8 @@ struct LabelShape
   std::size_t Pieces = 0;
 
   /**
-   * In 256ths of a fine voxel, from the box's first pixel of a row on; null if the box has none
-   * there.
+   * Distances in 256ths of a fine voxel, from the box's first pixel of a row on; null if the box
+   * does not contain the row.
    */
   const std::int16_t* GetRow(std::int64_t j) const
   {
@@ -78,8 +79,8 @@ void MeasureShapes(
 float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i, std::int64_t j);
 
 /**
- * For pieces of a label that the next slice lacks: limits for the distances of all labels there, so
- * that the piece ends as that of a ball would, and falls as steeply around its end.
+ * Limits the distances of all labels in the next slice around pieces of a label that the next slice
+ * lacks, so that the piece ends as a ball would, with the same slope around its end.
  */
 void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape* before,
   const LabelShape* next, std::vector<float>& limits);

@@ -24,7 +24,7 @@ struct AxisPart
 {
   std::int64_t Low;
   double Fraction;
-  bool HasLow; ///< both are voxels of the image
+  bool HasLow; ///< whether both voxels belong to the image
   bool HasHigh;
 };
 
@@ -43,7 +43,7 @@ bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
   return true;
 }
 
-/** Trilinear shares at fractions of a cell. */
+/** Sets the trilinear fractions at a place in a cell. */
 void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
 {
   const double along[2] = { 1.0 - x, x };

@@ -21,7 +21,7 @@ namespace VolumeHaptics
 
 constexpr std::int64_t NoLabel = std::numeric_limits<std::int64_t>::min();
 
-/** The labels of the eight voxels around a position, with their trilinear shares. */
+/** The labels of the eight voxels around a position, with their trilinear fractions. */
 struct LabelCell
 {
   static constexpr int Corners = 8;
@@ -37,8 +37,8 @@ class LabelView
 public:
   LabelView() = default;
   /**
-   * The dimensions, strides and type of the view count; it is the whole image. Samples of floating
-   * point must be whole numbers.
+   * Makes a view of the whole image; only dimensions, strides and type of the argument count.
+   * Floating-point samples must be whole numbers.
    */
   explicit LabelView(const VolumeView& view) noexcept;
 

@@ -35,9 +35,8 @@ struct NoiseSamples
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * Smallest and largest value of all samples of the pieces or, if the volume's range does not
-   * cover all samples (HasRangeOfAll), of the samples in Values; the first is the larger if there
-   * are none.
+   * The smallest and the largest value: of all samples of the pieces if HasRangeOfAll() says so,
+   * else of the samples in Values. If there are no samples, the first number is larger.
    */
   double Range[2] = { 1.0, 0.0 };
   /**
@@ -55,7 +54,8 @@ struct NoiseSamples
   }
 
   /**
-   * The number of the corner whose value is Values[s]: bit a is set at the end of axis a. Else -1.
+   * The number of the corner whose value is Values[s], with bit a set at the end of axis a; -1 if
+   * it is no corner.
    */
   int GetCorner(std::size_t s) const
   {
@@ -97,7 +97,7 @@ struct NoiseSamples
 
   void MergeRange(const double range[2]) { Extend(this->Range, range); }
 
-  /** Extends a range by another one. */
+  /** Extends a range by another range. */
   static void Extend(double to[2], const double range[2])
   {
     if (range[0] > range[1])

@@ -20,7 +20,9 @@ constexpr double ResidencyBand = 4.0;
 class ResidentBox
 {
 public:
-  /** `fraction` is below 1 if the samples of the view only stand in for the volume's. */
+  /**
+   * Makes the box; `fraction` is below 1 if the samples of the view only stand in for the volume's.
+   */
   explicit ResidentBox(const VolumeView& view, double fraction = 1.0) noexcept;
 
   /** Whether all samples of the volume are resident. */

@@ -36,7 +36,7 @@ public:
   VectorField(const VectorView& view, const Affine3& indexToWorld,
     VectorAxes axes = VectorAxes::World, InstructionSet instructions = DetectInstructionSet());
 
-  /** Whether there are vectors (3 components), or tensors (6 or 9). */
+  /** Whether the field has vectors (3 components), or tensors (6 or 9). */
   bool HasVectors() const noexcept { return this->Sampler.GetComponents() == 3; }
   bool HasTensors() const noexcept { return this->Sampler.IsValid() && !this->HasVectors(); }
 

@@ -66,7 +66,7 @@ public:
   ///@{
   /**
    * The components at a continuous index, clamped to the resident samples; with and without their
-   * gradients. False if a sample that counts is not finite; the result is then of no use.
+   * gradients. False if a sample with a weight is not finite; the result is then of no use.
    */
   bool Sample(const Vector3& index, VectorSample& sample) const noexcept
   {
@@ -79,7 +79,7 @@ public:
   ///@}
 
   ///@{
-  /** As in FieldSampler. False, and negative, for an index that is NaN. */
+  /** See FieldSampler. False, and negative, for an index that is NaN. */
   bool IsInside(const Vector3& index) const noexcept
   {
     return this->DistanceToBorder(index) >= 0.0;

@@ -73,7 +73,7 @@ struct VolumeView
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   std::int64_t Stride[3] = { 0, 0, 0 };
   std::int64_t First[3] = { 0, 0, 0 };
-  /** The dimensions of the whole volume, if this is a region of it; else 0. */
+  /** The dimensions of the whole volume, if this is a region; else 0. */
   std::int64_t Whole[3] = { 0, 0, 0 };
   /** The value that stands for a sample that is NaN or infinite (Documentation/method.md). */
   double BorderValue = 0.0;

@@ -15,7 +15,10 @@ Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
   return model.DeviceToIndex.Linear * (model.LabelReachAlong(normal) * normal);
 }
 
-/** The wall at the stand-off from forbidden labels. False if the position is not at it. */
+/**
+ * Computes the wall at the stand-off from forbidden labels. False if the position is not at the
+ * wall.
+ */
 bool ComputeForbidden(
   const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
 {
@@ -46,7 +49,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   Surface surface = MakeNoSurface(model);
   if (baked.Settings.Geometry == SurfaceGeometry::Both)
   {
-    // A wall stands in where the scalars have less than half a surface.
+    // A wall replaces the scalars' surface where that has less than half of its distinctness.
     constexpr double least = 0.5;
     surface = ComputeFieldSurface(model, field, index);
     if (model.DistinctnessOf(surface.GradientMagnitude, surface.Normal)[0] >= least &&
@@ -62,7 +65,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   const LabelWall wall = baked.Walls->Compute(labelIndex, memory.Wall);
   const Vector3 gradient = model.LabelGradientToDevice * wall.Gradient;
   const double square = Dot(gradient, gradient);
-  // A wall far away leaves the scalars' surface alone.
+  // A distant wall does not replace the scalars' surface.
   const bool isNear =
     std::abs(wall.Value) < WallEnds || baked.Settings.Geometry == SurfaceGeometry::Labels;
   constexpr double rounding = 1e-12;
@@ -164,7 +167,7 @@ Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
   Surface surface;
-  // Also in a part that is cut away: nothing gives access to a forbidden label.
+  // Even in a part that is cut away, because no cut gives access to a forbidden label.
   if (model.Baked->GetZone() && ComputeForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;

@@ -36,9 +36,9 @@ struct Surface
   /** Felt fraction of the medium's drag: 0 in a part that is cut away. */
   double DragFraction = 1.0;
   bool IsWall = false;        ///< a wall between labels (Value: LabelWall's), or the face of a cut
-  double Depth = 0.0;         ///< for a wall: its value, with the sign of the normal
+  double Depth = 0.0;         ///< value of a wall, with the sign of the normal
   bool IsOneSided = false;    ///< the normal belongs to the structure, wherever the tip is
-  std::uint32_t CutFaces = 0; ///< as CutPlace::Faces: several in a hollow corner
+  std::uint32_t CutFaces = 0; ///< see CutPlace::Faces; a hollow corner has several
   bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
 };
 
@@ -91,8 +91,8 @@ inline Surface MakeNoSurface(const HapticModel& model) noexcept
 struct Slope
 {
   Vector3 Normal;   ///< unit
-  Vector3 Reach;    ///< as Surface::Reach
-  double Magnitude; ///< as MaterialPoint::GradientMagnitude
+  Vector3 Reach;    ///< see Surface::Reach
+  double Magnitude; ///< see MaterialPoint::GradientMagnitude
 };
 
 /** False if there is no gradient. */
@@ -157,8 +157,8 @@ inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field
 constexpr double DragVoxels = 3.0;
 
 /**
- * Limits the drag R: it holds the proxy no farther from the tip than it would by the coupling
- * stiffness, or than three voxels along the normal if they are longer.
+ * Limits the drag R: it holds the proxy at most as far behind the tip as with the coupling
+ * stiffness, or three voxels along the normal, whichever is longer.
  *
  * A k near 0 with an R above 0 is a mistake of the functions, or noise on a ramp of k: without the
  * limit, the proxy would stay R/k behind, where the hand goes through a surface unfelt. PAPER keeps
@@ -185,7 +185,7 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     if (slack == 0.0 && k >= coupling)
     {
-      return; // R/k is not longer, whatever rounding says
+      return; // not R/k, which rounding may make longer
     }
     longest = std::max(longest, drag / coupling);
   }
@@ -223,7 +223,7 @@ inline DistinctnessTable::Values ComputeDistinctness(
                         : model.DistinctnessOf(surface.GradientMagnitude, surface.Normal);
 }
 
-/** Whether the settings put the structure against the gradient. */
+/** Whether the settings put the structure on the side of lower values. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -237,7 +237,7 @@ inline bool IsDescending(
  */
 void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
 
-/** Turns a surface towards its structure. Returns true if that is against the gradient. */
+/** Turns a surface's normal towards its structure. Returns true if that is against the gradient. */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
   if (surface.IsOneSided)
@@ -315,7 +315,10 @@ inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, co
   SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
 }
 
-/** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */
+/**
+ * Reads the material at the isovalue, for methods that touch an isosurface. False if it is not
+ * felt.
+ */
 inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
 {
   const double iso = model.Baked->Settings.IsoValue;
@@ -358,7 +361,9 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
   return b;
 }
 
-/** Where a motion (m) of the proxy meets a solid face of the cut; there must be one. */
+/**
+ * Returns where a motion (m) of the proxy meets a solid face of the cut; there must be such a face.
+ */
 Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
 
 /** Where a motion (m) of the proxy ends: at a solid face of a cut, if it meets one. */
@@ -367,7 +372,7 @@ inline Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Ve
   return model.Baked->Cut ? StopAtFaces(model, from, to) : to;
 }
 
-/** Eq. 14: the proxy after the motion that the drag leaves of the excess. */
+/** Eq. 14: moves the proxy by what the drag leaves of the excess. */
 inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,
   const Vector3& start) noexcept
 {

@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** The material at a point of the volume, as the law of MaterialLaw.h reads it. */
+/** The material at a point of the volume, for the law of MaterialLaw.h. */
 struct MaterialPoint
 {
   Vector3 Normal;                 ///< unit, into the structure

@@ -68,7 +68,7 @@ struct PassiveSpring
     this->Reserve = 0.0;
   }
 
-  /** Energy lost in falls so far does not pay for later rises. */
+  /** Discards the energy that falls have lost so far, so that it does not pay for later rises. */
   void DropReserve() noexcept { this->Reserve = 0.0; }
 
   /** Keeps the law's quotients finite if the spring is all slack. */

@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** False for NaN and infinities. Not std::isfinite: see FieldKernels.h. */
+/** False for NaN and infinities. Does not call std::isfinite: see FieldKernels.h. */
 VOLUME_HAPTICS_INLINE bool IsNumber(double x)
 {
   return x - x == 0.0;

@@ -22,7 +22,7 @@ namespace
 typedef double Double4 __attribute__((vector_size(32)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-/** Not loaded from an array: the processor would have to wait for the load. */
+/** Makes four lanes without an array, because the processor would have to wait for its load. */
 VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
 {
   return Double4{ a, b, c, d };
@@ -65,7 +65,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 /** Whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
-  // There is no instruction for this: the lowest bits of (number + shift) are those of the number.
+  // AVX2 has no instruction for this. But the lowest bits of (number + shift) are the whole number.
   const Double4 shift = _mm256_set1_pd(0x1.8p52);
   const __m256i whole =
     _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));

@@ -11,7 +11,7 @@ namespace
 
 /** Normals that differ by less (rad) count as equal. */
 constexpr double SameDirection = 1e-6;
-/** Fraction of the distances by which a bound may be missed. */
+/** A bound may be missed by this fraction of the distances. */
 constexpr double Slack = 1e-12;
 /** Below this a system of normals is singular. */
 constexpr double Singular = 1e-9;
@@ -104,7 +104,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
       return point;
     }
     active[count++] = worst;
-    // Among all subsets with the new bound: the nearest point that all half-spaces here allow.
+    // Among all sets with the new bound, take the nearest point that all half-spaces so far allow.
     int best = 0;
     double nearest = 0.0;
     Vector3 found;

@@ -30,12 +30,12 @@ public:
   void Clear() noexcept { this->Count = 0; }
   int GetCount() const noexcept { return this->Count; }
 
-  /** Leaves out a half-space that another one implies almost exactly, and any beyond Most. */
+  /** Adds a half-space, unless another one implies it almost exactly, or Most are there already. */
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * The point in all half-spaces that is nearest to a goal, by an active set of three at most;
-   * `fallback` if there is none.
+   * The point in all half-spaces that is nearest to a goal, found with an active set of at most
+   * three; `fallback` if there is none.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
 

@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The number of the lowest bit that is set; there has to be one. */
+/** Returns the number of the lowest set bit. At least one bit must be set. */
 VOLUME_HAPTICS_INLINE int LowestBit(std::uint64_t bits)
 {
 #if defined(__GNUC__)

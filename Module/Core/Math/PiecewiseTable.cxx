@@ -33,7 +33,7 @@ Line LineRightOf(const Polyline& line, double x)
   double slope = (after->Y - before.Y) / (after->X - before.X);
   if (!std::isfinite(slope))
   {
-    slope = 0.0; // closer than doubles can tell apart: a step
+    slope = 0.0; // vertices closer than doubles can distinguish: a step
   }
   return { before.Y + slope * (x - before.X), slope };
 }
@@ -69,7 +69,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 
   this->Segments.reserve(breaks.size() + 2);
-  // Constant, so that its far end only has to be finite.
+  // A constant function, so that its far end only has to be finite.
   Segment leftmost{ std::numeric_limits<double>::lowest(), {}, {} };
   for (int c = 0; c < Channels; ++c)
   {
@@ -95,7 +95,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   std::uint32_t segment = 0;
   for (int bin = 0; bin < Bins; ++bin)
   {
-    // From half a bin before its edge: a value may be assigned to the next bin by rounding.
+    // Begins half a bin before the edge: rounding may assign a value to the next bin.
     const double edge = this->Low + width * (bin - 0.5) / Bins;
     const std::uint32_t first = segment;
     while (edge > this->Segments[segment + 1].Begin)

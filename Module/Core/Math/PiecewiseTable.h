@@ -25,7 +25,7 @@ namespace VolumeHaptics
 
 /**
  * A vertex of a piecewise-linear function. Two vertices with the same X make a step; at the step
- * itself the first of them holds. Outside the vertices the function keeps its end values.
+ * itself, the function has the value of the first. Beyond the vertices it keeps its end values.
  */
 struct Vertex
 {
@@ -80,7 +80,7 @@ public:
   {
     return Evaluate(*this->FindSegment(x), x, std::make_index_sequence<Channels>());
   }
-  /** The segment that holds x, which must not be NaN. */
+  /** The segment that contains x, which must not be NaN. */
   const Segment* FindSegment(double x) const noexcept
   {
     const double position = (x - this->Low) * this->BinsPerUnit;
@@ -115,15 +115,16 @@ private:
   {
     return { { segment.Value[Channel] + segment.Slope[Channel] * (x - segment.Begin)... } };
   }
-  /** The segment that holds x; for tables with many break points in a bin. */
+  /** The segment that contains x; for tables with many break points in a bin. */
   const Segment* Bisect(double x, int bin) const noexcept;
 
   static constexpr int Bins = 1024;
-  /** A bin with more break points makes a table crowded. */
+  /** A bin with more break points than this makes a table crowded. */
   static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment at or before the wanted one
+  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment that begins before the wanted one,
+                                                  ///< or is it
   bool IsCrowded = false;
   double Low = 0.0;
   double BinsPerUnit = 0.0;

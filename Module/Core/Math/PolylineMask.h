@@ -12,10 +12,13 @@
 namespace VolumeHaptics
 {
 
-/** 1 if a polyline is more than `floor`, else 0, with the argument multiplied by `scale`. */
+/**
+ * Makes a mask that is 1 where a polyline is more than `floor`, else 0, with the argument
+ * multiplied by `scale`.
+ */
 Polyline MaskAbove(const Polyline& line, double floor = 0.0, double scale = 1.0);
 
-/** 0 up to `from`, a polyline from `to` on, and linear in between. */
+/** Makes a function that is 0 up to `from`, a polyline from `to` on, and linear in between. */
 Polyline CutBelow(const Polyline& line, double from, double to);
 
 } // namespace VolumeHaptics

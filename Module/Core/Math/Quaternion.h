@@ -53,8 +53,8 @@ constexpr double UnitTolerance = 0.01;
 
 /**
  * Divides a quaternion by its norm. If it is no orientation (a number is not finite, or the norm is
- * not 1 within the tolerance), returns false and leaves it alone. A quaternion whose norm is 1 as
- * far as numbers tell stays the same to the bit, so that a second call changes nothing.
+ * not 1 within the tolerance), returns false and leaves it alone. A quaternion whose norm is 1
+ * within rounding stays the same to the bit, so that a second call changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept
 {

@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** The function's value if it has no root: the bracket then goes to its far end. */
+/** The value of a function without a root: the bracket then goes to its far end. */
 constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
 /** The narrowest bracket (voxels): a step of a material function has no root. */
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  /** Whether there is no root, or no need to look closer. */
+  /** Whether the bracket is narrow enough, or there is no root. */
   bool IsNarrow() const noexcept
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;

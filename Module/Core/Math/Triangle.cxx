@@ -30,7 +30,7 @@ double MeetCorner(
   return time <= 1.0 ? time : Never;
 }
 
-/** As MeetCorner, for a cylinder round an edge, between the edge's ends. */
+/** The counterpart of MeetCorner for a cylinder round an edge, between the edge's ends. */
 double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
   const Vector3& displacement, double radius)
 {
@@ -110,8 +110,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = height < 0.0 ? -normal : normal;
   const double closing = -Dot(displacement, normal);
   const double gap = std::abs(height) - radius;
-  // A triangle is not met before its plane. For many triangles in one plane, this leaves few for a
-  // closer look.
+  // A triangle is not met before its plane. If many triangles are in one plane, this test leaves
+  // only few of them.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;
@@ -132,7 +132,7 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
     const double time = gap / closing;
     const Vector3 touched = centre + time * displacement - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
-    // Otherwise an edge is met; at the limit, at the same time.
+    // Otherwise an edge is met; at the limit of the face, at the same time as the face.
     if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;

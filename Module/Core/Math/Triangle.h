@@ -32,14 +32,15 @@ struct TrianglePoint
 /** Returned by MeetingTime if the sphere does not meet the triangle. */
 constexpr double Never = 2.0;
 
-/** The point of a triangle that is nearest to a position. */
+/** Returns the point of a triangle that is nearest to a position. */
 TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept;
 
 /**
  * The fraction (0 to 1) of a displacement after which a moving sphere touches the triangle.
  *
- * Returns Never if the sphere does not touch it; if the sphere touches it from the beginning and
- * does not come nearer; and if it would touch it after `latest`, or before that only by rounding.
+ * Returns Never if the sphere does not touch the triangle, if it touches the triangle from the
+ * beginning and does not come nearer, and if it would touch the triangle only after `latest` (or
+ * before it by rounding only).
  */
 double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& displacement,
   double radius, double latest = Never) noexcept;

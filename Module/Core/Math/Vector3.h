@@ -62,7 +62,7 @@ inline double Norm(const Vector3& a) noexcept
 {
   return std::sqrt(Dot(a, a));
 }
-/** A limit that is not positive, or is NaN, lets nothing pass. */
+/** A limit that is not positive, or is NaN, gives zero. */
 inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
 {
   if (!(most > 0.0))
@@ -140,7 +140,10 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
     s * Cross(m.Row[1], m.Row[2]), s * Cross(m.Row[2], m.Row[0]), s * Cross(m.Row[0], m.Row[1]));
 }
 
-/** The length of the longest column: that of an index step, in the space to which a matrix maps. */
+/**
+ * The length of the longest column, that is, of the longest index step in the space to which a
+ * matrix maps.
+ */
 inline double LargestColumn(const Matrix3& m) noexcept
 {
   const Matrix3 columns = Transpose(m);

@@ -43,7 +43,7 @@ void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::u
   MixMemory& memory) const noexcept
 {
   const LabelMaterial* const material = this->Table.Find(label);
-  // At the border, some voxels of a cell may have labels although the position has none.
+  // At the border, some voxels of a cell may have labels although the position itself has none.
   memory.Baked = label == NoLabel ? 0 : baked;
   memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
   memory.HasMaterial = material != nullptr;
@@ -67,7 +67,7 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
       }
     }
   };
-  // Mostly there are two labels: no branch depends on where they are.
+  // Mostly there are two labels; no branch depends on their places.
   const std::int64_t first = cell.Label[0];
   std::int64_t second = first;
   double fractions[2] = { 0.0, 0.0 };

@@ -19,8 +19,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The material of the last cell whose eight voxels have one label: the next position mostly lies in
- * the same cell. It saves time and changes no result.
+ * The material of the last cell whose eight voxels have one label. The next position mostly lies in
+ * the same cell; this memory saves time and changes no result.
  */
 struct MixMemory
 {
@@ -46,12 +46,12 @@ struct BakedLabels
   LabelTable Table;
   std::shared_ptr<const ForbiddenZone> Zone; ///< null if nothing is forbidden
   /**
-   * If not null, View is its finer grid, and "label image" means that grid everywhere. The zone
-   * belongs to the image itself.
+   * If not null, View is its finer grid, and "label image" stands for this grid everywhere here.
+   * The zone belongs to the image itself.
    */
   std::shared_ptr<const FineLabels> Fine;
   ///@{
-  /** The image itself if there is a finer grid. */
+  /** The label image itself, if View is a finer grid. */
   LabelView Image;
   Affine3 ImageToWorld;
   ///@}

@@ -58,7 +58,7 @@ enum class ModeInput : std::uint8_t
 {
   Vectors,
   Tensors,
-  Scalars, ///< those that the model feels
+  Scalars, ///< the modes that the model feels
   Line,    ///< ModeDescription::Guide
   Surface  ///< ModeDescription::GuideSurface
 };
@@ -84,7 +84,7 @@ constexpr ModeFacts FactsOf(ModeKind kind) noexcept
     { ModeInput::Scalars, 1, true, false },  // Ridge
     { ModeInput::Line, 2, true, false },     // Guide
     { ModeInput::Surface, 2, false, true },  // GuideSurface
-    { ModeInput::Scalars, 3, false, false }, // Surface: the volume shows it
+    { ModeInput::Scalars, 3, false, false }, // Surface
   };
   return facts[static_cast<std::size_t>(kind)];
 }
@@ -93,7 +93,8 @@ constexpr ModeFacts FactsOf(ModeKind kind) noexcept
 enum class GuideSide : std::uint8_t
 {
   Surface, ///< on the surface
-  Outside, ///< on the side to which its normals point, or on the surface
+  Outside, ///< whether the hand is held on the side to which normals point, or on the surface
+           ///< itself
   Inside
 };
 
@@ -106,12 +107,14 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< N
   Polyline Second = ConstantPolyline(0.0); ///< N
-  bool IsActive = true;                    ///< if not, it adds no primitives, but keeps its number
+  bool IsActive = true;                    ///< if not, the mode adds no primitives, but keeps its
+                                           ///< number
   bool IsDark = false;                     ///< Ridge: the vessel is darker than its surroundings
-  double SnapDistance = 3.0;               ///< Ridge: voxels within which the hold is whole
+  double SnapDistance = 3.0;               ///< Ridge: the distance (voxels) up to which the whole
+                                           ///< strength holds
   std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
   ///@{
-  /** For a GuideSurface, whose surface is not null. */
+  /** For a GuideSurface, for which it is not null. */
   std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   GuideSide Side = GuideSide::Surface;
   ///@}

@@ -65,20 +65,20 @@ class BakedTool
 public:
   virtual ~BakedTool() = default;
 
-  /** Whether another tool is felt in the same way. */
+  /** Whether another tool feels the same as this one. */
   virtual bool IsSame(const BakedTool& other) const = 0;
 
   /**
-   * Advances the state by a tick, and writes the record. Returns whether a law of the tool's own
-   * holds the hand, so that no release of the method's proxy is felt.
+   * Advances the state by a tick, and writes the record. Returns whether the tool's own law holds
+   * the hand, so that releases of the method's proxy are not felt.
    */
   virtual bool Step(const ToolTick& tick) const noexcept = 0;
 
   ///@{
   /**
-   * Carries the tool's state from its model to the next one, whose tool may be another one or null,
-   * or lets go. `memory` belongs to the next tool. Returns whether the method begins anew.
-   * Afterwards Begin() is called of the next tool.
+   * Carries the tool's state from its model to the next model, which may have another tool or none;
+   * if this is not possible, lets go. `memory` belongs to the next tool. Returns whether the method
+   * begins anew. Afterwards, Begin() of the next tool is called.
    */
   virtual bool Carry(const HapticModel& /*from*/, const HapticModel& /*to*/, ServoState& /*state*/,
     ToolMemory* /*memory*/) const noexcept
@@ -108,15 +108,15 @@ public:
   }
 
   /**
-   * World units: the farthest point that touches, from the tip; less than 0 if the tool feels only
-   * with the method's point.
+   * The largest distance (world units) between the tip and a point that touches; less than 0 if
+   * only the method's point touches.
    */
   virtual double GetReach() const noexcept { return -1.0; }
-  /** N m/rad, the spring that turns the hand; 0 if nothing turns it. */
+  /** The stiffness (N m/rad) of the spring that turns the hand; 0 if nothing turns it. */
   virtual double GetTurningStiffness() const noexcept { return 0.0; }
   /** Whether the tool writes to BakedVolume::Removal. */
   virtual bool RemovesTissue() const noexcept { return false; }
-  /** Whether the tool spins while these buttons are pressed, or since the program orders it. */
+  /** Whether the tool spins while these buttons are pressed, or because the program orders it. */
   virtual bool Spins(std::uint32_t /*buttons*/, bool /*isOrdered*/) const noexcept { return false; }
 };
 

@@ -27,7 +27,7 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
-/** The stiffness of all materials that have one. */
+/** Makes one stiffness for all materials that have any stiffness. */
 Polyline MakeStiffness(const HapticModelDescription& d)
 {
   if (!d.Settings.SameShape)
@@ -79,7 +79,7 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
   return modes;
 }
 
-/** In a tick; the servo has no time for more. */
+/** The most time steps that a tick may cross; the servo has no time for more. */
 constexpr int MostTimeStepsCrossed = 4;
 
 TimeStepSeries MakeSeries(const HapticModelDescription& d)
@@ -205,12 +205,12 @@ BakedVolume::BakedVolume(
 
 std::size_t BakedVolume::FindTimeStep(double time) const noexcept
 {
-  // Earlier times belong to the time steps that follow the last one of the series.
+  // Earlier times belong to the time steps after the last one of the series.
   const double front = this->TimeSteps.front().Time;
   const double turn = front < this->TimeSteps.back().Time ? -HUGE_VAL : front;
   const auto isBefore = [turn, time](double other)
   { return (time < turn) == (other < turn) ? time < other : other < turn; };
-  // Not the last time step: it has no next one.
+  // Never the last time step, because no time step follows it.
   std::size_t timeStep = 0;
   for (std::size_t above = this->TimeSteps.size() - 1; above - timeStep > 1;)
   {
@@ -285,7 +285,7 @@ Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to)
     std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   if (isSpanOfLoop && (isOverEnd || (from < front) != (to < front)))
   {
-    // Both times are in one tick over the end of the loop.
+    // Both times are in one tick, which crosses the end of the loop.
     return index;
   }
   const auto within = [&](double time)

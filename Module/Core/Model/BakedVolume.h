@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** A volume that moves, at an instant. */
+/** A volume that moves, at one instant. */
 struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
@@ -37,13 +37,13 @@ struct FieldTimeStep
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
   /**
-   * The isosurface on its way to the next time step; null if there is no mesh, or no next time
+   * The isosurface, which moves to the next time step; null if there is no mesh, or no next time
    * step.
    */
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
-/** A moving mesh, between two fractions of its way. */
+/** A moving mesh between two fractions of its way. */
 struct MeshWay
 {
   const SurfaceMesh* Mesh; ///< null: no mesh
@@ -57,25 +57,28 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** The same volume with other time steps of its series. Bakes nothing again. */
+  /** Makes the same volume with other time steps of its series, without baking again. */
   BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
     const TimeStepSeries& series);
-  /** The same volume, which does not move, with another removal. Bakes nothing again. */
+  /** Makes the same volume, which does not move, with another removal, without baking again. */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 
-  /** The kernel of a model with this description. */
+  /** Makes the kernel of a model with this description. */
   static GradientKernel MakeKernel(const HapticModelDescription& description);
 
   const GradientKernel Kernel;
-  /** Null if no tool removes tissue. A tick may change the object, but not the pointer. */
+  /**
+   * Null if no tool removes tissue. A tick may change the object that it points to, but not the
+   * pointer.
+   */
   const std::shared_ptr<TissueRemoval> Removal;
   const FieldSampler Field;    ///< the first time step, if there are several
   const TimeStepSeries Series; ///< the series of which Time steps are a part
   /**
-   * In ascending time, except time steps that follow the last one of the series; empty if the
-   * volume does not move.
+   * The time steps in ascending time; those after the end of a loop come last. Empty if the volume
+   * does not move.
    */
   const std::vector<FieldTimeStep> TimeSteps;
   const bool HasMotion;                 ///< the material's motion is known between some time steps
@@ -97,7 +100,7 @@ struct BakedVolume
   const std::vector<BakedMode> Modes;          ///< for HapticMethod::Primitives
   const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
-  /** The share that is felt at an index of a cut volume: see CutPlace::Share. */
+  /** The fraction that is felt at an index of a cut volume: see CutPlace::Share. */
   double KeptFraction(const Vector3& index) const noexcept
   {
     return this->Cut ? this->Cut->Compute(index).Fraction() : 1.0;
@@ -106,16 +109,17 @@ struct BakedVolume
   /** Whether surfaces and materials come from its scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * The volume at a data time; before the first time step and after the last one, it stands still.
-   * `memory` holds the last gradients.
+   * Returns the volume at a data time. Before the first time step and after the last one, it stands
+   * still. `memory` holds the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
     return this->IsMoving() ? this->BlendTimeSteps(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * The step between two data times that lie between the same two time steps, if the material's
-   * motion is unknown; none if either time is that of a time step, or if samples are not blended.
+   * Returns the step between two data times that lie between the same two time steps; none if the
+   * material's motion is known, if either time is that of a time step, or if samples are not
+   * blended.
    */
   std::optional<FieldStep> ComputeStep(
     double before, double now, TickMemory& memory) const noexcept;
@@ -124,21 +128,24 @@ struct BakedVolume
     return { this->Series, this->TimeSteps.front().Time, this->TimeSteps.back().Time,
       this->TimeSteps.size() == 1 };
   }
-  /** The number of the time step that a data time follows, and to which At blends the next one. */
+  /**
+   * Returns the number of the time step at or before a data time, which At blends with the next
+   * one.
+   */
   std::size_t FindTimeStep(double time) const noexcept;
   /** The number of the time step that is nearest to a data time. */
   std::size_t FindNearestTimeStep(double time) const noexcept;
   /**
-   * The index, at another data time, of the material at an index, within the volume; the same index
-   * if the motion is not known. It crosses at most four time steps.
+   * Follows the material at an index to another data time, and returns its index there, within the
+   * volume; the same index if the motion is not known. Crosses at most four time steps.
    */
   Vector3 TrackMaterial(const Vector3& index, double from, double to) const noexcept;
 
   ///@{
   /**
-   * The meshes on the way from one data time to another: the one of the time step in which the way
-   * begins, and the one of the time step in which it ends. If the way crosses more time steps, or
-   * the end of a series, only the end.
+   * Returns the meshes on the way from one data time to another: the mesh of the time step in which
+   * the way begins, and that of the time step in which it ends. If the way crosses more time steps,
+   * or the end of a series, only the last mesh.
    */
   static constexpr int MostMeshWays = 2;
   int CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
@@ -158,8 +165,8 @@ struct BakedVolume
 
 private:
   /**
-   * With another removal and other time steps; `shown` is the first time step, or the volume if it
-   * does not move.
+   * Copies a volume with another removal and other time steps; `shown` is the first time step, or
+   * the volume if it does not move.
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int Strides[3] = { 1, 3, 9 }; // between regions
+constexpr int Strides[3] = { 1, 3, 9 }; // the step from a region to the next one along each axis
 
 double ComponentOf(const Vector3& v, int axis) noexcept
 {
@@ -124,7 +124,7 @@ CutPlace CutAway::ComputeHidden(const Vector3& index) const noexcept
     return place;
   }
   place.Normal = (1.0 / steepness) * gradient;
-  // All is felt where t is 1, half a voxel behind the face.
+  // Where t is 1, half a voxel behind the face, everything is felt.
   place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
   place.Depth = (2.0 * kept - 1.0) * place.Voxel;
   return place;
@@ -208,7 +208,7 @@ CutPlace CutAway::ComputeRegion(const Vector3& index) const noexcept
     place.Normal = aside > farthest ? this->GetNormal(face) : place.Normal;
     farthest = std::max(farthest, aside);
   }
-  // Beside an edge, the shortest way is oblique.
+  // Beside an edge, the shortest way to the region is oblique.
   if (distance > 0.0)
   {
     const Vector3 shortest = this->ComputeBeyond(index, there).Direction(this->Axes);

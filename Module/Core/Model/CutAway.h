@@ -64,7 +64,7 @@ struct CutRegions
 /** Voxels that are hidden one by one, as flags of an image's points. */
 struct HiddenVoxels
 {
-  const std::uint8_t* Flags = nullptr; ///< x first; null: no hidden voxels
+  const std::uint8_t* Flags = nullptr; ///< x first; null if no voxel is hidden
   std::uint8_t Hidden = 0;             ///< the bit of a hidden voxel
   std::int64_t First[3] = {};          ///< the index of the first flag
   std::int64_t Dimensions[3] = {};
@@ -88,12 +88,16 @@ struct CutPlace
   double Voxel = 1.0;      ///< the length of an index step along Normal, world units
   /**
    * For regions: the faces of the nearest region that is cut away, if the position is on or behind
-   * them, or at most `TouchDistance` in front. Several meet in a hollow corner. Bit 2 axis is
-   * towards the lower index, bit 2 axis + 1 towards the higher one.
+   * these faces, or at most `TouchDistance` in front of them; in a hollow corner there are several.
+   * Bit 2 axis stands for the face towards the lower index, bit 2 axis + 1 for the one towards the
+   * higher index.
    */
   std::uint32_t Faces = 0;
 
-  /** The share that is felt: falls from 1 to 0 over the last voxel in front of a face. */
+  /**
+   * The fraction of the force that is felt: falls from 1 to 0 over the last voxel in front of a
+   * face.
+   */
   double Fraction() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
 };
 
@@ -114,9 +118,9 @@ public:
     return face % 2 == 0 ? -this->Axes[face / 2].Normal : this->Axes[face / 2].Normal;
   }
   /**
-   * The end of a motion, both in index space, that begins in a region that is cut away, or on one
-   * of its faces; it stops at the next face: solid faces hold once they are touched. The faces of
-   * planes form no hollow corner, and stop nothing.
+   * Returns the end of a motion (in index space) that begins in a region that is cut away, or on
+   * one of its faces. The motion stops at the next face, because solid faces hold once they are
+   * touched. The faces of planes form no hollow corner, and stop no motion.
    */
   Vector3 StopAtFaces(const Vector3& from, const Vector3& to) const noexcept;
   bool IsSolid() const noexcept { return this->HasSolidFaces; }
@@ -154,7 +158,7 @@ private:
     return aside > -TouchDistance * this->Axes[face / 2].WorldPerIndex;
   }
   int FindRegionOf(const Vector3& index) const noexcept;
-  /** The nearest kept or cut region; -1 if there is none. */
+  /** Returns the nearest kept or cut region; -1 if there is none. */
   int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
   /** Whether a kept part lies behind a face of a region that is cut away. */
   bool HasFace(int region, int face) const noexcept;
@@ -163,7 +167,7 @@ private:
   CutPlace ComputeHidden(const Vector3& index) const noexcept;
 
   const std::vector<CutPlane> Planes;
-  std::vector<double> Voxels; ///< length of a voxel along each plane's normal
+  std::vector<double> Voxels; ///< the length of a voxel along the normal of each plane
   const CutRegions Regions;
   const Affine3 IndexToWorld;
   const Matrix3 WorldToIndex;

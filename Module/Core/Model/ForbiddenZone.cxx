@@ -19,9 +19,9 @@ namespace
 constexpr int BoundaryRadius = 3;
 /** s^2 / 2 of the walls' kernel, in voxels. */
 constexpr double HalfVariance = 0.5 * 0.355 * 0.355 * (BoundaryRadius + 1) * (BoundaryRadius + 1);
-/** Voxels around the stand-off. */
+/** The number of voxels that the box extends beyond the stand-off. */
 constexpr std::int64_t Margin = 6;
-/** The part of a voxel beyond which a tangent plane ends at an edge. */
+/** The fraction of a voxel beyond which a tangent plane ends at an edge. */
 constexpr double PlanePart = 0.75;
 /** The wall value at a forbidden voxel below which smoothing has removed the voxel. */
 constexpr double TakenAway = -0.38;
@@ -160,7 +160,7 @@ struct BoundaryPoint
   Vector3 Normal;
 };
 
-/** Outwards, in index steps; zero without a wall. */
+/** Returns the direction outwards, in index steps; zero without a wall. */
 Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
 {
   const LabelWall wall = walls.Compute(at);
@@ -173,7 +173,7 @@ double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector
 {
   constexpr double h = 3.0;
   constexpr double most = 0.5;
-  // Along the boundary only: a thin part has a second boundary behind it.
+  // Directions along the boundary only: a thin part has a second boundary behind it.
   const Vector3 u = UnitAcross(normal);
   const Vector3 v = Cross(normal, u);
   double divergence = 0.0;
@@ -263,7 +263,7 @@ public:
 
   bool IsEmpty() const { return this->Points.empty(); }
 
-  /** World units, below 0 inside. */
+  /** Returns the distance (world units); below 0 inside. */
   double DistanceAt(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const BoundaryPoint& point = this->Points[static_cast<std::size_t>(

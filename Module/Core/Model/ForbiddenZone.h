@@ -4,10 +4,11 @@
  * @file
  * The distance to forbidden labels, baked once on the part of the label grid around them.
  *
- * The labels' boundary is the wall of their smoothed share (LabelWalls.h), moved out by s^2 kappa /
- * 2, since smoothing has moved it in by as much; kappa is the sum of the principal curvatures. Each
- * voxel stores its distance to the boundary's tangent plane at the nearest point or, beyond an
- * edge, to that point; between voxels the distance is a cubic B-spline.
+ * The boundary of the labels is a level of their smoothed indicator (LabelWalls.h). Smoothing by s
+ * moves the boundary in by s^2 kappa / 2, where kappa is the sum of the principal curvatures; the
+ * zone moves it out again. Each voxel stores its distance to the boundary's tangent plane at the
+ * nearest point or, beyond an edge, to the nearest point itself. Between voxels the distance is a
+ * cubic B-spline.
  */
 #ifndef ForbiddenZone_h
 #define ForbiddenZone_h
@@ -28,7 +29,7 @@ struct ForbiddenPlace
 {
   bool IsNear = false;   ///< if false, the stand-off is farther away
   double Distance = 0.0; ///< world units; below 0 inside
-  Vector3 Gradient;      ///< of Distance, per index step of the label image
+  Vector3 Gradient;      ///< the derivative of Distance, per index step of the label image
 };
 
 class ForbiddenZone

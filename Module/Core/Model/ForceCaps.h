@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The stiffness and damping that a device and its sampling can hold, with any materials and
- * settings; 0: no cap.
+ * The largest stiffness and damping that a device can hold at its tick rate, whatever the material
+ * and the settings; 0: no cap.
  */
 struct ForceCaps
 {

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The unit vector along a sum; `otherwise` if parts of the sum cancel. */
+/** Returns the unit vector along a sum; `otherwise` if parts of the sum cancel. */
 Vector3 UnitOf(const Vector3& sum, const Vector3& otherwise) noexcept
 {
   const double length = Norm(sum);
@@ -60,7 +60,7 @@ void GuideMesh::CollectFaces()
       face.AtEdge[e] = face.Normal;
       face.Height[e] = area / length[e];
     }
-    // At most to the middle, so that a place is near two edges at most.
+    // At most up to the middle of the triangle, so that a place is near at most two edges.
     face.Turn = std::min(0.5 * this->Rounding, area / (length[0] + length[1] + length[2]));
   }
 }

@@ -7,11 +7,11 @@
  *   GuideMesh guide(mesh, 1.0);
  *   const GuideMeshPlace place = guide.Find(world);
  *
- * A proxy that is held on the plane through the nearest place rests where the lag is along the
- * normal, and a tip may be outside of an edge, where no triangle's normal is along any lag. So the
- * normal turns steadily within half of the rounding from an edge or corner. With u_e = min(1, h_e /
- * turn), h_e the distance of the place from edge e of its triangle, and a = min(1, d / turn of the
- * corner), d that from the nearest corner, it is along
+ * A proxy on the plane through the nearest place rests where the lag is along the normal. But a tip
+ * may be outside of an edge, where the lag is along no triangle's normal. So the normal turns
+ * steadily within half of the rounding from an edge or corner. With u_e = min(1, h_e / turn), h_e
+ * the distance of the place from edge e of its triangle, and a = min(1, d / turn of the corner), d
+ * the distance from the nearest corner, the normal is along
  *
  *   (1 - a) n_corner + a (w n_face + sum w_e n_e) / (w + sum w_e),
  *   w = u_0 u_1 u_2,   w_0 = (1 - u_0) u_1 u_2 and so on,
@@ -44,7 +44,7 @@ public:
   /** Points of the mesh at the same place are merged. @param rounding in the units of the mesh */
   GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
 
-  /** The place nearest to a finite position; not there if the mesh has no triangles. */
+  /** Returns the place nearest to a finite position; no place if the mesh has no triangles. */
   GuideMeshPlace Find(const Vector3& position) const noexcept;
 
   double GetRounding() const noexcept { return this->Rounding; }
@@ -63,7 +63,10 @@ private:
     Vector3 Normal;
     double Turn = 0.0;
   };
-  /** Boxes: many more than a place near the mesh needs; takes some tens of microseconds. */
+  /**
+   * The most boxes that a query visits: many more than a place near the mesh needs; takes some tens
+   * of microseconds.
+   */
   static constexpr int Budget = 2000;
 
   void CollectFaces();

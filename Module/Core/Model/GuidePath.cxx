@@ -10,7 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The direction between two consecutive ones; the second one if the line turns back. */
+/**
+ * Returns the direction between two consecutive directions; the second one if the line turns back.
+ */
 Vector3 DirectionBetween(const Vector3& a, const Vector3& b) noexcept
 {
   const Vector3 sum = a + b;
@@ -125,7 +127,7 @@ double GuidePath::SquareDistance(std::size_t box, const Vector3& place) const no
 
 GuidePlace GuidePath::Find(const Vector3& place) const noexcept
 {
-  constexpr std::size_t deepest = 64; // the children of boxes wait here, one per level
+  constexpr std::size_t deepest = 64; // the children of visited boxes, one per level
   std::size_t waiting[deepest] = { 0 };
   std::size_t count = 1;
   double least = Nowhere;

@@ -7,11 +7,11 @@
  *   GuidePath guide({ { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 } } }, 1.0);
  *   const GuidePlace place = guide.Find(world);
  *
- * The direction of a line turns at its corners. A proxy that is held on the line through the
- * nearest place along that direction rests where the lag is at right angles to it, and a tip may be
- * outside of a corner, where no segment is at right angles to any lag. So within half of the
- * rounding from a corner the direction turns steadily from one segment's to the next one's. The
- * places stay on the polyline: a proxy on it is not drawn off.
+ * The direction of a line turns at its corners. A proxy on the line through the nearest place rests
+ * where the lag is at right angles to the line. But a tip may be outside of a corner, where no
+ * segment is at right angles to the lag. So within half of the rounding from a corner the direction
+ * turns steadily from one segment's to the next one's. The places stay on the polyline, so that a
+ * proxy on the polyline is not drawn away from it.
  */
 #ifndef GuidePath_h
 #define GuidePath_h
@@ -31,7 +31,7 @@ struct GuidePlace
   Vector3 Direction; ///< unit, along the line
   bool IsNearEnd = false;
   ///@{
-  /** For a place on the first or last segment of an open line. */
+  /** For a place on the first or the last segment of an open line. */
   Vector3 End;
   Vector3 Outward; ///< unit, at the end
   ///@}
@@ -55,8 +55,8 @@ public:
   bool IsSame(const GuidePath& other) const noexcept;
 
   /**
-   * The nearest place on the guide, which must not be empty. For a position that is not finite, any
-   * place.
+   * Returns the nearest place on the guide, which must not be empty. A position that is not finite
+   * gives any place.
    */
   GuidePlace Find(const Vector3& place) const noexcept;
 
@@ -89,7 +89,9 @@ private:
 
   void AddLine(const Line& line, double rounding);
   void MakeBoxes();
-  /** The square distance to box i of the tree, whose children are boxes 2 i + 1 and 2 i + 2. */
+  /**
+   * Returns the square distance to box i of the tree, whose children are boxes 2 i + 1 and 2 i + 2.
+   */
   double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
 
   std::vector<Segment> Segments;

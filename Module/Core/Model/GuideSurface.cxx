@@ -10,9 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Fraction of the rounding: a place nearer to the mesh has no direction of its own. */
+/** A place nearer to the mesh than this fraction of the rounding has no direction of its own. */
 constexpr double LeastAway = 1e-9;
-/** Voxels from the border of the field. */
+/** The distance (voxels) from the border of the field over which holds fade. */
 constexpr double FieldFade = 2.0;
 
 } // namespace

@@ -42,7 +42,7 @@ public:
   GuideSurface(const GuideSurface&) = delete; // the sampler borrows the kernel
   void operator=(const GuideSurface&) = delete;
 
-  /** The place for any position. */
+  /** Returns the place for a position. */
   GuideSurfacePlace Find(const Vector3& position) const noexcept;
 
   /** Whether another surface is made of the same mesh or samples. */

@@ -31,7 +31,7 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
   return baked.Labels ? baked.Labels->IndexToWorld : baked.IndexToWorld;
 }
 
-/** Whether voxels are cubes, apart from rounding: then all directions have the same length. */
+/** Whether voxels are cubes, apart from rounding, so that all directions have the same length. */
 bool IsOfCubes(const Matrix3& indexToWorld)
 {
   constexpr double rounding = 1e-9;
@@ -47,7 +47,7 @@ bool IsOfPaper(const HapticSettings& settings)
   return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;
 }
 
-/** World units: KernelRadius voxels of the coarser image. */
+/** Returns KernelRadius voxels of the coarser image, in world units. */
 double ComputeLabelReach(const BakedVolume& baked)
 {
   return baked.Kernel.Radius *
@@ -64,7 +64,7 @@ double ComputeMostSteps(const HapticModel& model)
   return most;
 }
 
-/** Bytes of the meshes. */
+/** Returns the size of the meshes (bytes). */
 std::size_t GetMeshSize(const BakedVolume& baked)
 {
   std::size_t size = baked.Mesh ? baked.Mesh->GetMemorySize() : 0;
@@ -100,7 +100,7 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , WorldUnitsPerMeter(SimilarityScale(deviceToWorld))
   , VoxelsPerMeter{ Norm(this->DeviceToIndex.Linear.Row[0]),
     Norm(this->DeviceToIndex.Linear.Row[1]), Norm(this->DeviceToIndex.Linear.Row[2]) }
-  // The rows are at right angles.
+  // The rows are at right angles to one another.
   , MostVoxelsPerMeter(
       std::fmax(this->VoxelsPerMeter.X, std::fmax(this->VoxelsPerMeter.Y, this->VoxelsPerMeter.Z)))
   // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.

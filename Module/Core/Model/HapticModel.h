@@ -8,8 +8,8 @@
  * image, mm for CT) and *device* (metres; tip, proxy and force). Device and world differ by a
  * similarity, so that a volume feels equally stiff at any size on the screen.
  *
- * A model is built off the servo thread and never changes afterwards. It keeps the scalar array
- * alive through HapticModelDescription::Samples and borrows its memory: nothing is copied.
+ * A model is built outside the servo thread, and never changes afterwards. It keeps the scalar
+ * array alive through HapticModelDescription::Samples and borrows its memory: nothing is copied.
  */
 #ifndef HapticModel_h
 #define HapticModel_h
@@ -28,7 +28,10 @@ class HapticModel
 public:
   explicit HapticModel(const HapticModelDescription& description);
   ///@{
-  /** The volume of another model, with another device or another placement. Bakes nothing again. */
+  /**
+   * Makes a model of the same volume, with another device or another placement, without baking
+   * again.
+   */
   HapticModel(const HapticModel& other, const Affine3& deviceToWorld, const ForceCaps& deviceCaps);
   HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld,
     const ForceCaps& deviceCaps);
@@ -50,7 +53,7 @@ public:
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
   const double WorldUnitsPerMeter;
-  /** The largest number of index steps along each axis for a vector of 1 m. */
+  /** The largest number of index steps along any axis for a vector of 1 m. */
   const Vector3 VoxelsPerMeter;
   const double MostVoxelsPerMeter; ///< along the axis of the smallest spacing
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
@@ -58,8 +61,8 @@ public:
   /** Stands in for the normal without a gradient: the volume's third axis. */
   const Vector3 FallbackNormal;
   /**
-   * Whether the kernel's length depends on the direction: KernelRadius voxels along it. Not for
-   * cubic voxels, nor with the solver PAPER.
+   * Whether the kernel's length depends on the direction, because it is KernelRadius voxels along
+   * that direction. False for cubic voxels and with the solver PAPER.
    */
   const bool HasLengthByDirection;
   /** Whether the distinctness depends on the direction: HapticMaterial::IsDistinctFromNoise. */
@@ -75,25 +78,31 @@ public:
    * KernelLength: see ComputeReach.
    */
   const Matrix3 GradientToReach;
-  /** x_s - x_p, as index steps, without a gradient. */
+  /** The vector x_s - x_p, as index steps, where there is no gradient. */
   const Vector3 FallbackReach;
   const ResidentBox Resident; ///< the resident samples in Baked->Field
   ///@{
-  /** From an index of the volume, and from the device, to an index of the label image. */
+  /** Maps from an index of the volume, and from the device, to an index of the label image. */
   const Affine3 IndexToLabel;
   const Affine3 DeviceToLabel;
   ///@}
-  /** Turns a gradient per index step of the label image into one per world unit on device axes. */
+  /**
+   * Turns a gradient per index step of the label image into one per world unit, along the device's
+   * axes.
+   */
   const Matrix3 LabelGradientToDevice;
   /**
-   * As HasLengthByDirection and KernelLength, at a wall between labels: KernelRadius voxels of the
-   * coarser image.
+   * The counterparts of HasLengthByDirection and KernelLength at a wall between labels:
+   * KernelRadius voxels of the coarser image.
    */
   const bool HasLabelLengthByDirection;
   const double LabelReach;
-  /** As GradientToReach, for a gradient per index step of the label image and LabelReach. */
+  /**
+   * The counterpart of GradientToReach for a gradient per index step of the label image, and
+   * LabelReach.
+   */
   const Matrix3 LabelGradientToReach;
-  /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
+  /** The most index steps in 1 m: of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
 
   /**
@@ -109,7 +118,10 @@ public:
     return this->HasLengthByDirection ? this->KernelLengthOf(this->DeviceToIndex.Linear * normal)
                                       : this->KernelLength;
   }
-  /** x_s - x_p (index steps) for a vector in its direction; as GradientToReach for cubes. */
+  /**
+   * Returns x_s - x_p (index steps) for a vector in its direction; the same as GradientToReach for
+   * cubes.
+   */
   Vector3 ComputeReach(const Vector3& direction) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
@@ -120,13 +132,13 @@ public:
     DistinctnessTable::Values values = this->Baked->Distinctness(magnitude);
     if (this->HasNoiseByDirection)
     {
-      // 1 along the axis of the smallest spacing.
+      // Returns 1 along the axis of the smallest spacing.
       const double voxels = Norm(this->DeviceToIndex.Linear * normal) / this->MostVoxelsPerMeter;
       values[0] = this->Baked->Distinctness(magnitude / std::fmax(voxels, 1e-300))[0];
     }
     return values;
   }
-  /** As KernelLengthAlong, at a wall between labels. */
+  /** The counterpart of KernelLengthAlong at a wall between labels. */
   double LabelReachAlong(const Vector3& normal) const noexcept;
 
   bool IsCutAway(const Vector3& world) const noexcept
@@ -134,7 +146,7 @@ public:
     return this->Baked->Cut &&
       this->Baked->Cut->Compute(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
   }
-  /** The index steps of a displacement (m), in the finer of the images that are felt. */
+  /** Returns the index steps of a displacement (m), in the finer of the felt images. */
   double StepsOf(const Vector3& displacement) const noexcept
   {
     const double steps = Norm(this->DeviceToIndex.Linear * displacement);
@@ -143,14 +155,14 @@ public:
       : steps;
   }
 
-  /** 0 at the volume's border, rising to 1 one kernel radius inside. */
+  /** Returns 0 at the volume's border, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept
   {
     const double fade = this->Baked->Field.DistanceToBorder(index) * this->InverseRadius;
     return fade < 1.0 ? (fade > 0.0 ? fade : 0.0) : 1.0;
   }
 
-  /** V at a device position, and at a data time if the volume moves. */
+  /** Returns V at a device position, and at a data time if the volume moves. */
   double ValueAtDevice(const Vector3& device, double time = 0.0) const noexcept
   {
     return this->Baked->At(time).Value(this->DeviceToIndex(device));
@@ -163,10 +175,10 @@ public:
                                : NoLabel;
   }
 
-  /** The tables that every tick reads, without the samples and the mesh. */
+  /** Returns the tables that every tick reads, without the samples and the mesh. */
   std::vector<MemoryRange> GetTables() const;
 
-  /** Bytes without the image. */
+  /** Returns the size (bytes) without the image. */
   std::size_t GetMemorySize() const;
 };
 

@@ -39,22 +39,22 @@ struct HapticMaterial
   Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
   Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
   /**
-   * Whether Distinctness is MakeNoiseRamp's: the larger the spacing along an axis, the less noise
-   * has its gradient. W_d is then that of the rise in a voxel along the normal, over the smallest
-   * spacing, but with the solver PAPER.
+   * Whether Distinctness is the ramp of MakeNoiseRamp. The larger the spacing along an axis, the
+   * less noise its gradient has; so W_d is taken at the rise over a voxel along the normal, divided
+   * by the smallest spacing (not with the solver PAPER).
    */
   bool IsDistinctFromNoise = false;
 };
 
-/** The samples of a volume that moves, at an instant. */
+/** The samples of a volume that moves, at one instant. */
 struct VolumeTimeStep
 {
   double Time = 0.0; ///< data time, in the units of the data
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * To the next time step, on the points of View; none if it is not known, or there is no next time
-   * step.
+   * The displacements to the next time step, on the points of View; none if they are not known, or
+   * if there is no next time step.
    */
   DisplacementView Displacements = {};
   std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps the displacements alive
@@ -74,8 +74,8 @@ struct HapticModelDescription
    */
   std::vector<VolumeTimeStep> TimeSteps;
   /**
-   * The series to which the time steps belong, if they are a part of one; with a LoopInterval of 0,
-   * they are all of it.
+   * The series of which the time steps are a part; with a LoopInterval of 0, they are the whole
+   * series.
    */
   TimeStepSeries Series;
   Affine3 IndexToWorld;  ///< not singular
@@ -95,15 +95,15 @@ struct HapticModelDescription
   std::vector<ModeDescription> Modes;
   std::shared_ptr<const BakedTool> Tool; ///< null: a point
   /**
-   * Null, or the tissue that a tool removes from the samples of View, which then reads as absent.
-   * The thread that ticks writes to it. Not for a volume that moves.
+   * The tissue that a tool removes from the samples of View, which are then read as if it were
+   * absent; may be null. The thread that ticks writes to it. Not for a volume that moves.
    */
   std::shared_ptr<TissueRemoval> Removal;
   double AirValue = 0.0; ///< the value of a sample without tissue
   /**
-   * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
-   * time steps, with the same material and settings: a servo continues from one to the other as on
-   * the whole.
+   * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other time
+   * steps, with the same material and settings: a servo goes on from that model as if both were the
+   * whole.
    */
   std::uint64_t Number = 0;
   /**

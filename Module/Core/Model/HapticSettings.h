@@ -60,8 +60,8 @@ enum class LocalSurfaceShape : std::uint8_t
 };
 
 /**
- * The side of a surface on which its structure lies: the side of higher values, of lower ones, or
- * either.
+ * The side of a surface on which its structure lies: the side of higher values, the side of lower
+ * values, or either.
  */
 enum class SurfaceSide : std::uint8_t
 {

@@ -9,7 +9,7 @@
 namespace VolumeHaptics
 {
 
-/** Memories of the last label lookups, from one tick to the next. They change no result. */
+/** Memories of the last label lookups, kept from tick to tick. They change no result. */
 struct LabelMemory
 {
   WallMemory Wall;  ///< around the proxy

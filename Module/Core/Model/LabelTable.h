@@ -83,7 +83,7 @@ public:
   /** Whether any label has a specific energy. */
   bool HasSpecificEnergy() const noexcept { return this->AnySpecificEnergy; }
 
-  /** The material of a label; null if it has none. */
+  /** Returns the material of a label; null if it has none. */
   const LabelMaterial* Find(std::int64_t label) const noexcept
   {
     if (this->Entries.empty())
@@ -124,7 +124,7 @@ public:
   }
 
   ///@{
-  /** The memory outside the object. */
+  /** Returns the memory outside the object. */
   const void* GetEntries() const noexcept { return this->Entries.data(); }
   std::size_t GetEntriesSize() const noexcept
   {
@@ -137,7 +137,7 @@ public:
   }
   ///@}
 
-  /** Bytes outside the object. */
+  /** Returns the size (bytes) of the memory outside the object. */
   std::size_t GetMemorySize() const noexcept
   {
     return this->GetEntriesSize() + this->GetPlacesSize();
@@ -145,8 +145,8 @@ public:
 
 private:
   /**
-   * Where the search for a label begins: the highest bits of a product depend on all bits of the
-   * label.
+   * Returns where the search for a label begins: the highest bits of a product depend on all bits
+   * of the label.
    */
   std::size_t Home(std::int64_t label) const noexcept
   {

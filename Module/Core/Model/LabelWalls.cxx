@@ -65,7 +65,7 @@ struct LabelWalls::Around
 namespace
 {
 
-/** Weights at a position within the image; returns the first tap's index. */
+/** Computes the weights at a position within the image; returns the first tap's index. */
 std::int64_t ComputeWeights(const GradientKernel& kernel, double position, double* weights) noexcept
 {
   const double place = position * GradientKernel::Intervals;

@@ -9,8 +9,8 @@
  *   u(x) = sum of w(x - x_i) over the voxels i of the set,   sum of all w = 1,
  *
  * with the weights of the Gaussian kernel (GradientKernel.h), is smooth although labels are not.
- * Labels have an order (LabelTable::OrderOf), and a set is that of a label and all harder ones.
- * Where this set and the remaining labels have equal fractions, there is a wall; u_in - u_out = 2 u
+ * Labels have an order (LabelTable::OrderOf); a set contains a label and all harder labels. Where
+ * the set and the remaining labels have equal fractions, there is a wall; u_in - u_out = 2 u
  * - 1 is its value and the gradient of that its normal, into the harder side. The sets are nested,
  * so that walls never cross. Near several walls, the nearest counts.
  *
@@ -43,8 +43,8 @@ struct LabelWall
 };
 
 /**
- * The voxels of the last lookup, in a cell of the label image: the next lookups mostly need the
- * same ones. It saves time and changes no result.
+ * The voxels of the last lookup, in a cell of the label image. The next lookups mostly need the
+ * same voxels; this memory saves time and changes no result.
  */
 struct WallMemory
 {
@@ -52,7 +52,7 @@ struct WallMemory
   std::int64_t Cell[3] = {};
   bool HasWall = false; ///< between two labels; if false, there is no wall
   ///@{
-  /** For the harder label; the planes, as in LabelBlock, count if its rows are not steps. */
+  /** For the harder label. The planes, as in LabelBlock, are used if its rows are not steps. */
   bool HasSteps = false;
   LabelSteps Steps = {};
   std::uint64_t Planes[LabelBlock::Taps] = {};
@@ -64,8 +64,8 @@ class LabelWalls
 {
 public:
   /**
-   * `radius` (voxels of the label image) is the kernel's. `fractions`, if any, belong to the
-   * FineLabels with this view.
+   * `radius` (voxels of the label image) is the radius of the kernel. `fractions`, if any, belong
+   * to the FineLabels with this view.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
     const std::uint8_t* fractions = nullptr);
@@ -73,7 +73,7 @@ public:
   LabelWalls& operator=(const LabelWalls&) = delete;
 
   ///@{
-  /** The wall at an index of the label image; none outside the image. */
+  /** Returns the wall at an index of the label image; no wall outside the image. */
   LabelWall Compute(const Vector3& index, WallMemory& memory) const noexcept;
   LabelWall Compute(const Vector3& index) const noexcept
   {
@@ -82,7 +82,7 @@ public:
   }
   ///@}
 
-  /** 0 at the border of the label image, rising to 1 one kernel radius inside. */
+  /** Returns 0 at the border of the label image, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept
   {
     const Vector3 inside = Least(index, this->Last - index);
@@ -90,14 +90,14 @@ public:
     return std::clamp(nearest * this->InverseRadius, 0.0, 1.0);
   }
 
-  /** Bytes outside the object. */
+  /** Returns the size (bytes) of the memory outside the object. */
   std::size_t GetMemorySize() const noexcept
   {
     return this->Kernel.Table.capacity() * sizeof(double) + this->Sampler.GetMemorySize();
   }
 
   ///@{
-  /** The table that every tick reads, with the default radius. */
+  /** Returns the table that every tick reads, with the default radius. */
   const void* GetTable() const noexcept { return this->Sampler.GetMemory(); }
   std::size_t GetTableSize() const noexcept { return this->Sampler.GetMemorySize(); }
   ///@}
@@ -112,7 +112,7 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
-  /** As Gather, for voxels with shares. */
+  /** The same as Gather, for voxels with fractions. */
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
@@ -120,7 +120,7 @@ private:
   /** Returns false if there are more than two labels. */
   bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
   LabelWall ComputeInRuns(const Vector3& index) const noexcept;
-  /** The nearest wall; fraction(i) is the fraction of the label i and its gradient. */
+  /** Returns the nearest wall; fraction(i) is the fraction of label i, and its gradient. */
   template <typename F>
   LabelWall FindNearest(int count, const std::int64_t* labels, F&& fraction) const noexcept;
 
@@ -132,7 +132,7 @@ private:
   const double InverseRadius;
   const LabelSampler Sampler; ///< for the default radius of 3, which has LabelBlock::Taps
   const std::uint8_t* const Fractions;
-  GatherFunction GatherFractions; ///< for other radii, and for voxels with shares
+  GatherFunction GatherFractions; ///< for other radii, and for voxels with fractions
 };
 
 } // namespace VolumeHaptics

@@ -205,7 +205,8 @@ void SurfaceMesh::Build()
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
 
-  // Split into halves of equal number along the axis on which the centres lie farthest apart.
+  // Splits the triangles into halves of equal number, along the axis on which the centres are
+  // farthest apart.
   const auto twiceMiddle = [&](std::int32_t i, int axis)
   { return boxes[i].Low[axis] + boxes[i].High[axis]; };
   this->Nodes.push_back({ {}, 0, size });

@@ -65,7 +65,7 @@ public:
   }
   const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
-  /** The longest way of any point to the next time step (world units). */
+  /** Returns the longest way of any point to the next time step (world units). */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
@@ -95,8 +95,8 @@ public:
   }
 
   /**
-   * The place nearest to a finite position, on a mesh that does not move. If the budget is spent,
-   * the nearest place so far.
+   * Returns the place nearest to a finite position, on a mesh that does not move; if the budget is
+   * spent, the nearest place so far.
    */
   MeshPlace FindNearest(const Vector3& position, int budget) const noexcept;
 
@@ -149,7 +149,7 @@ private:
   };
 
   static constexpr int LeafSize = 4;
-  /** Nodes are halved: a tree of 2^31 triangles is no deeper. */
+  /** The deepest tree: nodes are halved, so a tree of 2^31 triangles is no deeper. */
   static constexpr int Deepest = 64;
 
   void Build();

@@ -46,7 +46,7 @@ struct TimeSpan
                                                        : time >= this->Front || time <= this->Back;
   }
   ///@{
-  /** The data time that the time span has beyond `time`, forward and backward. */
+  /** Returns how much data time the time span contains after `time` and before it. */
   double GetAhead(double time) const noexcept { return this->Measure(this->Back - time); }
   double GetBehind(double time) const noexcept { return this->Measure(time - this->Front); }
   ///@}

@@ -12,14 +12,14 @@ namespace
 {
 constexpr int Bins = 128;
 constexpr int Cells = Bins * Bins;
-constexpr double BlurBins = 3.0; // of the histogram, standard deviation
-/** Two peaks are one if the saddle between them is higher than this fraction of the lower one. */
+constexpr double BlurBins = 3.0; // standard deviation of the histogram's blur (bins)
+/** Two peaks are one if the saddle between them is higher than this fraction of the lower peak. */
 constexpr double SaddleFraction = 0.6;
 constexpr double LeastFraction = 0.02;
 constexpr std::size_t LeastLines = 8;
 /** The axis is logarithmic from this fraction of the largest value on. */
 constexpr double LinearFraction = 0.05;
-constexpr double NoiseReach = 4.0; // standard deviations
+constexpr double NoiseReach = 4.0; // how far noise reaches, in standard deviations
 
 using Histogram = std::vector<double>;
 
@@ -29,7 +29,7 @@ struct Weighted
   double Weight;
 };
 
-/** The value below which this fraction of the weight lies. */
+/** Returns the value below which this fraction of the weight lies. */
 double Quantile(std::vector<Weighted> values, double fraction)
 {
   std::sort(values.begin(), values.end(),
@@ -73,7 +73,7 @@ Histogram BlurAlong(const Histogram& histogram, int stride)
   return blurred;
 }
 
-/** The peak to which each cell belongs; -1 for cells without lines nearby. */
+/** Returns the peak to which each cell belongs; -1 for cells without lines nearby. */
 std::vector<int> AssignPeaks(const Histogram& histogram)
 {
   std::vector<int> order(Cells);
@@ -95,8 +95,8 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
     {
       break;
     }
-    // The higher neighbours; if two peaks meet here, the lower one is dropped if it stands out too
-    // little.
+    // Collects the higher neighbours. If two peaks meet here, the lower one is dropped unless it
+    // stands out enough.
     int best = -1;
     for (int neighbour = 0; neighbour < 9; ++neighbour)
     {
@@ -144,8 +144,8 @@ double Extreme(const std::vector<double>& curve, std::size_t at)
 }
 
 /**
- * Kindlmann and Durkin's width of an edge: g_max / (sqrt(e) h_max), of the lines' mean slope g and
- * mean curvature h.
+ * Returns Kindlmann and Durkin's width of an edge, g_max / (sqrt(e) h_max), from the lines' mean
+ * slope g and mean curvature h.
  */
 double MeasureWidth(const std::vector<const EdgeLine*>& lines)
 {
@@ -163,7 +163,7 @@ double MeasureWidth(const std::vector<const EdgeLine*>& lines)
     }
     for (int k = 0; k < EdgeLine::Fractions; ++k)
     {
-      // The edge falls back as it has risen.
+      // The edge falls in the same way as it has risen.
       const int mirrored = EdgeLine::Fractions - 1 - k;
       slope[k] += line->Slope[k] + line->Slope[mirrored];
       bend[k] += line->Curvature[k] - line->Curvature[mirrored];

@@ -14,13 +14,13 @@
 namespace VolumeHaptics
 {
 
-/** The lines that cross from one material to another one. */
+/** The lines that cross from one material to another. */
 struct Boundary
 {
   /** The values of the materials on both sides. */
   double Low = 0.0;
   double High = 0.0;
-  /** A quarter of the lines rises by less than this: smaller than High - Low under a bias. */
+  /** The first quartile of the lines' rises: smaller than High - Low under a bias. */
   double LeastRise = 0.0;
   /** The standard deviation s of the blurred step (world units): V = Low + (High - Low) Phi(x/s).
    */
@@ -28,7 +28,7 @@ struct Boundary
   /** Variance of the estimator's own blur (world units squared), which Width does not include. */
   double Blur = 0.0;
   double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
-  /** Share of the area of all boundaries. */
+  /** The fraction of the area of all boundaries. */
   double Fraction = 0.0;
   /** The fraction of the lines that are brighter towards the middle of all edges. */
   double Inward = 0.0;

@@ -13,8 +13,8 @@ namespace VolumeHaptics
 namespace
 {
 constexpr double StepsPerVoxel = 4.0;
-constexpr int Reach = 48; // steps to either side
-/** Steps of a plateau over which its value is averaged. */
+constexpr int Reach = 48; // the most steps to either side
+/** The number of steps of a plateau over which its value is averaged. */
 constexpr int PlateauSteps = 8;
 /** A plateau begins where the slope is this fraction of the largest one, or noise. */
 constexpr double PlateauFraction = 0.03;
@@ -29,7 +29,7 @@ constexpr int DriftSteps = 4;
 /** Another edge begins where the slope rises again by this fraction of the largest one. */
 constexpr double RiseFraction = 0.25;
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr int MostClimbs = 16; // steps, from the slope of an edge to where it is steepest
+constexpr int MostClimbs = 16; // the most steps from the slope of an edge to its steepest place
 
 struct LinePoint
 {
@@ -42,9 +42,9 @@ struct LinePoint
 struct EdgeTracer::Ray
 {
   Vector3 Centre;    ///< index
-  Vector3 Step;      ///< along the line, index
+  Vector3 Step;      ///< the step along the line (index)
   double StepLength; ///< world units
-  double Slope;      ///< at the centre, per world unit
+  double Slope;      ///< the slope at the centre, per world unit
 };
 
 struct EdgeTracer::Profile
@@ -58,7 +58,7 @@ struct EdgeTracer::Profile
   }
 
   std::array<LinePoint, 2 * Reach + 1> Points;
-  int End[2] = { 0, 0 }; ///< the last step to either side, -End[0] to End[1]
+  int End[2] = { 0, 0 }; ///< the last step to either side, from -End[0] to End[1]
   double Plateau[2] = { 0.0, 0.0 };
   bool IsWide[2] = { true, true };
 };
@@ -259,7 +259,7 @@ bool EdgeTracer::Trace(const Vector3& index, EdgeLine& line) const noexcept
     return false;
   }
   const double found = ray.Slope;
-  // Twice, since the gradient is most exact where it is largest.
+  // Climbs twice, because the gradient is most exact where it is largest.
   if (!this->Climb(ray) || !this->Aim(ray) || !this->Climb(ray) || !this->Aim(ray) ||
     ray.Slope * ray.StepLength * StepsPerVoxel < this->Thresholds.Least)
   {

@@ -12,7 +12,7 @@
  *
  * Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
  * rendering", 1998, look at edges against their values; Sereda et al., "Visualization of boundaries
- * in volumetric data sets using LH histograms", 2006, at the ends.
+ * in volumetric data sets using LH histograms", 2006, look at the values at their ends.
  */
 #ifndef EdgeLine_h
 #define EdgeLine_h
@@ -69,12 +69,16 @@ public:
   EdgeTracer(const FieldSampler& field, const Affine3& indexToWorld, double variance,
     const EdgeThresholds& thresholds);
 
-  /** The slope at an index (per voxel, along the gradient in the world); 0 if it is not finite. */
+  /**
+   * Returns the slope at an index (per voxel, along the gradient in the world); 0 if it is not
+   * finite.
+   */
   double Slope(const Vector3& index) const noexcept;
 
   /**
-   * The edge on whose slope an index stands. False if there is none: too little slope, no plateau
-   * within reach, or the border of the volume or samples that are not finite before a plateau.
+   * Traces the edge on whose slope an index stands. False if there is too little slope, no plateau
+   * within reach, or if the border of the volume or a sample that is not finite comes before a
+   * plateau.
    */
   bool Trace(const Vector3& index, EdgeLine& line) const noexcept;
 
@@ -94,8 +98,8 @@ private:
 };
 
 /**
- * The variance of an estimator's kernel along an axis (voxels squared): the amount that it adds to
- * x^2.
+ * Returns the variance of an estimator's kernel along an axis (voxels squared): the amount that the
+ * kernel adds to x^2.
  */
 double MeasureKernelVariance(const GradientKernel& kernel);
 

@@ -11,13 +11,14 @@ namespace VolumeHaptics
 {
 namespace
 {
-constexpr double LeastSalience = 0.03; // fraction of area times rise of all boundaries
+constexpr double LeastSalience = 0.03; // The least area times rise of a boundary that matters, as a
+                                       // fraction of the sum over all boundaries.
 constexpr double Salient = 0.1;
 /** Values closer than this fraction of the axis are one material. */
 constexpr double MergeFraction = 0.06;
-// Fraction of the slope of the weakest boundary: distinctness 0.
+// Distinctness is 0 up to this fraction of the slope of the weakest boundary.
 constexpr double StartFraction = 0.2;
-constexpr double FullFraction = 0.5; // as StartFraction: distinctness 1
+constexpr double FullFraction = 0.5; // distinctness is 1 from this fraction on
 /**
  * The strength rises over this fraction of the gap from the end of a noisy background to the next
  * material.
@@ -25,19 +26,19 @@ constexpr double FullFraction = 0.5; // as StartFraction: distinctness 1
 constexpr double EmptyFraction = 0.15;
 /** Boundaries are felt if the noise lies below this fraction of their slope. */
 constexpr double NoiseFraction = 0.4;
-/** Fraction of the gap to the next material over which a material is constant. */
+/** The fraction of the gap to the next material over which a material is constant. */
 constexpr double ConstantFraction = 0.2;
 /** V has reached 97.7 % of a material two widths behind the middle of its boundary. */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;
 constexpr int LargestRadius = 5; // a larger radius smears thin parts, and takes long
 /**
- * Shares of inward lines below (above) which the darker (brighter) side lies inside: the other side
- * alone would not show such a boundary.
+ * Fractions of inward lines below (above) which the darker (brighter) side lies inside: a search
+ * from the other side alone would not find such a boundary.
  */
 constexpr double DarkInside = 1.0 / 3.0;
 constexpr double BrightInside = 2.0 / 3.0;
-/** Scale of an uncut Gaussian that blurs as the kernel does (GradientKernel.h). */
+/** The scale of an uncut Gaussian that blurs like the kernel (GradientKernel.h). */
 constexpr double BlurPerRadius = 0.5;
 constexpr double Friction[2] = { 0.1, 0.4 };
 constexpr double Viscosity[2] = { 0.1, 0.4 }; // N
@@ -47,7 +48,9 @@ double Salience(const Boundary& boundary)
   return boundary.Fraction * (boundary.High - boundary.Low);
 }
 
-/** The largest slope (per world unit) of a boundary as a kernel's estimate shows it. */
+/**
+ * Returns the largest slope (per world unit) of a boundary, as the estimate of a kernel shows it.
+ */
 double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
 {
   const double scale = BlurPerRadius * radius;
@@ -56,7 +59,7 @@ double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
   return boundary.LeastRise / (rootTwoPi * std::sqrt(boundary.Width * boundary.Width + blur));
 }
 
-/** The boundaries that matter, in descending order of area times rise. */
+/** Returns the boundaries that matter, in descending order of area times rise. */
 std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 {
   double total = 0.0;
@@ -78,8 +81,8 @@ std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 }
 
 /**
- * The values of the materials: both ends of all boundaries; close values, and all values in the
- * background, are one material.
+ * Returns the values of the materials: both ends of all boundaries. Close values are one material,
+ * and so are all values in the background.
  */
 std::vector<double> MergeEnds(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
@@ -161,7 +164,7 @@ ProposedSide ChooseSide(const MaterialProposal& proposal, const std::vector<Side
   return proposal.Background == 0 ? ProposedSide::Higher : ProposedSide::Lower;
 }
 
-/** Constant around each material, and blended in between. */
+/** Makes a function that is constant around each material, and blended in between. */
 Polyline Blend(const std::vector<double>& values, const std::vector<double>& quantity)
 {
   Polyline line;
@@ -181,7 +184,8 @@ std::vector<double> ChooseStrengths(
 {
   const std::size_t count = proposal.Materials.size();
   const bool down = proposal.Side == ProposedSide::Lower;
-  std::vector<double> rise(count, 0.0); // of the boundaries that lead into a material
+  std::vector<double> rise(count, 0.0); // the largest rise of the boundaries that lead into a
+                                        // material
   // Whether no other material lies behind; if there are more than two, a material that is met
   // directly from outside may hide others.
   std::vector<bool> isLast(count, proposal.Side != ProposedSide::Both);
@@ -221,7 +225,7 @@ std::vector<double> ChooseStrengths(
   return strength;
 }
 
-/** The polyline of the negative argument. */
+/** Returns the polyline of the negative argument. */
 Polyline Mirror(const Polyline& line)
 {
   Polyline mirrored;
@@ -248,12 +252,13 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   const double next = isDark ? values[1] : values[values.size() - 2];
   const double rise = EmptyFraction * (next - end);
   const double full = end + rise;
-  const double constant = next - ConstantFraction * (next - outside); // where the next material is
+  const double constant = next - ConstantFraction * (next - outside); // where the next material
+                                                                      // begins
   const auto empty = [&](Polyline& line, double from, double to)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
   empty(proposal.SurfaceStrength, end, full);
   empty(proposal.Friction, end, full);
-  // A small, dim material holds a hand little, but would drag it as much as a large one.
+  // Without this, a small, dim material would drag a hand as much as a large one does.
   empty(proposal.Viscosity, full,
     isDark ? std::max(constant, full + rise) : std::min(constant, full + rise));
 }
@@ -282,7 +287,7 @@ int ChooseRadius(const std::vector<Boundary>& boundaries, const ProposalFacts& f
   {
     total += Salience(boundary);
   }
-  double width = 0.0; // voxels along the lines
+  double width = 0.0; // the width in voxels along the lines
   for (const Boundary& boundary : boundaries)
   {
     const double voxels = boundary.Width / boundary.Voxel;

@@ -43,8 +43,8 @@ struct LargePages
 #if defined(__linux__)
     if (count * sizeof(T) >= PageSize)
     {
-      // Fails where large pages are off. The end that does not fill a large page stays in small
-      // pages.
+      // Does nothing where large pages are off. The end that does not fill a large page stays in
+      // small pages.
       (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
     }
 #endif

@@ -61,7 +61,7 @@ public:
     catch (...) // no memory for the counts
     {
     }
-    // mlock may have locked some of them
+    // mlock may have locked some pages of the range
     Run run;
     for (std::uintptr_t page = first; page < end; ++page)
     {

@@ -41,8 +41,8 @@ class MemoryLock
 public:
   MemoryLock() = default;
   /**
-   * Ranges of one array that come in rising order are unlocked together, with a few system calls
-   * instead of hundreds. This also unlocks pages between them that the application has locked.
+   * Unlocks ranges of one array that come in rising order together, with a few system calls instead
+   * of hundreds. Pages between these ranges that the application has locked are unlocked, too.
    */
   explicit MemoryLock(bool isOfOneArray)
     : IsOfOneArray(isOfOneArray)

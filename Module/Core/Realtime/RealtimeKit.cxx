@@ -33,7 +33,7 @@ constexpr const char* BusPath = "/org/freedesktop/DBus";
 constexpr std::int64_t LongestWait = 10000000000;
 constexpr int LookPeriod = 10;
 constexpr int NoTimeLimit = 0x7fffffff;
-/** Below 50, the priority of the kernel's own interrupt threads. */
+/** Less than the priority of the kernel's own interrupt threads, 50, so that they run first. */
 constexpr std::int64_t HighestPriority = 40;
 /**
  * If a thread may compute for less time than this (us), a real-time class does more harm than good.

@@ -6,8 +6,8 @@
  * logged in at the computer.
  *
  * Requests go over D-Bus: the system bus, or the bus at $DBUS_SYSTEM_BUS_ADDRESS. The library
- * libdbus-1.so.3 is loaded when it is needed; without the library, a bus or the service, nothing
- * else changes. $VOLUMEHAPTICS_RTKIT=off sends no request.
+ * libdbus-1.so.3 is loaded when it is needed; without the library, a bus or the service, the thread
+ * stays as it is. $VOLUMEHAPTICS_RTKIT=off sends no request.
  *
  * RealtimeKit only serves a process that the kernel ends if one of its real-time threads computes
  * for too long without a pause, as a rule for 200 ms. So the limit RLIMIT_RTTIME of the process is
@@ -41,8 +41,9 @@ struct Wish
 };
 
 /**
- * Call it from a thread that may read the environment: on many systems the process crashes if
- * another thread changes a variable meanwhile, as a script may do once the servo runs.
+ * Reads the settings. Call it from a thread that may read the environment: on many systems the
+ * process crashes if another thread changes a variable meanwhile, as a script may do once the servo
+ * runs.
  */
 Wish ReadEnvironment();
 

@@ -20,7 +20,7 @@ constexpr std::int64_t Millisecond = 1000000; ///< ns
 
 /** Monotonic time in ns. */
 std::int64_t Now() noexcept;
-/** Seconds that have passed since a time of Now(). */
+/** Returns the seconds that have passed since a time of Now(). */
 inline double SecondsSince(std::int64_t time) noexcept
 {
   return static_cast<double>(Now() - time) * SecondsPerNanosecond;

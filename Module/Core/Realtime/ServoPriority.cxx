@@ -26,7 +26,7 @@ constexpr std::int64_t LookPeriod = 5000000;
 
 #if defined(__linux__)
 
-/** The smallest slice that the kernel gives (ns). */
+/** The shortest time slice that the kernel grants (ns). */
 constexpr std::uint64_t ShortestSlice = 100000;
 
 /** The first version of the kernel's struct sched_attr, which older C libraries lack. */
@@ -84,7 +84,7 @@ bool ServoPriority::RaiseThread() noexcept
   prctl(PR_SET_TIMERSLACK, 1UL); // ns
 #endif
 #if defined(__unix__)
-  // Below 50, the priority of the kernel's own interrupt threads.
+  // The kernel's own interrupt threads have priority 50 and must run first.
   constexpr int wanted = 40;
   sched_param parameters{};
   parameters.sched_priority = wanted;

@@ -22,7 +22,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The watcher's longest patience (ns). */
+/** The longest delay (ns) that the watcher accepts. */
 constexpr std::int64_t MostPatience = 300000;
 /**
  * The watcher's shortest and longest pause between two checks (ns), so that it uses little of its
@@ -92,7 +92,7 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   if (this->State.load(std::memory_order_relaxed) == bound &&
     this->State.compare_exchange_strong(bound, Binding::Ending, std::memory_order_acquire))
   {
-    this->GiveBack(); // if that fails, the watcher does it
+    this->GiveBack(); // if this fails, the watcher gives the processors back
     this->State.store(Binding::None, std::memory_order_release);
   }
 }
@@ -165,7 +165,7 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
   CPU_SET(here, &this->Here);
   if (this->Planned.load(std::memory_order_acquire) != planned)
   {
-    return false; // it has woken up meanwhile
+    return false; // the sleeper has woken up meanwhile
   }
   this->State.store(Binding::Bound, std::memory_order_release);
   const bool isBound = SetProcessors(sleeper, this->Here);
@@ -174,13 +174,13 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
     this->Wakes.fetch_add(1, std::memory_order_release);
     syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
   }
-  // Even if State is None again: the sleeper may have checked before the binding took effect.
+  // Also if State is None again: the sleeper may have checked before the binding took effect.
   this->IsOwing = true;
   this->EndBinding();
   return isBound;
 }
 
-/** Called by the watcher, until it succeeds. */
+/** Ends the binding; the watcher calls this until it succeeds. */
 void WatchedSleep::EndBinding() noexcept
 {
   if (this->IsOwing && this->GiveBack())
@@ -192,8 +192,8 @@ void WatchedSleep::EndBinding() noexcept
 }
 
 /**
- * Both threads may call it at the same time, with the same effect. Returns true if the sleeper is
- * no longer bound.
+ * Restores the sleeper's processors. Both threads may call this at the same time, with the same
+ * effect. Returns true if the sleeper is no longer bound.
  */
 bool WatchedSleep::GiveBack() const noexcept
 {
@@ -201,7 +201,7 @@ bool WatchedSleep::GiveBack() const noexcept
   cpu_set_t now;
   if (!GetProcessors(sleeper, now))
   {
-    return errno == ESRCH; // its thread has ended
+    return errno == ESRCH; // the sleeper's thread has ended
   }
   return !CPU_EQUAL(&now, &this->Here) || SetProcessors(sleeper, this->Allowed);
 }

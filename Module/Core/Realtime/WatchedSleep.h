@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The pause of the servo between two ticks, with a second thread that ends it if it gets too long.
+ * @file The pause of the servo between two ticks, and a second thread that ends the pause if it
+ * gets too long.
  *
  * A processor may keep a thread from running at its time: the scheduler lets a busy thread go on,
  * the kernel is busy with interrupts off, or the host of a virtual machine has taken the processor
@@ -49,7 +49,10 @@ public:
 
   /** Sleeps until a time of ServoClock::Now(), never shorter. */
   void SleepUntil(std::int64_t time) noexcept { this->SleepUntil(time, time); }
-  /** For tests: sleeps with an alarm that comes too late, so that only a watcher is in time. */
+  /**
+   * For tests: sleeps with an alarm that comes too late, so that only a watcher can wake the
+   * sleeper in time.
+   */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
   /**
@@ -90,7 +93,7 @@ private:
   cpu_set_t Allowed{}; // where the sleeper may run,
   cpu_set_t Here{};    // and the processor to which it is bound
   ///@{
-  /** For the watcher only: whether it has to end a binding, and the processor that it has left. */
+  /** For the watcher only: whether it has to end a binding, and which processor it has left. */
   bool IsOwing = false;
   int Left = -1;
   ///@}

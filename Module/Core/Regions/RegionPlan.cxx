@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** World units; longer lengths are this long. */
+/** The longest length in use (world units); longer ones are cut to it. */
 constexpr double Longest = 1e12;
 /** The smallest useful width of a region along an axis (samples), unless the volume is smaller. */
 constexpr double LeastWidth = 16.0;
@@ -30,7 +30,10 @@ struct Cube
   double PerUnit[3]; // index steps
 };
 
-/** The cube around a position (world); around the volume's middle if the position is not finite. */
+/**
+ * Computes the cube around a position (world); around the volume's middle if the position is not
+ * finite.
+ */
 Cube ComputeCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
 {
   const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
@@ -78,7 +81,7 @@ bool IsEmpty(const int extent[6]) noexcept
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
 }
 
-/** The distance (world units) of the cube's centre from the borders inside the volume. */
+/** Returns the distance (world units) of the cube's centre from the borders inside the volume. */
 double FindRoom(const WholeGeometry& whole, const Cube& cube, const int region[6]) noexcept
 {
   double room = Longest;
@@ -149,8 +152,8 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // A cut region may have no room at all. Then half of the way to its border counts: the next
-  // region is to come before the tip leaves this one.
+  // A cut region may have no room at all. Then the next region is fetched at half of the way to the
+  // border, so that it comes before the tip leaves this region.
   const double enough = LeastRoom * (then > 0.0 ? then : then - needed);
   return !isSame && now < enough;
 }

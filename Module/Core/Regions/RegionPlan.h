@@ -41,7 +41,7 @@ struct WholeGeometry
 /** Lengths in world units. */
 struct RegionNeeds
 {
-  double MaximumSpeed = 500.0;   ///< v_max, per second
+  double MaximumSpeed = 500.0;   ///< v_max (per second)
   double Latency = 0.2;          ///< t, s
   double SpringLength = 0.0;     ///< T_N/k
   double Reach = 0.0;            ///< r
@@ -52,7 +52,7 @@ struct RegionNeeds
 /** The smallest region: kernels fit into it, whatever the limit is. */
 constexpr double LeastVoxels = 4096.0;
 
-/** h above; finite, and 0 or more, for any needs. */
+/** Returns h above; finite, and 0 or more, for any needs. */
 double ComputeHalfWidth(const RegionNeeds& needs) noexcept;
 
 /**
@@ -68,20 +68,20 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const Vector3& velocity, const int resident[6], int wanted[6]) noexcept;
 
 /**
- * The distance (world units) of a tip (world) from the region's nearest border that is not the
- * volume's own, less T_N/k + r + b. If it is negative, a tick there may lack samples; it is very
- * negative for an empty region, and very large for a whole one.
+ * Returns the room (world units): the distance of a tip (world) from the region's nearest border
+ * that is not the volume's own, less T_N/k + r + b. If it is negative, a tick there may lack
+ * samples. A large negative number for an empty region, a large positive one for the whole volume.
  */
 double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;
 
 /**
- * The smoothed latency (s) after another measurement: rises fast, falls slowly. Measurements that
- * are negative or not finite do not count.
+ * Returns the smoothed latency (s) after another measurement: it rises fast and falls slowly.
+ * Measurements that are negative or not finite do not count.
  */
 double SmoothLatency(double latency, double measured) noexcept;
 
-/** The largest latency that is planned for (s). */
+/** The largest latency (s) for which regions are planned. */
 constexpr double MostLatency = 10.0;
 
 } // namespace VolumeHaptics

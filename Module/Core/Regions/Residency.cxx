@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * The reach of a tool with a shape, in addition to the method's: its points around its origin, and
- * their material a kernel length farther.
+ * Computes how far a tool with a shape reads beyond the method's reach: as far as its points are
+ * from its origin, and a kernel length farther, where their material is read.
  */
 Vector3 ComputeToolReach(const HapticModel& model) noexcept
 {

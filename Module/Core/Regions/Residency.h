@@ -36,7 +36,7 @@ Vector3 ComputeReadReach(const HapticModel& model) noexcept;
 bool ComputeReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;
 
-/** The residency of the tick that takes a state to a tip (device): 0 to 1. */
+/** Returns the residency of the tick that takes a state to a tip (device): 0 to 1. */
 double ComputeResidency(
   const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept;
 

@@ -5,8 +5,8 @@
  * The narrow interface between the servo and a haptic device.
  *
  * A back end does not depend on volumes, solvers or VTK: it reports the stylus and takes a force.
- * Everything is in the device's space: metres, newtons, newton metres, a right-handed frame of the
- * device's own. Vendor libraries are added by deriving from this class.
+ * Everything is in the device's space: metres, newtons, newton metres, in the device's own
+ * right-handed frame. Vendor libraries are added by deriving from this class.
  *
  * A stylus has its own axes: it points along its -z, with the handle on the side of +z and the
  * button on the side of +y. Its orientation is the rotation from the device's axes to the stylus's
@@ -51,10 +51,10 @@ struct DeviceLimits
 constexpr double StatedRoundTrip = 1e-3;
 
 /**
- * The largest stiffness and damping that a device holds if forces are late by a round trip of T (s,
- * LoopTiming.h): its own limits, and a stiffness of 2 b / T, above which a sampled spring feeds
- * energy in. If b is not known, it follows from the device's stated limits: b = k T / 2 with its
- * largest k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
+ * Computes the largest stiffness and damping that a device holds if forces are late by a round trip
+ * of T (s, LoopTiming.h): its own limits, and a stiffness of 2 b / T, above which a sampled spring
+ * feeds energy in. If b is not known, it follows from the device's stated limits: b = k T / 2 with
+ * its largest k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
  */
 inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
 {
@@ -79,8 +79,8 @@ struct DeviceSample
   Vector3 Tip;               ///< m
   std::uint32_t Buttons = 0; ///< bit 0 is the main button
   bool Fresh = false;        ///< measured since the last Read
-  /// Since the last Read, the device has shown that it is connected and has nothing new: the tip
-  /// has not moved. For devices that are silent at rest; Fresh implies it.
+  /// Since the last Read, the device has shown that it is connected and that the tip has not moved.
+  /// For devices that are silent at rest; always true if Fresh is.
   bool Alive = false;
   bool Begins = false; ///< the stylus is taken up here; earlier positions mean nothing
   Vector3 Turn;        ///< rad/s: how fast the hand asks the view to turn; zero for most devices
@@ -102,7 +102,10 @@ struct DeviceCommand
   Vector3 Torque; ///< N m, on the hand about the tip, for a tool with a shape
 };
 
-/** The result of a Read or a Write, for the servo loop in each tick. DeviceStage is for people. */
+/**
+ * The result of a Read or a Write, for the servo loop in each tick. DeviceStage is the condition
+ * that users see.
+ */
 enum class DeviceState : std::uint8_t
 {
   Running,  ///< reads and writes succeed
@@ -111,7 +114,7 @@ enum class DeviceState : std::uint8_t
   Lost      ///< unplugged or broken; the back end has to be opened again
 };
 
-/** How far a device is from taking forces, for displays. */
+/** How far a device is from accepting forces, for displays. */
 enum class DeviceStage : std::uint8_t
 {
   Firmware, ///< its firmware is being loaded
@@ -149,8 +152,8 @@ public:
   /** Called at any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
   /**
-   * A name that identifies this device, such as its kind and serial number, or its kind and port if
-   * it has no serial number, once it is open. The user's confirmations and calibrations are stored
+   * Returns a name that identifies this device, once it is open: its kind and serial number, or its
+   * kind and port if it has no serial number. The user's confirmations and calibrations are stored
    * under this name, unless KeepsIdentity is false. Empty for a back end whose signs and newtons
    * need no check.
    */
@@ -162,24 +165,27 @@ public:
    */
   virtual bool KeepsIdentity() const { return true; }
   /**
-   * The measured newtons that the device gives for each newton that it is asked for. From then on
-   * forces and limits are true newtons.
+   * Sets how many newtons the device really gives for each newton that it is asked for. From then
+   * on forces and limits are true newtons.
    */
   virtual void SetForceScale(double) noexcept {}
   /**
    * Homes the encoders again, for example after they lost their zero: NotReady until that is done.
    */
   virtual void Home() noexcept {}
-  /** Bits of the device's lights; if negative (the default), the device shows its own condition. */
+  /**
+   * Sets the device's lights by bits; if negative (the default), they show the device's own
+   * condition.
+   */
   virtual void SetLights(int) noexcept {}
   ///@}
 
   ///@{
   /**
-   * Called once a tick each, in the servo loop: no lock, no allocation, no exception, and no wait
-   * beyond a fraction of the period. Read comes first; its sample comes in with the last sample's
-   * tip, orientation and HasOrientation. The loop calls Send; a device without torque does not
-   * override it, and takes the force by Write.
+   * Each is called once in a tick, in the servo loop: no lock, no allocation, no exception, and no
+   * wait beyond a fraction of the period. Read is called first; its argument still has the last
+   * sample's tip, orientation and HasOrientation. The loop calls Send; a device without torque does
+   * not override it, and takes the force by Write.
    */
   virtual DeviceState Read(double period, DeviceSample& sample) noexcept = 0;
   virtual DeviceState Write(const Vector3& force) noexcept = 0;
@@ -190,11 +196,11 @@ public:
   ///@}
 
   /**
-   * Called from any thread if the servo thread does not answer: no force and no torque from now on
-   * until Write or Send is called again.
+   * Called from any thread if the servo thread does not answer: ends force and torque until Write
+   * or Send is called again.
    */
   virtual void Quench() noexcept = 0;
-  /** Called from any thread, after Quench: whether the device has received the order. */
+  /** Called from any thread, after Quench: returns whether the device has received the order. */
   virtual bool IsAtRest() const noexcept { return true; }
 };
 

@@ -13,7 +13,8 @@ void DriftLine::Reset() noexcept
 
 void DriftLine::Add(const Vector3& tip, double time) noexcept
 {
-  // Half a millisecond of tolerance: a tick that wakes late must not cost a whole interval.
+  // A tolerance of half a millisecond, so that a tick that wakes late does not cost a whole
+  // interval.
   if (this->Count > 0 && time - this->LastTime < Spacing - 5e-4)
   {
     return;

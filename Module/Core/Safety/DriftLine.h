@@ -22,7 +22,7 @@ class DriftLine
 public:
   /** s, between two stored tips. */
   static constexpr double Spacing = 0.008;
-  /** The number of stored tips, and of those that a line is fitted to. */
+  /** The number of stored tips, and of the tips that a line is fitted to. */
   static constexpr int Capacity = 50;
   static constexpr int Fitted = 31;
 
@@ -42,8 +42,8 @@ public:
   void Fit() noexcept { this->FitFrom(Capacity - Fitted); }
   ///@{
   /**
-   * Results of the last fit: the place at a time (m), the slope (m/s), and along each axis the root
-   * mean square of the tips' distances from the line (m).
+   * Results of the last fit: the place at a time (m); the slope (m/s); and, along each axis, the
+   * root mean square distance of the tips from the line (m).
    */
   Vector3 GetPlace(double time) const noexcept
   {
@@ -59,7 +59,7 @@ private:
     Vector3 Tip;
     double Time = 0.0;
   };
-  /** An entry by age: 0 is the oldest. */
+  /** Returns an entry by age: 0 is the oldest. */
   const Entry& Get(int i) const noexcept { return this->Entries[(this->Next + i) % Capacity]; }
   Vector3 GetDistance(int i) const noexcept
   {

@@ -11,9 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** E has turned if it came back by this fraction of the last swing, */
+/** E has turned if it has come back by this fraction of the last swing */
 constexpr double Turn = 0.2;
-/** and by the force times this way (m): encoders have steps, which differ between axes. */
+/** and by the force times this way (m), because encoders have steps, which differ between axes. */
 constexpr double StepWay = 1e-4;
 /** The most that one cycle counts: given / taken. */
 constexpr double MostGain = 2.0;
@@ -70,7 +70,7 @@ bool EnergyObserver::UpdateEnergy() noexcept
   }
   if (-ahead < std::max({ LeastSwing, Turn * this->Swing, StepWay * this->Force }))
   {
-    // A swing that is much smaller than the last one must be seen later, too.
+    // A swing that is much smaller than the last one must be detected later, too.
     const bool rests = this->Time - this->Extreme.Time > LongestCycle;
     this->Swing = rests ? 0.0 : this->Swing;
     return false;
@@ -122,7 +122,7 @@ bool EnergyObserver::CountCycle(const Instant& from, const Instant& to, double l
   return gives;
 }
 
-/** The last cycles of the row. */
+/** Judges the last cycles of the row. */
 bool EnergyObserver::IsGiving(std::size_t cycles, double leastGain) const noexcept
 {
   if (this->Count < cycles)

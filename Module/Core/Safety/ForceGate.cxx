@@ -75,7 +75,7 @@ void ForceGate::FadeOut() noexcept
 
 void ForceGate::SetHeld(bool held) noexcept
 {
-  // A fade that has begun goes on to zero: the force begins again after it.
+  // A fade that has begun goes on to zero; force begins again only after it.
   const bool isHeld = held || (this->Held && !this->Rests);
   if (this->Held && !isHeld)
   {
@@ -233,7 +233,7 @@ void ForceGate::ReportCommand(bool flows) noexcept
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;
-  // If the device is armed during a hold, the force must not begin with the rest of a fade.
+  // If the device is armed during a hold, the force must not begin with the remainder of a fade.
   this->Opening = this->Rests ? 0.0 : this->Opening;
   this->Settle();
 }

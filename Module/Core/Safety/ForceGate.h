@@ -194,7 +194,7 @@ public:
   {
     return this->State != GateState::Disarmed && this->State != GateState::Fault;
   }
-  /** The share of the last tick: 0 to 1. */
+  /** The share in the last tick: 0 to 1. */
   double GetShare() const noexcept { return this->Share; }
   /** The share that remains after fades, holds and missing data, without the ramp: 0 to 1. */
   double GetOpening() const noexcept { return this->Opening; }
@@ -205,7 +205,7 @@ public:
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
   bool IsUnconfirmed() const noexcept { return this->Unconfirmed; }
-  /** Whether the gate is held and no force flows. */
+  /** Whether the gate is held and no force flows any more. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
   /** Returns true once after an event that makes the proxy begin at the tip. */
@@ -232,7 +232,7 @@ private:
   bool Held = false;
   bool Unconfirmed = false;
   bool Clutched = false;
-  bool Returns = false; ///< the force returns after the clutch
+  bool Returns = false; ///< whether the force returns after the clutch
   bool Rests = false;
   bool Retreats = false;
   bool Retreated = false; ///< retreated at the end of the last tick

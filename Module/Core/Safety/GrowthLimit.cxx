@@ -61,7 +61,8 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
     }
     if (!(this->Work > 0.0))
     {
-      // The hand has got back all that it put in: further work comes from the wanted force itself.
+      // The hand has got back all that it put in: further work would come from the wanted force
+      // itself.
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }
@@ -96,7 +97,7 @@ Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
     const double share = std::min(input.Share, this->ComputeMostShare());
     const double sent = std::min(share, (before + input.Growth) / norm);
     const bool isKnown = input.IsMeasured || !this->HasTip;
-    // A device may be a tick late: then the hand felt the share of the last tick.
+    // A device may be one tick late: the hand has then felt the share of the last tick.
     this->LeastShare = std::min(isKnown ? this->LastShare : this->LeastShare, sent);
     this->MostShare = std::max(isKnown ? this->LastShare : this->MostShare, sent);
     this->LastShare = sent;

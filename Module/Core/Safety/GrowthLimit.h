@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The slew limit of the force on the hand, and the energy account of all that lowers a force:
- * forces grow slowly, fall at once, and give no energy away.
+ * @file The slew limit of the force on the hand, and the energy account of everything that lowers a
+ * force: forces grow slowly, fall at once, and give no energy to the hand.
  *
  * Only growth is limited. A limit on falls would hold the force after the tip has left a wall, and
  * push the hand out with energy that it never put in. Let W be the wanted force, w its direction, F
@@ -77,17 +76,20 @@ class GrowthLimit
 {
 public:
   /**
-   * Call it after a force was cut, or if the motion of the tip is unknown: the next force grows
-   * from zero, in a new contact.
+   * Resets the limit after a force was cut, or if the motion of the tip is unknown: the next force
+   * grows from zero, in a new contact.
    */
   void Reset() noexcept;
 
-  /** The force to send: at most `Share` of what is wanted, and `Growth` above the last one. */
+  /**
+   * Returns the force to send: at most `Share` of the wanted force, and at most `Growth` above the
+   * last one.
+   */
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * Records that a smaller force along the last one was sent. The contact goes on, without a known
-   * tip until the next Apply.
+   * Records that a smaller force in the direction of the last one was sent. The contact goes on;
+   * the tip is unknown until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 

@@ -62,8 +62,8 @@ Vector3 PortDamper::Apply(const Vector3& wall, double most, double cap, double p
   {
     return wall;
   }
-  // From the middle of the measurement; the force may take a tick to the hand, and stays until the
-  // next one.
+  // The delay counts from the middle of the measurement; the force may take a tick to reach the
+  // hand, and stays until the next one.
   const double late = 0.5 * this->Span + std::max(this->Between, period) + period;
   const double largest = 0.5 * LightMass / late;
   const double damping = cap > 0.0 ? std::min(cap, largest) : largest;

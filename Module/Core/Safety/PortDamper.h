@@ -8,9 +8,9 @@
  *
  *   max(0, |F| - B v).
  *
- * B is the largest that the device holds, and not so large that the damping itself could turn the
- * motion around before it is measured again. With the time tau by which v is late, from the middle
- * of its measurement to the end of the force,
+ * B is the largest damping that the device holds, but so small that the damping itself can't turn
+ * the motion around before it is measured again. With the time tau by which v is late, from the
+ * middle of its measurement to the end of the force,
  *
  *   B <= m / (2 tau),   m = LightMass,
  *
@@ -38,7 +38,7 @@ public:
   static constexpr double LightMass = 0.05; ///< kg
   static constexpr double MostGiven = 1e-4; ///< J
 
-  /** Clears everything, and does not damp. */
+  /** Clears everything, and stops damping. */
   void Reset() noexcept;
 
   ///@{
@@ -52,9 +52,9 @@ public:
   void Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * Adds the damping to the force of the wall (N), in every tick of a period (s). The norm of the
-   * result is at most `most` (N), or that of the wall's force. `cap`: the largest B (N s/m) that
-   * the device holds; 0 if it is not limited.
+   * Adds the damping to the force of the wall (N), in every tick of a period (s). The damping makes
+   * no force larger than `most` (N). `cap` is the largest B (N s/m) that the device holds; 0 if it
+   * is not limited.
    */
   Vector3 Apply(const Vector3& wall, double most, double cap, double period) noexcept;
 

@@ -15,7 +15,8 @@ namespace
 /** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 15 mm/s. */
 constexpr double VelocityTime = 4e-3;
 /**
- * A tip that has not moved for this long (s) rests; sooner, its device may just not have reported.
+ * A tip that has not moved for this long (s) rests; before that, the device may just not have
+ * reported.
  */
 constexpr double RestTime = 10e-3;
 /** A hand withstands a force for this long (s) after the force has fallen. */
@@ -101,7 +102,7 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   const bool rises = norm > 1.02 * this->EarlierForce + 0.005;
   this->EarlierForce += (1.0 - std::exp(-time / RiseTime)) * (norm - this->EarlierForce);
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
-  // Along the present force: a force that turns around speeds nothing up.
+  // Only motion along the present force counts: a force that turns around speeds up nothing.
   const double before = std::max(0.0, Dot(this->Velocity, into));
   this->Velocity = this->EstimateVelocity();
   const double speed = std::max(0.0, Dot(this->Velocity, into));

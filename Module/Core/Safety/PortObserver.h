@@ -98,9 +98,9 @@ private:
   std::array<Measurement, Kept> Measurements{}; ///< a ring
   std::size_t Count = 0;
   double Time = 0.0; ///< s
-  Vector3 SentSum;   ///< N, of all ticks since the last measurement
+  Vector3 SentSum;   ///< N, the sum over all ticks since the last measurement
   double SentCount = 0.0;
-  double LargestForce = 0.0; ///< N, the largest of late
+  double LargestForce = 0.0; ///< N, the largest in the recent past
   double EarlierForce = 0.0; ///< N, smoothed over RiseTime
   Vector3 Velocity;          ///< m/s
   bool IsContact = false;

@@ -16,9 +16,9 @@ namespace
 constexpr double RetreatTime = 0.02;
 
 /**
- * The energy (J) that the spring of an input gives back while it relaxes, if at most `most` (N) of
- * its pull is felt. The pull follows from the stretch: the force may be clamped already. Negative
- * if the stiffness is not known.
+ * Computes the energy (J) that the spring of an input gives back while it relaxes, if at most
+ * `most` (N) of its pull is felt. The pull is computed from the stretch, because the force may be
+ * clamped already. Negative if the stiffness is not known.
  */
 double ComputeRecoverable(const SafetyInput& input, double most) noexcept
 {
@@ -67,7 +67,7 @@ Vector3 SafetyStage::Retreat(
   const double most = std::max(0.0, Norm(last) - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
-    // The position of the hand is known again: push it only where a push is wanted.
+    // The position of the hand is known again: push the hand only if the wanted force does so.
     GrowthInput growth = this->ComputeGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);
@@ -99,7 +99,7 @@ bool SafetyStage::UpdateSamples(
   bool isActive = false;
   bool givesEnergy = false;
   this->Stale = this->Silence > limits.WatchdogTime;
-  // A gap counts even if a fresh sample ends it: the hand was not observed meanwhile.
+  // A gap counts even if a fresh sample ends it, because the hand was not observed meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {

@@ -50,8 +50,8 @@ struct SafetyLimits
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
   /**
-   * How long (s) the owner may be silent before the force fades out (ServoLoop::Attend); 0: for
-   * ever.
+   * How long (s) the owner may be silent before the force fades out (ServoLoop::Attend); 0: without
+   * limit.
    */
   double AttentionTime = 0.0;
   bool MovesTip = false;           ///< forces move the tip: see DeviceLimits
@@ -65,9 +65,11 @@ struct SafetyInput
 {
   Vector3 Force;          ///< N, as computed
   double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
-  double Stretch = 0.0;   ///< m, of the spring; its pull may have been clamped already
+  double Stretch = 0.0;   ///< m, of the spring; Force may be less than it pulls
   Vector3 Drag;           ///< N, the purely dissipative part of the force, if known
-  /** J, at the whole force: the work of a moving surface on the spring that pulls the hand. */
+  /**
+   * J: the work of a moving surface on the spring that pulls the hand, if the whole force flows.
+   */
   double WallWork = 0.0;
   bool IsNew = false;   ///< the force changed for another reason than the motion of the tip
   Vector3 Tip;          ///< m
@@ -92,8 +94,8 @@ public:
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
   /**
-   * Call it after ForceGate::Arm: forces grow from zero, and earlier motion of the tip does not
-   * count.
+   * Resets the stage after ForceGate::Arm: forces grow from zero, and earlier motion of the tip
+   * does not count.
    */
   void Reset() noexcept;
 

@@ -36,8 +36,8 @@ constexpr double Patience = 8.0;
 constexpr double ClearDistance = 0.4e-3;
 constexpr double ClearSpread = 4.0;
 /**
- * Votes that an axis needs in each direction; and the lead over three times the votes of the other
- * side.
+ * The number of votes that an axis needs in each direction, and their lead over three times the
+ * opposite votes.
  */
 constexpr int VotesEachWay = 2;
 constexpr int VotesAhead = 4;
@@ -98,7 +98,7 @@ void SignCheck::Interrupt() noexcept
 
 double SignCheck::GetDirection() const noexcept
 {
-  // Thue-Morse sequence: the parity of the bits.
+  // The Thue-Morse sequence: the parity of the bits.
   int parity = 0;
   for (int bits = this->Tally[this->Axis].Trials; bits != 0; bits >>= 1)
   {
@@ -107,7 +107,7 @@ double SignCheck::GetDirection() const noexcept
   return parity == 0 ? 1.0 : -1.0;
 }
 
-/** The force of the push, at a time since its beginning. */
+/** Returns the force of the push, at a time since its beginning. */
 double SignCheck::GetForce(double time) const noexcept
 {
   const double first = std::min(FirstShare * this->Most, FirstForce);
@@ -138,7 +138,10 @@ void SignCheck::Rest() noexcept
   }
 }
 
-/** Goes on with a push; `distance` is the measured tip's from the line, along the push (m). */
+/**
+ * Continues a push. `distance` (m) is how far the measured tip is from the line, in the direction
+ * of the push.
+ */
 void SignCheck::Push(double distance) noexcept
 {
   const double time = this->Time - this->Start;

@@ -77,8 +77,8 @@ public:
    */
   void Begin(unsigned axes, double force) noexcept;
   /**
-   * The force to send in this tick (N). `tip` (m) was measured in this tick if it is fresh,
-   * `elapsed` (s) after the last one. Zero once there is a verdict.
+   * Returns the force to send in this tick (N); zero once there is a verdict. `tip` (m) was
+   * measured in this tick if it is fresh, `elapsed` (s) after the last tick.
    */
   Vector3 Step(const Vector3& tip, bool isFresh, double elapsed) noexcept;
   /** Discards the present trial, because something else held the force back, or the tip leapt. */

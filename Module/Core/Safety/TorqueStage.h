@@ -4,9 +4,9 @@
  * @file
  * The only way from a computed torque to a device.
  *
- * The torque follows the force through one gate (ForceGate.h), after SafetyStage.h has asked it:
- * where no force may flow, no torque does, from that tick on, and the gate's share is that of both.
- * A torque that is not finite is a fault of SafetyStage. Then, in this order:
+ * The torque passes the gate of the force (ForceGate.h), after SafetyStage.h has updated the gate:
+ * where no force may flow, no torque flows from that tick on, and the gate's share applies to both.
+ * A torque that is not finite is a fault, which SafetyStage reports. Then, in this order:
  * 1. The norm is clamped to the smaller of the device's and the user's maximum.
  * 2. The gate's share is taken, and the growth is limited. A torque may fall at once. GrowthLimit.h
  *    keeps the account, of torques and turns in place of forces and ways: the work that a turning
@@ -41,7 +41,7 @@ struct TorqueInput
 class TorqueStage
 {
 public:
-  /** The torque to send (N m). */
+  /** Returns the torque to send (N m). */
   Vector3 Apply(
     const TorqueInput& input, const SafetyLimits& limits, const ForceGate& gate) noexcept;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a tip moved without being seen: the observers of energy begin anew after such a motion.
+ * Detects motion of a tip that was not seen: the observers of energy begin anew after such a
+ * motion.
  */
 #ifndef UnseenMotion_h
 #define UnseenMotion_h

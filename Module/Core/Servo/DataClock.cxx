@@ -10,7 +10,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A tick passes at most this many ends of the series and of intervals; the rest is dropped. */
+/**
+ * A tick passes at most this many ends of the series and of intervals; the remaining time is
+ * dropped.
+ */
 constexpr int MostTurns = 8;
 
 } // namespace
@@ -33,7 +36,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   Leap leap = Leap::None;
   if (!this->HasTime || !span.Has(time))
   {
-    // Another volume, or time steps at another place.
+    // Another volume, or time steps at another place, have come.
     const double first = span.Series.First;
     time = !this->HasTime && span.Has(first) ? first : span.Front;
     leap = Leap::Away;
@@ -110,7 +113,7 @@ void DataClock::Advance(
     }
     else
     {
-      // Go on at the other end, after the interval between the last and the first time step.
+      // Continue at the other end, after the interval between the last and the first time step.
       time = isBetween ? (isBackward ? series.Last : series.First) : end;
     }
     if (step == there || !span.Has(time))

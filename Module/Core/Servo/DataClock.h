@@ -60,9 +60,9 @@ struct DataClockReport
 {
   bool IsMoving = false;    ///< the volume is one that moves, also while time holds
   bool IsWaiting = false;   ///< time steps have not come: time holds
-  bool IsBackward = false;  ///< time runs backward, or would
-  double Wanted = 0.0;      ///< the data time whose time steps are wanted, if it waits for them
-  std::uint32_t Places = 0; ///< Places of the orders in use; then time is at their Place, or waits
+  bool IsBackward = false;  ///< time runs backward, or would if it did not hold
+  double Wanted = 0.0;      ///< if it waits: the data time whose time steps are wanted
+  std::uint32_t Places = 0; ///< the value of Places in the orders that are in use
 };
 
 class DataClock
@@ -76,12 +76,12 @@ public:
     Away
   };
   /**
-   * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at
-   * the tip.
+   * Called before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to
+   * begin at the tip.
    */
   Leap Update(const BakedVolume& volume, const DataClockOrders& orders, double period,
     ServoState& state) noexcept;
-  /** Before a tick without a volume that moves. */
+  /** Called before a tick without a volume that moves. */
   void Rest() noexcept;
 
   const DataClockReport& GetReport() const noexcept { return this->Report; }

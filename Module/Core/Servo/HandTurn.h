@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a tool is held if the device measures no orientation: turned by the program, for example with
- * a mouse.
+ * The orientation of a tool if the device measures none: the program turns the tool, for example by
+ * the mouse.
  */
 #ifndef HandTurn_h
 #define HandTurn_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The orientation follows the orders no faster than a hand turns, so that a tool in contact is not
- * torn through the tissue. It begins at the last orientation that a device measured.
+ * Lets the orientation follow the program's orders, no faster than a hand turns, so that a tool in
+ * contact is not torn through the tissue. Begins at the last orientation that a device measured.
  */
 class HandTurn
 {
@@ -25,8 +25,8 @@ public:
 
   ///@{
   /**
-   * Called by the owner: a unit quaternion in the device's space; no orientation before the first
-   * call.
+   * Called by the owner: orders a unit quaternion in the device's space. There is no orientation
+   * before the first call.
    */
   void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
   void Forget() noexcept { this->Orders.Write({}); }

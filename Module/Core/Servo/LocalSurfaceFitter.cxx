@@ -36,7 +36,7 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     }
   }
   this->Models.LetGo(ModelExchange::Fitter);
-  // New models and stop requests are seen soon, even if the loop is slow.
+  // Limited, so that new models and stop requests are seen soon even if the loop is slow.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 
@@ -64,8 +64,8 @@ void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local)
 {
   if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
-    // In every tick until there is a result: the fitter may have used an earlier request for
-    // another model.
+    // Repeated in every tick until there is a result, because the fitter may have used an earlier
+    // request for another model.
     this->Requests.Write({ local.Request, local.Number });
   }
 }

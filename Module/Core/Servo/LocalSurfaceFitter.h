@@ -51,7 +51,7 @@ private:
     std::uint64_t Baked = 0; ///< BakedVolume::Number
   };
 
-  /** Fits once, if it is time. Returns the time until the next call (ns). */
+  /** Fits once, if a fit is due. Returns the time until the next call (ns). */
   std::int64_t Look() noexcept;
 
   ModelExchange& Models;

@@ -14,8 +14,8 @@ namespace
 /** A longer round trip (ns) is a gap, which the watchdog handles. */
 constexpr std::int64_t LongestRoundTrip = 100000000;
 /**
- * Steps: a tip that moves by fewer between two reports may have rested for most of the time
- * between.
+ * A tip that moves by fewer steps than this between two reports may have rested for most of that
+ * time.
  */
 constexpr double StepsOfMotion = 3.0;
 

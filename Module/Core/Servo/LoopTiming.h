@@ -6,15 +6,15 @@
  *
  * Let a device measure its tip at the times m, and let it take the force that answers such a
  * measurement at a(m). From then until it takes the force of the next measurement m', at a(m'), it
- * pushes by a place that the tip has left: a spring of stiffness k pulls by k times the way since
- * m, along the motion. On the average over that time the place is
+ * pushes according to a place that the tip has left: the force of a spring of stiffness k is wrong
+ * by k times the way since m, along the motion. On the average over that time the place is
  *
  *   ((a(m) - m) + (a(m') - m)) / 2 = T / 2
  *
- * old, where T is called the *round trip*. The pull of a spring that is late by T / 2 has a part
- * k T / 2 times the speed, along the motion, which the device's own friction b has to take:
- * k <= 2 b / T. A device that takes its force in no time has T = m' - m, its period. A force that
- * takes d on its way makes it m' - m + 2 d: a delay counts twice.
+ * old, where T is called the *round trip*. The pull of a spring that is late by T / 2 has a part k
+ * T / 2 times the speed, along the motion, which the device's own friction b has to take: k <= 2 b
+ * / T. If the device takes its force at once, T = m' - m, its period. If the force takes d on its
+ * way, T = m' - m + 2 d: a delay counts twice.
  *
  * A device that is silent at rest stays at its last place, so that its place does not get old
  * (DeviceSample::Alive). Its period is only measured between two reports with a motion of several
@@ -54,7 +54,7 @@ public:
   ///@}
 
   ///@{
-  /** Any thread: upper figures (s) of about the last second; 0 as long as they are not known. */
+  /** Any thread: upper figures (s) of about the last second; 0 until they are known. */
   double GetReportPeriod() const noexcept;
   double GetRoundTrip() const noexcept;
   ///@}
@@ -63,7 +63,7 @@ private:
   struct Measurement
   {
     std::int64_t Time = 0;  ///< ns
-    std::int64_t Until = 0; ///< ns: the tip stayed there until then
+    std::int64_t Until = 0; ///< ns: the end of the time in which the tip stayed there
     bool TellsPeriod = false;
   };
   static constexpr std::size_t Kept = 32;
@@ -74,7 +74,7 @@ private:
   std::uint64_t Count = 0;
   Vector3 Tip;              ///< at the last measurement
   std::int64_t AliveAt = 0; ///< ns: the device reported no motion
-  bool Continues = false;   ///< the next tip moved there from the last one
+  bool Continues = false;   ///< the next tip continues the motion from the last one
   TakenForce Acting;
   RecentDurations Reports;
   RecentDurations RoundTrips;

@@ -51,8 +51,8 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // After Next was written: this sees a thread that already holds an older model; a thread that
-  // does not yet hold a model will see Next.
+  // Read only after Next was written: a thread that already holds an older model is seen here, and
+  // a thread that does not hold one yet will see Next.
   const PublishedModel* held[Holders];
   std::copy(std::begin(this->Held), std::end(this->Held), held);
   const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)

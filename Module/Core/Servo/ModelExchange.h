@@ -61,7 +61,9 @@ public:
   ///@}
 
   ///@{
-  /** Called by the servo: the latest model, which stays until a later one is acknowledged. */
+  /**
+   * Called by the servo: returns the latest model, which is kept until a later one is acknowledged.
+   */
   const PublishedModel* GetLatest() const noexcept
   {
     return this->Next.load(std::memory_order_acquire);
@@ -74,7 +76,8 @@ public:
 
   ///@{
   /**
-   * Called by the thread of that name: the latest model, which stays until the thread releases it.
+   * Called by the thread of that name: returns the latest model, which is kept until the thread
+   * releases it.
    */
   enum Holder : std::uint8_t
   {

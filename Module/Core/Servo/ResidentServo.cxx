@@ -33,7 +33,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   this->Lacks = this->IsOut;
   gate.ReportData(this->IsOut ? 0.0 : there, period);
   const double opening = gate.GetOpening();
-  // An opening that rises after a fade or a hold does not wait for data.
+  // If the opening rises again after a fade or a hold, the gate does not wait for data.
   const bool isLess = opening < 1.0 && !gate.IsClosing() && (this->Awaits || there < 1.0);
   this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)

@@ -17,14 +17,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Between two polls of the tip (ns). */
+/** The time between two polls of the tip (ns). */
 constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
 /**
- * Index steps along the axis of the smallest spacing; the first margin with few enough pages is
- * used.
+ * Margins in index steps along the axis of the smallest spacing; the first one with few enough
+ * pages is used.
  */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
-/** Fractions of the reach, for the box around the proxy if even the reach has too many pages. */
+/**
+ * Fractions of the reach, for the box around the proxy if even the whole reach has too many pages.
+ */
 constexpr double Fractions[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
 /** The largest number of index steps along each axis for a vector of length 1. */
@@ -115,7 +117,7 @@ bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_
 
 void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
 {
-  // All at once: a single page fault lets the kernel read many unneeded pages around it.
+  // All pages at once: a single page fault lets the kernel read many unneeded pages around it.
   for (const SamplePages& range : pages)
   {
     RequestPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
@@ -138,7 +140,7 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
     };
     return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
   };
-  // Pages that stay are locked before they are unlocked, if both fit into the limit.
+  // Pages that stay are locked before the old ones are unlocked, if both fit into the limit.
   std::unique_ptr<MemoryLock> next = lock();
   if (!next && kept.Lock && !this->IsStopping())
   {

@@ -111,10 +111,10 @@ private:
   std::atomic<bool> Refused{ false };
   std::atomic<std::uint64_t> Looks{ 0 };
 
-  // Used by the thread only.
+  // Members that only the thread uses.
   bool HasPlace = false;
   Vector3 LastTip;
-  Vector3 NextTip; ///< where the tip will be at the next poll
+  Vector3 NextTip; ///< the expected place of the tip at the next poll
   Kept Scalars;
   Kept Labels;
   Kept LabelFractions; ///< for FineLabels

@@ -13,19 +13,22 @@ namespace
 {
 
 /**
- * The ring of ticks has room for this time (s), and for at least so many ticks; its collector polls
- * every 5 ms. It is no larger, since every start clears and locks its memory, for which a user has
+ * The ring of ticks has room for this time (s), and for at least this many ticks; its collector
+ * polls every 5 ms. A larger ring would cost time and locked memory at every start: a user may lock
  * 8 MiB by default.
  */
 constexpr double LongestWait = 0.4;
 constexpr double LeastTicks = 1024.0;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
-/** A new model carries the proxy by at most this (m); beyond, the proxy begins at the tip. */
+/**
+ * A new model carries the proxy by at most this way (m); if it would have to go farther, the proxy
+ * begins at the tip.
+ */
 constexpr double FarthestCarry = 3e-3;
 /**
  * A new model may change the force by this fraction of its maximum, and by at most what the slew
- * limit allows in this time (s). Beyond, the force begins again at zero.
+ * limit allows in this time (s). After a larger change, the force begins again at zero.
  */
 constexpr double LargestJump = 0.25;
 constexpr double JumpTime = 0.05;
@@ -85,7 +88,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
     {
       return;
     }
-    // The changes are counted below the orders, and wrap around.
+    // The number of changes is in the bits below the orders, and wraps around there.
     const std::uint64_t changes = (last + ClutchStep) % OrderStep & ~(ClutchStep - 1);
     next = OrdersOf(last) * OrderStep | changes | (clutched ? ClutchBit : 0) |
       static_cast<std::uint64_t>(OrderOf(last));
@@ -95,7 +98,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
 void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 {
   const std::uint64_t seen = std::exchange(this->ArmCommandSeen, command);
-  // Several orders at once may include a Disarm that the last one hides.
+  // If several orders came at once, a Disarm may be hidden behind the last one.
   const auto orders = static_cast<std::uint32_t>(OrdersOf(command) - OrdersOf(seen));
   bool isArmed = false;
   if (orders != 0)
@@ -113,8 +116,8 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
         break;
     }
   }
-  // After the orders: Arm while clutched is stored, and a clutch that came and went meanwhile still
-  // removes the force.
+  // Handled after the orders: an Arm during the clutch is stored, and a clutch that was set and
+  // released since the last tick still removes the force.
   if (ClutchesOf(command) != ClutchesOf(seen))
   {
     this->Gate.SetClutched(true);
@@ -128,10 +131,10 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 
 void ServoLoop::ApplyCommands() noexcept
 {
-  // First: so the orders that came before a release are seen with it.
+  // Read first, so that the orders that came before a release are seen with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   this->ApplyOrders(this->ArmCommand.load(std::memory_order_acquire));
-  // After the orders: the confirmation was required before Arm.
+  // Read after the orders, because the confirmation was required before Arm.
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {
     this->SignAxes = axes;
@@ -198,7 +201,7 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   this->MotionTime = this->Timing.RecordSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
   {
-    // The user has to arm with the device ready: force never begins by itself.
+    // The user has to arm while the device is ready: force never begins by itself.
     this->Gate.ReportNotReady();
   }
   return sample;
@@ -225,8 +228,8 @@ void ServoLoop::UpdateDataClock(double period) noexcept
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
-  // The proxy begins at the tip, without force, for these four reasons. Tick() does so after a tip
-  // that is not finite, ResidentServo after missing data.
+  // The proxy begins at the tip, without force, for the following four reasons. Tick() does so
+  // after a tip that is not finite, ResidentServo after missing data.
   const bool isContactNew = std::exchange(this->IsContactNew, false);
   // The loop stood still, but the hand did not.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
@@ -274,7 +277,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
-  // Last: from now on the snapshot belongs to another thread.
+  // Written last: from now on the snapshot belongs to another thread.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -336,7 +339,7 @@ Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
   }
   if (this->Signs.GetVerdict().Result != SignResult::Pending)
   {
-    // Armed again after any verdict but Confirmed.
+    // Begins again after any verdict but Confirmed.
     this->Signs.Begin(this->SignAxes, this->ConfirmForce.load(std::memory_order_relaxed));
   }
   const Vector3 push = this->Signs.Step(sample.Tip, sample.Fresh || sample.Alive, elapsed);
@@ -387,7 +390,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.MotionTime = this->MotionTime;
   input.RoundTrip = this->Timing.GetRoundTrip();
   input.IsNew = std::exchange(this->IsForceNew, false);
-  // A loss that Write found counts from the next tick on.
+  // A loss that Write found takes effect in the next tick.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   const SafetyLimits& limits = this->Limits.Read();
   s.Command = this->Safety.Apply(input, limits, this->Gate);
@@ -403,7 +406,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   {
     this->Timing.RecordTaken({ sample.Time, ServoClock::Now() });
   }
-  // Only after the device has received it.
+  // Only after the device has received the order.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {
@@ -455,7 +458,7 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
 void ServoLoop::Run() noexcept
 {
   ServoClock::BlockSignals();
-  MemoryLock lock; // until the loop ends
+  MemoryLock lock; // locked until the loop ends
   this->LockMemory(lock);
   this->Priority.Raise();
   const std::int64_t begin = ServoClock::Now();

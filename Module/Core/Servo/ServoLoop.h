@@ -51,14 +51,14 @@ namespace VolumeHaptics
 struct ServoSnapshot
 {
   TickRecord Record;            ///< computed by the tick, before the safety stage
-  ServoState Before;            ///< the state before the tick; if not enabled, f = 0
-  bool IsKept = false;          ///< the tool's memory has a copy that belongs to Before
+  ServoState Before;            ///< the state before the tick; if it is not enabled, the force is 0
+  bool IsKept = false;          ///< whether the tool's memory keeps a copy for Before
   ModeForces Modes{};           ///< N, per mode of PRIMITIVES, before the safety stage
   Vector3 Command;              ///< N, sent to the device
   Vector3 Torque;               ///< N m, sent to the device
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
-  std::uint64_t Generation = 0; ///< of the model in use; 0 without a model
+  std::uint64_t Generation = 0; ///< the generation of the model; 0 without a model
   std::uint32_t Buttons = 0;
   Vector3 Turn;                ///< rad/s, see DeviceSample
   Quaternion Orientation;      ///< the stylus's, see DeviceSample; tools turn with it
@@ -97,7 +97,8 @@ public:
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
   /**
-   * Wakes Run up on another processor if its own does not do so in time. Returns after RequestStop.
+   * Wakes Run up on another processor if its own processor does not do so in time. Returns after
+   * RequestStop.
    */
   void WatchSleep() noexcept { this->Sleep.Watch(); }
   /** See WatchedSleep::GetRescues. */
@@ -105,8 +106,8 @@ public:
   /** Requests a real-time class for Run if the kernel refuses it: see ServoPriority. */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   /**
-   * Keeps the samples around the tip in memory; without it a tick may wait for the disk if the
-   * volume is mapped from a file. It also returns after RequestStop, after unlocking them.
+   * Keeps the samples around the tip in memory; otherwise a tick may wait for the disk if the
+   * volume is mapped from a file. Returns after RequestStop, after it has unlocked the samples.
    */
   void RunSampleKeeper() noexcept { this->Samples.Run(); }
   void RequestStop() noexcept
@@ -127,10 +128,10 @@ public:
   std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
-  /** The generation that the loop has seen. */
+  /** The generation that the loop has adopted. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** No state that is yet to be read or drained is of a lower generation than this. */
+  /** The lowest generation of any state that is yet to be read or drained. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
@@ -247,7 +248,7 @@ public:
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
   /** Whether the copy is still to be made. If not, the loop has released the snapshot. */
   bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
-  /** Withdraws the order; takes effect with the next tick that begins. */
+  /** Withdraws the order, from the next tick on. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
@@ -278,7 +279,7 @@ public:
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
   /**
-   * How old the positions behind the forces are: depends on how the device is read and written, not
+   * How old the positions behind the forces are. Depends on how the device is read and written, not
    * on the ticks.
    */
   const LoopTiming& GetTiming() const noexcept { return this->Timing; }
@@ -326,8 +327,8 @@ private:
   ///@{
   /**
    * The parts of ArmCommand: the last order in two bits, whether the loop is clutched, how often
-   * that changed, and in the upper half the number of orders. One word, so that a tick sees all of
-   * them as they were at one time.
+   * that changed, and in the upper half the number of orders. One word, so that a tick sees a
+   * consistent state of all parts.
    */
   static constexpr std::uint64_t ClutchBit = 4;
   static constexpr std::uint64_t ClutchStep = 8;
@@ -410,8 +411,9 @@ private:
   const PublishedModel* Current = nullptr;
   ServoState State;
   bool IsModelNew = false;   ///< since the last tick
-  bool IsForceNew = false;   ///< in this tick, and not by the motion of the tip
-  bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
+  bool IsForceNew = false;   ///< the force changed in this tick for another reason than the motion
+                             ///< of the tip
+  bool IsContactNew = false; ///< the proxy has to begin at the tip, because the model is new
   DataClock Clock;
   ResidentServo Servo;
   HandTurn Hand; ///< ordered by the owner
@@ -420,7 +422,7 @@ private:
   Quaternion MeasuredOrientation;
   bool HasMeasured = false;
   ///@}
-  bool HasSample = false; ///< a fresh sample has come since the start
+  bool HasSample = false; ///< whether a fresh sample has come since the start
   ForceGate Gate;
   SafetyStage Safety;
   TorqueStage Torques;

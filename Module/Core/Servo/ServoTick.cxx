@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** One tick of the method: what a point feels. */
+/** Makes one tick of the method: what a point feels. */
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
@@ -39,7 +39,7 @@ private:
   TickMemory* const Taps;
 };
 
-/** No force: tissue may come back where the hand is. */
+/** Rests without force: tissue may come back where the hand is. */
 void Rest(
   const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept
 {
@@ -99,7 +99,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   if (model.Baked->Removal)
   {
-    // Read now: a later tick may remove tissue here.
+    // Read now, because a later tick may remove tissue here.
     record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;
@@ -202,10 +202,10 @@ void CarryState(
   }
   if (isOther || from.Baked->Number != to.Baked->Number)
   {
-    // They belong to other primitives.
+    // The forces belong to other primitives.
     state.Primitives = PrimitiveMemory{};
   }
-  // The level means nothing in another volume.
+  // The level that holds the proxy is a value of the old volume.
   state.Precise.IsHeld = state.Precise.IsHeld && from.Baked->Number == to.Baked->Number;
 }
 

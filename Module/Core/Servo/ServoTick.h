@@ -33,8 +33,8 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   ToolMemory* tool = nullptr) noexcept;
 
 /**
- * As Tick, for the one thread that owns the model's removal, if it has one: if requests to it wait,
- * it carries out a piece of them instead, and nothing is felt.
+ * The same as Tick, for the thread that owns the model's removal (if it has one): if requests to
+ * the removal wait, carries out a piece of them instead of feeling.
  */
 void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& tip,
   TickRecord& record, const LocalSurfaceResult& result, TickMemory* memory,

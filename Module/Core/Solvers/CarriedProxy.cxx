@@ -17,7 +17,7 @@ namespace
  */
 constexpr double SameMaterial = 1e-6;
 
-/** The volume at the proxy before the motion and after it. */
+/** The volume at the proxy, before and after the motion. */
 struct Change
 {
   FieldSample Now;
@@ -50,7 +50,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    old = before.Gradient(from); // first: it belongs to the older of both blends
+    old = before.Gradient(from); // first, because it belongs to the older of both blends
     change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
     change.LevelNow = change.Now.Value;
@@ -64,7 +64,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
     change.LevelNow = levels.Second;
     if (!isShifted && change.LevelBefore != change.LevelNow)
     {
-      return change; // whatever the gradient was
+      return change; // the result then does not depend on the gradient
     }
     old = before.Gradient(from);
   }
@@ -74,7 +74,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   return change;
 }
 
-/** Whether a surface of the scalars holds the proxy, or could, judging by the last tick. */
+/** Whether a surface of the scalars holds the proxy, or could hold it, judging by the last tick. */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {
   return !surface.IsWall && Carrying::IsSurfaceThere(state, surface.Fade);

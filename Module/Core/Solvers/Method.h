@@ -24,7 +24,9 @@ struct TickRecord;
  */
 constexpr double ResidencySpare = 3.0;
 
-/** The samples that a tick can read: those between two corners (index steps), and a margin. */
+/**
+ * The samples that a tick can read: the samples between two corners (index steps), and a margin.
+ */
 struct ReadBox
 {
   Vector3 Low;
@@ -48,11 +50,11 @@ struct MethodInput
 /** A method, or one of the solvers of PROXY. All functions run in the servo's tick. */
 struct Method
 {
-  /** Goes from record.Tip to a force; writes all of the record that Tick() has not written. */
+  /** Computes the force at record.Tip; writes all of the record that Tick() has not written. */
   void (*Step)(const HapticModel&, ServoState&, TickRecord&, const MethodInput&) noexcept;
   /** The reach (index steps along each axis) of the samples read around tip and proxy. */
   Vector3 (*Reach)(const HapticModel&) noexcept;
-  /** Adds what else a tick reads with a proxy to a box; null: nothing. */
+  /** Adds to a box what a tick reads beside the path between tip and proxy; null: nothing. */
   void (*Include)(const HapticModel&, const ServoState&, ReadBox&) noexcept = nullptr;
   /**
    * The dissipative part (N) of a tick's force, against the hand's motion; null: nothing. The
@@ -64,13 +66,16 @@ struct Method
 
 ///@{
 /**
- * Reaches that several methods have: ResidencySpare and the radius of the kernel; and values some
- * metres aside, but at least the samples around a place.
+ * Reaches that several methods have: ResidencySpare plus the radius of the kernel; and a distance
+ * in metres, but at least the samples around a place.
  */
 Vector3 GetKernelReach(const HapticModel& model) noexcept;
 Vector3 FindValueReach(const HapticModel& model, double aside, const Vector3& around) noexcept;
 ///@}
-/** How far (m) from a proxy materials are read: at a wall of labels, a voxel of theirs or more. */
+/**
+ * Returns how far (m) from a proxy materials are read; at a wall between labels, at least a voxel
+ * of the label image.
+ */
 double FindMaterialReach(const HapticModel& model) noexcept;
 
 } // namespace VolumeHaptics

@@ -41,7 +41,7 @@ constexpr double ShortStepToLevel = 0.06;
  */
 constexpr double SameSurface = 0.06;
 
-/** Whether a surface that fades holds the proxy, or could, judging by the last tick. */
+/** Whether a surface that fades holds the proxy, or could hold it, judging by the last tick. */
 inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
 {
   return fade > 0.0 && state.SurfaceStrength > 0.0 &&
@@ -53,7 +53,7 @@ inline bool IsSameSurface(const HapticModel& model, double away) noexcept
   return std::abs(away) * model.MostVoxelsPerMeter <= SameSurface;
 }
 
-/** J that a motion of the proxy from `start` adds to the spring. */
+/** Returns the energy (J) that a motion of the proxy from `start` adds to the spring. */
 inline double ComputeWork(
   const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
 {
@@ -89,8 +89,8 @@ inline double ComputeStep(const HapticModel& model, const Vector3& normal, doubl
 }
 
 /**
- * The slope of V, from its rise over the last step; the estimator's if that is more than four times
- * off, as where V is flat.
+ * Returns the slope of V, from its rise over the last step; the estimator's slope if the two differ
+ * by more than a factor of four, as where V is flat.
  */
 inline double ComputeSlopeOfValue(double estimated, double rise, double step) noexcept
 {

@@ -22,25 +22,27 @@ struct BurrState
   Vector3 Carved;         ///< m, the centre of the removed sphere
   double Unspent = 0.0;   ///< J
   ///@{
-  /** J and m, in the last steps: the cost of a step. */
+  /** The cost (J) and the length (m) of the last steps. */
   double LastCost = 0.0;
   double LastWay = 0.0;
   ///@}
   double Idle = 0.0;  ///< s, since the burr last removed tissue
   double Phase = 0.0; ///< 0 to 1, of the vibration
-  double Lost = 0.0;  ///< J that the hand has lost, and the vibration may give back
+  double Lost = 0.0;  ///< J, the energy that the hand has lost, which the vibration may give back
   Vector3 Vibration;  ///< N, in the last tick
   ///@{
-  /** A sphere that takes more than a tick: its centre (m), and its next part; 0: none. */
+  /**
+   * A sphere that takes more than a tick: its centre (m), and the part that comes next; 0: none.
+   */
   Vector3 Next;
   std::uint32_t Part = 0;
   ///@}
   /**
-   * m: the longest next step, after a later part of a step met tissue that can't be removed; 0: no
-   * limit.
+   * The longest next step (m), set when a later part of a step met tissue that can't be removed; 0:
+   * no limit.
    */
   double Shorter = 0.0;
-  /** m: how much larger the sphere at Carved is, because tissue still held the head. */
+  /** How much larger (m) the sphere at Carved is, because tissue still held the head. */
   double Room = 0.0;
 };
 

@@ -26,7 +26,8 @@ struct LocalSurfaceRequest
 {
   Vector3 Position;      ///< the proxy's
   Vector3 Ahead;         ///< the farthest motion of the tip until the result is replaced
-  Vector3 Normal;        ///< the known surface's, into the structure; 0 if there is none
+  Vector3 Normal;        ///< the normal of the known surface, into the structure; 0 if there is
+                         ///< none
   double DataTime = 0.0; ///< if the volume moves
 };
 
@@ -34,13 +35,13 @@ struct LocalSurfaceRequest
 struct LocalState
 {
   LocalSurface Surface;
-  Vector3 Position;         ///< the proxy's, on the surface
+  Vector3 Position;         ///< the position of the proxy, on the surface
   bool IsHeld = false;      ///< whether the surface holds the proxy, and Position is valid
-  Vector3 Tip;              ///< after the last tick
-  Vector3 Fading;           ///< added to Position - Tip to give the felt lag; fades to 0
-  double Fall = 0.0;        ///< decrease of the length of Fading in a tick
+  Vector3 Tip;              ///< the tip after the last tick
+  Vector3 Fading;           ///< the felt lag is Position - Tip + Fading; fades to 0
+  double Fall = 0.0;        ///< the amount by which Fading gets shorter in a tick
   std::uint32_t Age = 0;    ///< ticks since the request
-  std::uint32_t Number = 0; ///< the request's
+  std::uint32_t Number = 0; ///< number of the request
   LocalSurfaceRequest Request;
 };
 

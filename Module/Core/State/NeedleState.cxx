@@ -11,9 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Friction that differs by less than this fraction goes on in the same stretch. */
+/** Friction that differs by less than this fraction continues the same stretch. */
 constexpr double SameShaft = 0.005;
-/** N per metre, beyond that of any tissue. */
+/** N per metre, larger than in any tissue */
 constexpr float MostShaft = 1e12F;
 /** m; no needle is longer. */
 constexpr float MostLength = 1e9F;
@@ -47,7 +47,7 @@ void NeedleTrack::Append(double depth, double shaft, std::int64_t label) noexcep
 
 void NeedleTrack::MergeTwo(double end) noexcept
 {
-  // The last stretch stays: it is the tissue that the needle has just left.
+  // The last stretch stays, because it is the tissue that the needle has just left.
   int least = 0;
   double leastCost = std::numeric_limits<double>::infinity();
   for (int i = 0; i + 1 < this->Size; ++i)

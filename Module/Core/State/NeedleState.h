@@ -25,8 +25,8 @@ struct NeedleStretch
 };
 
 /**
- * The tissue along the inserted shaft, from entry to tip. Its size is fixed: if more tissues follow
- * one another, the two neighbours that differ least are merged without a change of the friction.
+ * The tissues along the inserted shaft, from entry to tip. The size is fixed: if there are more
+ * tissues, the two neighbours that differ least are merged, without changing the friction.
  */
 class NeedleTrack
 {
@@ -41,8 +41,8 @@ public:
   NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
 
   /**
-   * Adds the tissue from this depth (m) on, deeper than all before; ignored if the last stretch
-   * goes on.
+   * Adds the tissue that begins at a depth (m), below all earlier ones; ignored if it continues the
+   * last stretch.
    */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
   /** The integral (N) of the friction from the entry to a depth in the last stretch. */
@@ -70,12 +70,14 @@ struct NeedleState
   Vector3 Entry;            ///< where the insertion began
   double Depth = 0.0;       ///< m, of the tip along its insertion
   double Deepest = 0.0;     ///< m
-  double Stiffness = 0.0;   ///< N/m, the spring's, from the puncture to the end of the insertion
-  double Puncture = 0.0;    ///< N; if more than 0, a boundary in front of the tip holds with it
+  double Stiffness = 0.0;   ///< N/m, the stiffness of the spring, from the puncture to the end of
+                            ///< the insertion
+  double Puncture = 0.0;    ///< N; if more than 0, the strength of a boundary in front of the tip
   double PuncturedAt = 0.0; ///< m; the depth of the last puncture
   std::int64_t PuncturedLabel = NoLabel; ///< the punctured label
   Vector3 Motion;            ///< m: recent motion of a free needle's tip; older steps count less
-  double Pushed = 0.0;       ///< m, the free needle's way through a surface that still holds
+  double Pushed = 0.0;       ///< m, how far a free needle was pushed through a surface that still
+                             ///< holds
   std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
   bool IsTouching = false;   ///< a forbidden label stops it now
   NeedleTrack Track;

@@ -9,10 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N: a smaller remainder ends at once. */
+/** A smaller remainder (N) ends at once. */
 constexpr double LeastRemainder = 1e-3;
 
-/** The remainder after a tick. */
+/** Returns the remainder after a tick. */
 Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 {
   const double length = Norm(force);
@@ -23,8 +23,8 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 }
 
 /**
- * The largest part s of the way from the force `held` that the saved energy pays for: a s^2 + b s
- * <= 2 k Saved, which is true for s = 0.
+ * Computes the largest part s of the way from the force `held` that the saved energy pays for: a
+ * s^2 + b s <= 2 k Saved, which holds for s = 0.
  */
 double ComputePaidFraction(
   const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept

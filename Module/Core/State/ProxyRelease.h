@@ -6,9 +6,9 @@
  *
  * Where a surface gives way, the law lets the proxy of solver PRECISE leap to the next place that
  * holds it, and the force changes by newtons in one tick. The solver finds these places as before,
- * and goes on from them; the hand feels g = f + e: the force f of the law and a remainder e of the
- * forces before the leaps. A leap that changes f by L (TickRecord::Leap) subtracts L from e, so
- * that g goes on. From then on e fades, in a tick of dt by
+ * and goes on from them; the hand feels g = f + e: the force f of the law plus a remainder e of the
+ * force before the leaps. A leap that changes f by L (TickRecord::Leap) subtracts L from e, so that
+ * g goes on. From then on e fades, in a tick of dt by
  *
  *   |e| dt/(tau + dt), but at most FastestRelease dt,
  *

@@ -47,7 +47,7 @@ struct ServoState : ToolStates
   ///@}
   bool IsSpinning = false; ///< the tool spins in this tick; the caller sets it
   ///@{
-  /** From the last tick, for CarriedProxy.h. */
+  /** The last tick sets these for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time
   double Stiffness = 0.0;       ///< N/m
   double SurfaceStrength = 0.0; ///< T_N W_d, N

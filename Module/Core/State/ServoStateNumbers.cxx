@@ -98,7 +98,7 @@ bool Read(double number, float& value)
   return std::isfinite(value);
 }
 
-/** Labels are whole numbers that a double holds exactly, or NoLabel, which it holds, too. */
+/** Labels are whole numbers that a double holds exactly, or NoLabel, which it also holds. */
 bool Read(double number, std::int64_t& value)
 {
   constexpr double most = 9007199254740992.0; // 2^53
@@ -210,7 +210,7 @@ void VisitState(State& state, Function&& visit)
   visit(state.Enabled);
   VisitPrecise(state.Precise, visit);
   VisitLocal(state.Local, visit);
-  // After the older numbers.
+  // These come after the older numbers.
   auto& here = state.Precise.Here;
   visit(here.Far.Ahead);
   visit(here.Far.Behind);
@@ -240,17 +240,18 @@ void VisitState(State& state, Function&& visit)
   ToolStates::VisitLast(state, visit);
 }
 
-/** World units: beyond FarthestTip even in micrometres. */
+/** World units, farther than FarthestTip even in micrometres. */
 constexpr double FarthestPlace = 1e15;
 /** Tolerance of a unit length, for rounding. */
 constexpr double DirectionTolerance = 1e-6;
 /**
- * In newtons, newtons per metre and joules: products of two such numbers are far below overflow.
+ * The largest number in newtons, newtons per metre and joules: products of two such numbers are far
+ * below overflow.
  */
 constexpr double MostOfMaterial = 1e100;
-/** N: a primitive's force is at most half of this. */
+/** A force (N) at least twice as large as that of any primitive. */
 constexpr double MostOfForce = 2e6;
-/** The longest sum of unit vectors. */
+/** The largest length of a sum of unit vectors that a state may have. */
 constexpr double MostOfDirection = 10.0;
 /** A learned prediction stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
@@ -323,7 +324,7 @@ bool IsPossible(const ShellState& shell)
   { return IsNear(pose.Position, FarthestTip) && IsPossible(pose.Orientation, true); };
   const auto isNumber = [](double number) { return std::abs(number) <= MostOfMaterial; };
   const ShellSum& sum = shell.Sum;
-  // Files older than shells have zeros, and a state that is not enabled does not matter.
+  // Files from before shells have zeros, and a state that is not enabled does not matter.
   return !shell.Enabled ||
     (isPose(shell.Tool) && isPose(shell.Hand) && IsAmount(shell.Budget) && IsAmount(sum.Energy) &&
       std::all_of(std::begin(sum.Gradient), std::end(sum.Gradient), isNumber) &&

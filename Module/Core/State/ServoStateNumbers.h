@@ -27,13 +27,14 @@ constexpr int CountLastToolNumbers()
 constexpr int FirstServoStateSize = 299;
 constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
 /**
- * Sizes in recordings from before, in this order: MaterialPlacement, volumes that move, primitives,
- * their directions, tools, tools with a shape, burrs, burr steps that take more than a tick,
- * releases, and the room of burrs. The missing numbers are 0.
+ * The sizes of states in old recordings, from before the following were added, in this order:
+ * MaterialPlacement, volumes that move, primitives, their directions, tools, tools with a shape,
+ * burrs, burr steps that take more than a tick, releases, and the room of burrs. The missing
+ * numbers are 0.
  */
 constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
   298 };
-/** Whether recordings from before have states of this size. */
+/** Whether old recordings have states of this size. */
 constexpr bool IsOldServoStateSize(int size)
 {
   for (const int old : OldServoStateSizes)
@@ -49,7 +50,7 @@ constexpr bool IsOldServoStateSize(int size)
 /** All numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
-/** Returns false for numbers that a file may contain, but no tick produces. */
+/** Returns false for numbers that a file may contain but no tick produces. */
 bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 } // namespace VolumeHaptics

@@ -29,17 +29,19 @@ struct ShellPose
 struct ShellSum
 {
   double Energy = 0.0;       ///< J
-  double Gradient[6] = {};   ///< the energy's, in N and N m
-  double Curvature[21] = {}; ///< of the energy: the lower triangle, row by row
+  double Gradient[6] = {};   ///< the gradient of the energy, in N and N m
+  double Curvature[21] = {}; ///< the second derivatives of the energy: the lower triangle, row by
+                             ///< row
   std::uint32_t Contacts = 0;
-  std::uint32_t Yielding = 0; ///< contacts that press with all the force that their material takes
+  std::uint32_t Yielding = 0; ///< contacts that press with the largest force that their material
+                              ///< takes
 };
 
 /** The state from which the next tick goes on, together with ShellMemory. */
 struct ShellState
 {
   bool Enabled = false;   ///< if false, the next tick puts the tool into the hand with no force
-  bool IsCarried = false; ///< the model has changed since: Sum is not the one at Tool
+  bool IsCarried = false; ///< the model has changed since: Sum does not belong to Tool
   ShellPose Tool;
   ShellPose Hand;      ///< in the last tick
   double Budget = 0.0; ///< S, J

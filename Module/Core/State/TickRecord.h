@@ -43,7 +43,7 @@ struct TickRecord : MaterialPoint
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
   ///@{
-  /** From PRECISE, for ProxyRelease.h. */
+  /** PRECISE sets these for ProxyRelease.h. */
   bool MayLeap = false;       ///< whether leaps in this tick take time
   Vector3 ForceBefore;        ///< N, the law's force in the last tick
   Vector3 Leap;               ///< N, the change of Force by a leap of the proxy

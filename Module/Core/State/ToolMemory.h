@@ -35,12 +35,12 @@ public:
   }
 
   /**
-   * Copies, on the thread that ticks, the part that belongs to the state before its next tick, once
-   * for each recording; another thread reads the copy then.
+   * Copies, on the thread that ticks, the part of the memory that belongs to the state before the
+   * next tick. Called once for each recording; another thread then reads the copy.
    */
   virtual void Keep() noexcept = 0;
 
-  /** The memory that a tick writes. */
+  /** Returns the memory that a tick writes. */
   virtual std::vector<MemoryRange> GetTables() const = 0;
 };
 

@@ -20,7 +20,7 @@ struct ToolStates
   ShellState Shell; ///< together with ToolMemory
   BurrState Burr;
 
-  /** Lets go of what holds the hand: the next tick begins without a force. */
+  /** Drops what holds the hand: the next tick begins without a force. */
   void LetGo() noexcept
   {
     this->Needle = NeedleState{};
@@ -28,8 +28,8 @@ struct ToolStates
   }
 
   /**
-   * Calls a function with each number of the tools whose numbers come last in files; a later tool's
-   * numbers are added at the end. ServoStateNumbers.cxx visits the numbers of the tools above.
+   * Calls a function with each number of the tools whose numbers come last in files; add the
+   * numbers of a new tool at the end. ServoStateNumbers.cxx visits the numbers of the other tools.
    */
   template <typename States, typename Function>
   static constexpr void VisitLast(States& /*states*/, Function&& /*visit*/)

@@ -24,10 +24,11 @@ namespace VolumeHaptics
 /** Settings that the user makes before a device is opened; each kind uses those that concern it. */
 struct DeviceOptions
 {
-  std::string FirmwareFile;  ///< an image to load into a device that has none
+  std::string FirmwareFile;  ///< the firmware's image for a device that has none loaded
   double HomingTime = 120.0; ///< s, the longest time for each step of homing
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, along a stick's x and y
-  /// the folders of plug-ins for vendors' libraries (VendorFolder.h); empty: the environment's
+  /// the folders of plug-ins for vendors' libraries (VendorFolder.h); empty: those of the
+  /// environment variable
   std::string VendorPath;
   bool UseGuard = true; ///< for a device without its own watchdog (GuardedDevice.h)
 };
@@ -38,8 +39,8 @@ struct DeviceListing
   std::string Id;    ///< opens the device
   std::string Name;  ///< for people: maker, product, and port
   std::string State; ///< "available", "in use", or the obstacle and its cure
-  /// DeviceBackend::GetIdentity of the open device, if it is known before and KeepsIdentity is
-  /// true; else empty
+  /// DeviceBackend::GetIdentity of the open device, if it is known before the device is opened and
+  /// KeepsIdentity is true; else empty
   std::string Identity = {};
 };
 
@@ -48,14 +49,17 @@ struct DeviceKind
   /// Letters only; unique among the kinds. A built-in kind's name may be the id of its only device.
   std::string Name;
   std::function<std::vector<DeviceListing>()> List;
-  /** A back end for an id of this kind, not open yet. Null, with the reason and the cure. */
+  /**
+   * Makes a back end for an id of this kind, not open yet. Null, with the reason and the cure, on
+   * failure.
+   */
   std::function<std::unique_ptr<DeviceBackend>(
     const std::string& id, const DeviceOptions& options, std::string& error)>
     Make;
   /**
    * The reason why this computer can't have any device of this kind, such as a service that does
-   * not run, or a missing library or port, and the cure. Empty if there is no obstacle. May be
-   * null: then it is enough to plug in a device.
+   * not run, or a missing library or port, and the cure. Empty if there is no obstacle. The
+   * function may be null: then plugging in a device is enough.
    */
   std::function<std::string()> Missing = {};
 };

@@ -47,7 +47,7 @@ std::string WriteNumber(double number)
   return out.str();
 }
 
-/** Replaces spaces, which end words of a line: a serial number may have them. */
+/** Replaces the spaces of an identity, because spaces separate the words of a line. */
 std::string MakeWord(const std::string& identity)
 {
   std::string word;
@@ -85,7 +85,7 @@ bool IsDay(const std::string& text)
   return true;
 }
 
-/** False if the line contains something that does not belong there. */
+/** Reads the facts of a line; false if the line contains anything else. */
 bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
 {
   std::string word;
@@ -108,7 +108,7 @@ bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
       return false;
     }
   }
-  return !facts.Calibrated.empty() || facts.Scale == 1.0; // else the line is incomplete
+  return !facts.Calibrated.empty() || facts.Scale == 1.0; // otherwise the line is incomplete
 }
 
 std::string MakeLine(const std::string& word, const DeviceFacts& facts)
@@ -122,7 +122,7 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
   return line;
 }
 
-/** No lines if there is no file; false, with the reason, if the file can't be read. */
+/** Reads the lines; none if there is no file. False, with the reason, if the file can't be read. */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
   std::error_code trouble;

@@ -33,21 +33,22 @@ struct DeviceFacts
   double Scale = 1.0;     ///< newtons given per newton asked for
   std::string Calibrated; ///< the day of the calibration; empty: never
 
-  /** "calibrated 0.83 on 2026-11-22" or "uncalibrated". */
+  /** Describes the scale: "calibrated 0.83 on 2026-11-22" or "uncalibrated". */
   std::string DescribeScale() const;
 };
 
 class DeviceMemory
 {
 public:
-  /** The path of the file; empty if the environment names no folder for it. */
+  /** Returns the path of the file; empty if the environment names no folder for it. */
   static std::string FindFile();
-  /** Today, as 2026-11-22. */
+  /** Returns the present day, as 2026-11-22. */
   static std::string GetToday();
 
   /**
-   * The facts of a device by its identity (DeviceBackend::GetIdentity); none if there is no file. A
-   * damaged line is ignored. The error then names file and line, and the cure; else it is empty.
+   * Reads the facts of a device by its identity (DeviceBackend::GetIdentity); no facts if there is
+   * no file. A damaged line is ignored. The error then names file and line, and the cure; else it
+   * is empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**

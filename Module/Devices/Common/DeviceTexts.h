@@ -15,12 +15,13 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * The number N of an id KIND:N, and 0 for KIND alone. Below zero, with an error, for any
+ * Returns the number N of an id KIND:N, and 0 for KIND alone. Below zero, with an error, for any
  * other id.
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
- * The cure if this user may not open a device: the udev rule. The subsystem is "usb" or "hidraw".
+ * Returns the cure if this user may not open a device: the udev rule. The subsystem is "usb" or
+ * "hidraw".
  */
 std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
 ///@}

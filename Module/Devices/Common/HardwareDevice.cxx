@@ -80,7 +80,7 @@ void HardwareDevice::Run()
   }
   catch (const std::exception& e)
   {
-    // For example if memory runs out: only the device's own watchdog remains.
+    // Memory may have run out, for example: only the device's own watchdog remains.
     this->Exchange.SetCondition(DeviceStage::Lost, e.what());
   }
 }
@@ -89,7 +89,7 @@ void HardwareDevice::Close()
 {
   if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
   {
-    // Neither joined nor detached: the threads do not exist in this process.
+    // Leaks the threads, neither joined nor detached, because they do not exist in this process.
     static_cast<void>(new std::thread(std::move(this->Thread)));
     static_cast<void>(new std::thread(std::move(this->Request)));
     this->IsAbandoned = true;

@@ -20,9 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Converts true newtons to a driver's newtons: the last step before a device.
- *
- * See DeviceBackend::SetForceScale. Any thread.
+ * Converts true newtons to a driver's newtons, as the last step before a device. See
+ * DeviceBackend::SetForceScale. Any thread may call it.
  */
 class TrueNewtons
 {
@@ -33,13 +32,13 @@ public:
     this->MostAsked.store(most);
     this->Scale.store(scale);
   }
-  /** The limits of a device in true newtons, within what the driver allows. */
+  /** Converts the limits of a device to true newtons, within what the driver allows. */
   DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
   {
     limits.MaximumForce *= std::min(1.0, this->Scale.load());
     return limits;
   }
-  /** The force to ask the driver for (N). */
+  /** Returns the force (N) to request from the driver. */
   Vector3 Ask(const Vector3& force) const noexcept
   {
     const double scale = this->Scale.load(std::memory_order_relaxed);
@@ -69,7 +68,7 @@ public:
    * no force.
    */
   virtual std::string GetIdentity() const { return {}; }
-  /** DeviceBackend::KeepsIdentity, likewise. */
+  /** DeviceBackend::KeepsIdentity, for the same device. */
   virtual bool KeepsIdentity() const { return true; }
 
   /** Finds the device and claims it for this process alone. False, with the reason and the cure. */

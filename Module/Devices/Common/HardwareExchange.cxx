@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** ns; the clocks themselves differ by less. */
+/** ns; the two clocks differ by less than this without a sleep. */
 constexpr std::int64_t ShortestSleep = 50000000;
 
 } // namespace
@@ -48,7 +48,7 @@ void HardwareExchange::WakeUp() noexcept
 {
 #if defined(__linux__)
   const std::uint64_t one = 1;
-  // Fails only if it is readable already.
+  // Fails only if the descriptor is readable already.
   [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
 #endif
 }
@@ -146,7 +146,8 @@ void HardwareExchange::RequestHome() noexcept
 
 DeviceCondition HardwareExchange::GetCondition() noexcept
 {
-  // Before the condition: the device's thread takes the request after it has set its own condition.
+  // Read before the condition: the device's thread takes the request after it has set its own
+  // condition.
   const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
   this->Conditions.Update();
   DeviceCondition condition = this->Conditions.Read();
@@ -169,11 +170,13 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
-    // Before the stage: when the servo polls, the device may also have been ready before.
+    // Counted before the stage is set: when the servo polls, the device may also have been ready
+    // before.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
-  // After the stage: a caller who reads "ready" and arms must not find that the servo disagrees.
+  // Written after the stage: a caller who reads "ready" and arms must not find that the servo
+  // disagrees.
   this->Conditions.Write(condition);
 }
 

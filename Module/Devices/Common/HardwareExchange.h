@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Any thread: no force until the next Give. The device is at rest once its thread has asked for
-   * the force twice: by the second time it has sent the first answer.
+   * Any thread: ends the force until the next Give. The device is at rest once its thread has asked
+   * for the force twice: by the second time it has sent the first answer.
    */
   void Quench() noexcept;
   bool IsAtRest() const noexcept { return this->ZeroRounds.load(std::memory_order_acquire) > 1; }
@@ -82,12 +82,12 @@ public:
    */
   bool DrainHomeRequest() noexcept;
   /**
-   * Call it if homing can't help, for example if the device is unplugged: it stays Lost, with this
-   * text.
+   * Refuses a homing request that can't help, for example because the device is unplugged: it stays
+   * Lost, with this text.
    */
   void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
-  /** The order to send now: zero unless the device is ready and the servo alive. */
+  /** Returns the order to send now: zero unless the device is ready and the servo alive. */
   DeviceCommand GetCommand() noexcept;
   /** The force of the order (N), for a device without torque. */
   Vector3 GetForce() noexcept { return this->GetCommand().Force; }
@@ -108,10 +108,10 @@ public:
 
   ///@{
   /**
-   * Called by the device's thread. A sample is a new measurement, of now unless its Time says when;
-   * a sample with the last one's Time counts as Confirm. Samples are passed on only while the
-   * device is ready, so report one before the stage becomes Ready. The first sample then has Begins
-   * set, because the hand may have moved before.
+   * Called by the device's thread. A sample is a new measurement, made at its Time, or now if it
+   * has none; a sample with the Time of the last one counts as Confirm. Samples are passed on only
+   * while the device is ready, so report one before the stage becomes Ready. The first sample then
+   * has Begins set, because the hand may have moved before.
    */
   void Report(const DeviceSample& sample) noexcept;
   /**
@@ -124,16 +124,16 @@ public:
    * another stage is set, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
-  /** As above, with the device's name before a text that is not empty. */
+  /** The same, with the device's name before a text that is not empty. */
   void SetCondition(DeviceStage stage, const char* name, const char* text) noexcept;
   /**
-   * Call it once in every round. Returns true if the computer has slept since the last call: the
-   * hand may have moved unseen, so the device is then Lost.
+   * Checks whether the computer has slept since the last call; call it once in every round. If so,
+   * the hand may have moved unseen, and the device is Lost.
    */
   bool HasSlept() noexcept;
   ///@}
 
-  /** The time (ns) that the computer has spent in suspend. */
+  /** Returns the time (ns) that the computer has spent in suspend. */
   static std::int64_t GetTimeAsleep() noexcept;
 
 private:

@@ -19,9 +19,12 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int MostLinks = 40; // on one path, as in Linux
+constexpr int MostLinks = 40; // the most links on one path, as in Linux
 
-/** Empty if only this user, root and a trusted group can write it; else the reason and the cure. */
+/**
+ * Returns why a path is not safe, and the cure; empty if only this user, root and a trusted group
+ * can write it.
+ */
 std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
 {
   struct stat info
@@ -47,8 +50,8 @@ std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
 }
 
 /**
- * The real path. Empty, with the reason and the cure, if another user can write a link or a folder
- * on the way to it.
+ * Returns the real path. Empty, with the reason and the cure, if another user can write a link or a
+ * folder on the way to it.
  */
 std::string Resolve(const std::string& path, gid_t trusted, std::string& error)
 {

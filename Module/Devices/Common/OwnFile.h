@@ -21,20 +21,20 @@ namespace VolumeHaptics
 constexpr gid_t NoGroup = static_cast<gid_t>(-1);
 
 /**
- * The group whose only member is this user, as many systems make one for each user; files that the
- * user creates may be writable for it. NoGroup if there is none, and for root.
+ * Returns the group whose only member is this user: many systems make one for each user, and let it
+ * write the files that the user creates. NoGroup if there is none, and for root.
  */
 gid_t FindPrivateGroup();
 
 /**
- * The real path of a file that no other user can have written; members of `trusted` may. Empty,
- * with the reason and the cure, if there is none.
+ * Returns the real path of a file, if only this user, root and members of `trusted` can have
+ * written it. Otherwise empty, with the reason and the cure.
  */
 std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& error);
 
 /**
- * An environment variable; nullptr if it is not set, or if this program has more rights than its
- * user.
+ * Returns an environment variable; nullptr if it is not set, or if this program has more rights
+ * than its user.
  */
 const char* ReadSafeVariable(const char* name);
 

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** s; a limit, so that the tip does not leap if the thread was held up. */
+/** The longest counted time (s), so that the tip does not leap if the thread was held up. */
 constexpr double LongestRound = 0.02;
 
 } // namespace

@@ -26,7 +26,7 @@ public:
   void Begin(HardwareExchange& exchange) noexcept;
   /**
    * Moves the tip by the time since the last call, and reports it. The norms of push and turn are 0
-   * to 1. A released device may send nothing: the tip's place is known all the same, since only
+   * to 1. A released device may send nothing, but the tip's place is always known, because only
    * this function moves it.
    */
   void Move(HardwareExchange& exchange, const Vector3& push, const Vector3& turn,

@@ -90,7 +90,8 @@ void FalconController::ReportState() noexcept
 
 bool FalconController::IsPossible(const Vector3& position, double elapsed) const noexcept
 {
-  // Twice the speed at which the servo cuts the force: beyond it the device itself is in doubt.
+  // Twice the speed at which the servo cuts the force: at a higher speed, the device itself is in
+  // doubt.
   const double far = Tolerance + 2.0 * MaximumSpeed * std::max(elapsed, ShortestTime);
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }
@@ -120,7 +121,7 @@ void FalconController::UpdateHoming(const FalconReport& report) noexcept
   DeviceSample sample;
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
-  // Before the stage becomes Ready, so that no older sample is used instead of this one.
+  // Reported before the stage becomes Ready, so that no older sample is used instead of this one.
   this->Exchange.Report(sample);
 }
 

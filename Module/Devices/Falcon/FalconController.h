@@ -26,11 +26,15 @@ DeviceLimits FalconLimits() noexcept;
 constexpr Vector3 FalconMiddle = { 0.0, 0.0, 0.125 };
 
 /**
- * DeviceSample::Buttons for FalconReport::Buttons: bit 0 is the centre, 1 plus, 2 minus, 3 forward.
+ * Converts FalconReport::Buttons to DeviceSample::Buttons: bit 0 is the centre, 1 plus, 2 minus, 3
+ * forward.
  */
 std::uint32_t FalconButtonsOf(std::uint8_t buttons) noexcept;
 
-/** The colours in a packet for DeviceBackend::SetLights: bit 0 is green, bit 1 blue, bit 2 red. */
+/**
+ * Converts the bits of DeviceBackend::SetLights to the colours of a packet: bit 0 is green, bit 1
+ * blue, bit 2 red.
+ */
 constexpr std::uint8_t FalconColours(int lights) noexcept
 {
   return static_cast<std::uint8_t>((lights & 7) << 1);
@@ -47,14 +51,17 @@ public:
   /** Begins with homing; `homingTime` (s) limits each of its steps. */
   FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
-  /** Takes the latest report, and the time (s) since the last call of this or of Miss. */
+  /**
+   * Processes the latest report; `elapsed` (s) is the time since the last call of this function or
+   * of Miss.
+   */
   void Receive(const FalconReport& report, double elapsed) noexcept;
   /** Records that a packet was not answered in time. `why` may be nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
-  /** From now on all commands are zero, until Restart. `text` says what is wrong, and the cure. */
+  /** Makes all commands zero until Restart. `text` gives the fault and the cure. */
   void Lose(const char* text) noexcept;
-  /** As Lose, if the exchange already has the reason. */
+  /** The same as Lose, if the exchange already has the reason. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
@@ -62,9 +69,9 @@ public:
   void Restart() noexcept;
 
   /**
-   * The packet to send now. Motors get the servo's force while the device is ready, else zero.
-   * While homing, the colours show its progress; then green, blue while there is force, red after a
-   * loss. SetLights replaces them except while homing, when they guide the hand.
+   * Returns the packet to send now. Motors get the servo's force while the device is ready, else
+   * zero. While homing, the colours show its progress; then green, blue while there is force, red
+   * after a loss. SetLights replaces them except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 

@@ -48,7 +48,7 @@ std::string SizeText(std::uintmax_t size)
     std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
 }
 
-/** Empty if the image was read. */
+/** Reads the image; the result is empty if that succeeded, else the fault. */
 std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 {
   std::error_code trouble;
@@ -129,15 +129,15 @@ public:
   void Wait() noexcept;
 
   ///@{
-  /** The event that ended the last Wait. */
+  /** What ended the last Wait. */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
   /** Whether a packet was not answered in time; GetGarbage says why, or is nullptr. */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
   /**
-   * The worst result of a transfer during the last Wait, or of submitting one since the Wait
-   * before.
+   * The worst result of a transfer during the last Wait, or of submitting a transfer since the
+   * previous Wait.
    */
   UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
   ///@}
@@ -215,7 +215,7 @@ FalconRounds::~FalconRounds()
   this->Finish();
   if (this->Flight->AreFlying())
   {
-    // The system still uses them: only closing the device releases them.
+    // The system still uses the transfers: only closing the device releases them.
     static_cast<void>(this->Flight.release());
   }
 }
@@ -273,7 +273,7 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Turns.Sent(this->SentAt);
   }
-  // Only once zero is on its way: a faulty device may take seconds to answer.
+  // Only when zero is on its way, because a faulty device may take seconds to answer.
   if (this->InStalled)
   {
     this->Usb.ClearHalt(FalconIn);
@@ -312,7 +312,7 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
   if (outcome > UsbOutcome::Cancelled)
   {
-    // No answer is expected: zero goes out at once.
+    // No answer is expected, so zero goes out at once.
     this->Turns.Abandon();
   }
   if (isOut && outcome == UsbOutcome::Done)
@@ -394,7 +394,7 @@ FalconDriver::FalconDriver(int number, DeviceOptions options)
 
 std::vector<std::string> FalconDriver::MakeWords(int number, const DeviceOptions& options)
 {
-  // Integers are written alike in all locales. Centuries are as good as for ever.
+  // Pass an integer, which all locales write alike. Decades stand for no limit.
   const double time = std::clamp(options.HomingTime, 0.0, 1e9) * MicrosecondsPerSecond;
   return { "falcon", std::to_string(number), std::to_string(std::llround(time)),
     options.FirmwareFile };
@@ -421,7 +421,7 @@ DeviceLimits FalconDriver::GetLimits() const
 
 std::string FalconDriver::GetIdentity() const
 {
-  // A guard may have the device: look for it anew.
+  // A guard may have the device, so search it again.
   std::string error;
   const UsbContext context = MakeUsbContext(error);
   const std::vector<UsbDevice> devices =

@@ -31,8 +31,9 @@ constexpr double Converged = 1e-12; // m, of a step
 // The smallest determinant of the legs' unit normals: near zero a count moves the grip by any
 // distance.
 constexpr double Singular = 0.02;
-// m^2/rad, the derivative of half of g by the angle. At zero a leg is stretched and no longer moves
-// the grip; this limit is a fraction of a count away.
+// The derivative (m^2/rad) of half of g by the angle, near which a leg counts as stretched. At zero
+// a leg is stretched and no longer moves the grip; this limit is a fraction of a count away from
+// zero.
 constexpr double Stretched = -1e-6;
 
 struct Azimuth
@@ -40,7 +41,7 @@ struct Azimuth
   double Cos;
   double Sin;
 };
-// 105, -15 and -135 degrees.
+// The azimuths are 105, -15 and -135 degrees.
 constexpr Azimuth Azimuths[3] = { { -0.25881904510252076, 0.96592582628906829 },
   { 0.96592582628906829, -0.25881904510252076 }, { -0.70710678118654752, -0.70710678118654752 } };
 
@@ -211,7 +212,7 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // As a quotient of two parts, so that a vanishing l2 is no division by zero.
+    // Written as a quotient of two parts, so that a vanishing l2 is no division by zero.
     const double over = -l1 - std::sqrt(square);
     found[i] = 2.0 * std::atan2(std::copysign(1.0, l2) * over, 2.0 * std::fabs(l2));
   }

@@ -36,7 +36,8 @@ enum class FalconReach : std::uint8_t
   NotConverged ///< FalconMostSteps did not suffice
 };
 
-constexpr int FalconMostSteps = 20; ///< of Newton's iteration; within the workspace, 4 to 8
+constexpr int FalconMostSteps = 20; ///< the most steps of Newton's iteration; within the workspace
+                                    ///< it takes 4 to 8
 
 /** The position of the grip; meaningless unless Reach is Reached, but always finite. */
 struct FalconPose
@@ -47,7 +48,7 @@ struct FalconPose
   FalconReach Reach = FalconReach::NotConverged;
 };
 
-/** The angles (rad) for homed encoders: 35 degrees + 0.0364347 degrees per count. */
+/** Converts homed encoder counts to angles (rad): 35 degrees + 0.0364347 degrees per count. */
 Vector3 FalconAnglesOf(const FalconCounts& counts) noexcept;
 
 /**
@@ -59,25 +60,26 @@ Vector3 FalconAnglesOf(const FalconCounts& counts) noexcept;
 FalconPose FalconForward(const Vector3& angles) noexcept;
 
 /**
- * The angles of a position, in closed form. False, with the angles unchanged, if it is out of
- * reach.
+ * Computes the angles of a position, in closed form. False, with the angles unchanged, if the
+ * position is out of reach.
  */
 bool FalconInverse(const Vector3& position, Vector3& angles) noexcept;
 
 /**
- * dp/dtheta (m/rad) of closed legs, by implicit differentiation of g. False, with the matrix
- * unchanged, in a singularity or out of reach.
+ * Computes dp/dtheta (m/rad) of closed legs, by implicit differentiation of g. False, with the
+ * matrix unchanged, in a singularity or out of reach.
  */
 bool FalconJacobian(const Vector3& position, const Vector3& angles, Matrix3& jacobian) noexcept;
 
 /**
- * The commands for a force (N) before the cap: -1e4 per N m of the torques (dp/dtheta)^T F.
+ * Computes the commands for a force (N) before the cap: -1e4 per N m of the torques (dp/dtheta)^T
+ * F.
  */
 Vector3 FalconTorqueCommands(const Matrix3& jacobian, const Vector3& force) noexcept;
 
 /**
- * The commands to send. All three are scaled down together to FalconLargestCommand, so that the
- * force keeps its direction. All are zero if one is not finite.
+ * Computes the commands to send. All three are scaled down together to FalconLargestCommand, so
+ * that the force keeps its direction. All are zero if one is not finite.
  */
 FalconCounts FalconCommandsOf(const Matrix3& jacobian, const Vector3& force) noexcept;
 

@@ -207,7 +207,7 @@ void FalconLoader::Receive(const std::uint8_t* bytes, std::size_t size) noexcept
   {
     return;
   }
-  // The line that was just pulled up may look like a byte to the converter.
+  // A line that was just pulled up may look like a byte to the converter.
   if (this->Now == Stage::Greet && this->Matched == 0 && !this->ZeroTaken && *bytes == 0)
   {
     this->ZeroTaken = true;

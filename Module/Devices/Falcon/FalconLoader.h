@@ -43,7 +43,7 @@ enum class FalconLoaderFault : std::uint8_t
   WrongEcho       ///< a block came back different, or with more bytes behind it
 };
 
-/** The fault in words. */
+/** Returns the fault in words. */
 const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept;
 
 /** The transport's next step. */
@@ -73,7 +73,7 @@ public:
   FalconLoaderStep GetStep() const noexcept;
 
   ///@{
-  /** The result of the step; ignored if the step has no such result. */
+  /** Reports the result of the step; ignored if the step has no such result. */
   void Done() noexcept;
   void Refuse() noexcept;
   /** Bytes without the converter's status bytes; they may be any part of the answer. */
@@ -82,7 +82,7 @@ public:
   ///@}
 
   FalconLoaderFault GetFault() const noexcept { return this->Fault; }
-  /** How many bytes of the image came back unchanged. */
+  /** Returns how many bytes of the image came back unchanged. */
   std::size_t GetConfirmed() const noexcept { return this->Confirmed; }
 
 private:
@@ -114,7 +114,7 @@ private:
 
   FtdiPayload Image;
   std::size_t NextRequest = 0;
-  std::size_t Offset = 0;  ///< the block's, in the image
+  std::size_t Offset = 0;  ///< the block's place in the image
   std::size_t Matched = 0; ///< bytes of the answer so far
   std::size_t Confirmed = 0;
   int Greetings = 0;

@@ -29,8 +29,7 @@ using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
 
 ///@{
 /**
- * The bits that are sent. Sources disagree on the colours, and no device was available to settle
- * it.
+ * The bits that are sent. Sources disagree on the colours, and no device was available to find out.
  */
 constexpr std::uint8_t FalconHome =
   0x01; ///< find the encoders' zero, and keep it: see FalconRunPacket
@@ -47,7 +46,7 @@ constexpr std::uint8_t FalconCenter = 0x04;
 constexpr std::uint8_t FalconMinus = 0x08;
 ///@}
 
-/** FalconReport::Homed if every encoder is. */
+/** The bits of FalconReport::Homed if every encoder is homed. */
 constexpr std::uint8_t FalconAllHomed = 0x07;
 
 /** A packet to the device. */
@@ -76,28 +75,32 @@ enum class FalconFlaw : std::uint8_t
   End     ///< no '>' at the end
 };
 
-/** The fault in words. */
+/** Returns the fault in words. */
 const char* FalconFlawText(FalconFlaw flaw) noexcept;
 
-/** The fault in a byte (0 to 255) at an index (0 to 15) in a packet. */
+/** Returns the fault in a byte (0 to 255) at an index (0 to 15) in a packet. */
 FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
 
 ///@{
-/** The packets of the host and of the device; an emulated device needs the other half. */
+/**
+ * Encode and decode the packets of the host and of the device; an emulated device needs the other
+ * half.
+ */
 FalconPacket FalconEncode(const FalconOrder& order) noexcept;
 FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * An order for a running device: always with FalconHome. libnifalcon also sets that bit in every
- * packet while its homing mode is on (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp).
- * Its FalconFirmwareNovintSDK.h describes the bits of homed encoders with "(If homing mode on)": no
- * source says what they mean after a packet without FalconHome.
+ * Encodes an order for a running device, always with FalconHome. libnifalcon also sets that bit in
+ * every packet while its homing mode is on (formatInput() in
+ * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h describes the bits of
+ * homed encoders with "(If homing mode on)": no source says what they mean after a packet without
+ * FalconHome.
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 
 ///@{
-/** The first fault; if there is one, the result stays unchanged. */
+/** Decodes a packet. Returns the first fault; the result then stays unchanged. */
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconReport& report) noexcept;
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconOrder& order) noexcept;
 ///@}

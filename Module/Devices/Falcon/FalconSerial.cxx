@@ -23,7 +23,7 @@ constexpr unsigned int AnswerTime = 500;
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
-/** `trouble` is why the last try failed. */
+/** Reports the progress; `trouble` is why the last try failed. */
 void ReportProgress(
   HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
@@ -40,7 +40,7 @@ void ReportProgress(
   exchange.SetCondition(DeviceStage::Firmware, text);
 }
 
-/** One step of the loader; false if the device is gone. */
+/** Makes one step of the loader; false if the device is gone. */
 bool Advance(FalconSerial& serial, FalconLoader& loader)
 {
   const FalconLoaderStep step = loader.GetStep();

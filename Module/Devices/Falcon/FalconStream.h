@@ -13,11 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Assembles packets that are split across transfers, and skips bytes that belong to no packet. A
- * byte that can't be at its index drops all bytes before the next '<', also among waiting bytes: a
- * packet that was cut off never spoils the following one.
- *
- * Needs a fixed 16 bytes; the work is proportional to the bytes that arrive.
+ * Assembles packets that are split across transfers, and skips bytes that belong to no packet. If a
+ * byte can't be at its index, all bytes before the next '<' are dropped, also those that wait: a
+ * packet that was cut off never spoils the next packet. Needs 16 bytes of memory; the work is
+ * proportional to the bytes that arrive.
  */
 class FalconStream
 {

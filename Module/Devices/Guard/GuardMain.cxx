@@ -34,7 +34,7 @@ enum Argument
 };
 
 /**
- * Closes the files that the guard inherited from the program: a pipe that the guard still held open
+ * Closes the files that the guard inherited from the program: if the guard held a pipe open, it
  * would not end with the program.
  */
 void CloseOthers(std::vector<int> kept)
@@ -61,7 +61,7 @@ void CloseOthers(std::vector<int> kept)
  */
 int OpenSignals()
 {
-  // Before there are threads. A crash still ends the process.
+  // Called before there are threads. A crash still ends the process.
   ServoClock::BlockSignals();
   sigset_t term;
   sigemptyset(&term);
@@ -153,7 +153,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (Answer(link, '+', driver->GetName()))
   {
     ServoPriority::RaiseThread();
-    // As far as the user may: otherwise a page may have to be read from the disk first.
+    // Locks as much as the user may: otherwise a page may have to be read from the disk first.
     mlockall(MCL_CURRENT);
     Serve(*driver, exchange);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The guard's own side: everything that its program does.
+ * The guard's side: everything that the guard's program does.
  */
 #ifndef GuardMain_h
 #define GuardMain_h
@@ -20,8 +20,8 @@ using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
   const std::vector<std::string>& words, std::string& error)>;
 
 /**
- * Serves one device for the program that has started this process, until that program asks for the
- * end, or is gone. Returns the exit status.
+ * Serves one device for the program that has started this process, until that program requests the
+ * end or has ended. Returns the exit status.
  */
 int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker& make);
 

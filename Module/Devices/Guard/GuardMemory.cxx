@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Changes whenever the two sides exchange something new in addition to the exchange. */
+/** Changed whenever the two sides exchange something new beside the exchange. */
 constexpr int Protocol = 1;
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&

@@ -24,14 +24,14 @@ public:
   GuardMemory& operator=(const GuardMemory&) = delete;
 
   /**
-   * The program's side: new memory with an unused exchange. It replaces the old memory, at the same
-   * address, so that an earlier guard no longer reaches it. False, with the reason.
+   * For the program: makes new memory with an unused exchange. It replaces the old memory, at the
+   * same address, so that an earlier guard no longer reaches it. False, with the reason.
    */
   bool Renew(std::string& error);
-  /** The guard's side: the memory behind an inherited file descriptor. False, with the reason. */
+  /** For the guard: maps the memory behind an inherited file descriptor. False, with the reason. */
   bool Adopt(int descriptor, std::string& error);
 
-  /** Negative without memory. */
+  /** Returns the file descriptor; negative without memory. */
   int GetDescriptor() const noexcept { return this->Descriptor; }
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
@@ -45,7 +45,7 @@ private:
   int Descriptor = -1;
   void* Address = nullptr;
   HardwareExchange* Exchange = nullptr;
-  bool IsOwner = false; ///< the program, which made the exchange
+  bool IsOwner = false; ///< whether this is the program, which made the exchange
 };
 
 } // namespace VolumeHaptics

@@ -27,7 +27,7 @@ namespace
 
 const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
-/** ms: opening a device that does not answer takes a few seconds. */
+/** ms; opening a device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
 constexpr int MostFoldersUp = 6;
 
@@ -36,7 +36,7 @@ const char* const Cure =
   "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
   "without a guard: then it may keep its last force if this program is killed or stopped.";
 
-/** Signals and file descriptors as a new program expects them. */
+/** Sets signals and file descriptors as a new program expects them. */
 class SpawnSettings
 {
 public:
@@ -121,7 +121,7 @@ std::string FindGuardProgram(std::string& error)
   {
     program = FindGuardNear(info.dli_fname, obstacle);
   }
-  // This library may be part of the program itself: then only its first argument identifies it.
+  // If this library is part of the program itself, only the program's first argument identifies it.
   program = program.empty() ? FindGuardNear("/proc/self/exe", obstacle) : program;
   if (program.empty())
   {
@@ -195,7 +195,7 @@ bool GuardProcess::Spawn(
 
 bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
 {
-  // One line: '+' and the name, or '-' and the fault.
+  // The answer is one line: '+' and the name, or '-' and the fault.
   std::string answer;
   const std::int64_t end = ServoClock::Now() + OpeningTime * ServoClock::Millisecond;
   pollfd watched = { this->Link, POLLIN, 0 };

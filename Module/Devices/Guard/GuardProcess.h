@@ -17,14 +17,14 @@ namespace VolumeHaptics
 {
 
 /**
- * The guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, else the one near
- * this library. Empty, with the reason and the cure.
+ * Finds the guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, else the one
+ * near this library. Empty, with the reason and the cure.
  */
 std::string FindGuardProgram(std::string& error);
 /**
- * volumehaptics-guard in or above the folder of a file, or in a folder "bin" there. It runs with
- * all rights of the user, so a program that another user could have written is skipped: then the
- * obstacle says why, unless it has a text already.
+ * Searches volumehaptics-guard in and above the folder of a file, and in a folder "bin" there. It
+ * runs with all rights of the user, so a program that another user could have written is skipped:
+ * then the obstacle says why, unless it has a text already.
  */
 std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
@@ -49,11 +49,11 @@ public:
   /** Whether a signal has stopped the process since the last call. */
   bool HasStopped() const noexcept;
   /**
-   * Kills the process if it goes on. Returns whether it had ended by itself, as it does on request;
-   * and how it ended, in words.
+   * Kills the process if it still runs. Returns whether it had ended by itself, as it does on
+   * request; `how` says how it ended.
    */
   bool End(std::string& how);
-  /** In a forked child: the guard belongs to the parent. */
+  /** Lets go of the guard without ending it, in a forked child: the parent owns the guard. */
   void Abandon() noexcept;
 
 private:

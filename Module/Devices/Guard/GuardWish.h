@@ -15,7 +15,7 @@ namespace VolumeHaptics
 /** False if DeviceOptions::UseGuard is false, or VOLUMEHAPTICS_GUARD=off. */
 bool IsGuardWanted(const DeviceOptions& options);
 
-/** The reason and the cure for a device on a system that has no guard. */
+/** Returns the reason and the cure for a device on a system that has no guard. */
 std::string MakeNoGuardText(const std::string& device);
 
 } // namespace VolumeHaptics

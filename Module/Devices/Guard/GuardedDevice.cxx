@@ -15,7 +15,10 @@ namespace
 
 constexpr int LookTime = 20; // ms
 constexpr int RescueAttempts = 50;
-/** Zero is sent and the device closed within a second, even if it does not answer. */
+/**
+ * The longest time until zero is sent and the device closed; it takes a second at most, even if the
+ * device does not answer.
+ */
 constexpr std::int64_t EndTime = 5000 * ServoClock::Millisecond;
 
 } // namespace
@@ -129,7 +132,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // No memory or similar: nothing more can be done.
+    // Memory or something else is missing: nothing more can be done.
   }
 }
 
@@ -139,7 +142,7 @@ void GuardedDevice::Close()
   {
     if (!this->IsAbandoned)
     {
-      // The thread does not exist in this process, and the guard goes on for the parent.
+      // Leaks the thread, which does not exist in this process; the guard continues for the parent.
       static_cast<void>(new std::thread(std::move(this->Watcher)));
       this->Guard.Abandon();
       static_cast<void>(this->Driver.release());

@@ -65,7 +65,7 @@ public:
 private:
   enum class Side : std::uint8_t
   {
-    Guard,  ///< has the device
+    Guard,  ///< the guard has the device
     Rescue, ///< the guard has ended, and this process sends zero
     None    ///< zero was sent
   };

@@ -14,7 +14,7 @@ namespace
 {
 
 ///@{
-/** s. The service is on this computer. */
+/** s; the service is on this computer */
 constexpr double OpenTime = 1.0;
 constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
@@ -435,7 +435,7 @@ void HaplyDriver::Rest() noexcept
       this->Send({});
       const std::int64_t end =
         ServoClock::Now() + static_cast<std::int64_t>(LastTime * ServoClock::NanosecondsPerSecond);
-      // The state shows that the service has the message. Do not wait for a service that hangs.
+      // The state shows that the service has the message. A service that hangs is not waited for.
       while (this->Awaited > 0 &&
         this->States.Receive(this->Text, end) == WebSocketClient::Outcome::Message)
       {
@@ -445,7 +445,7 @@ void HaplyDriver::Rest() noexcept
   }
   catch (const std::exception&)
   {
-    // No memory for a message: closing the connection ends the session.
+    // There is no memory for a message; closing the connection ends the session.
   }
 }
 

@@ -6,12 +6,13 @@
  *
  * The service answers each message with one state. The thread of the device sends one when the
  * servo gives a force, or after 2 ms without one, and waits for its state: so the servo sets the
- * pace, and it never waits. At most one message waits for its state, and after the time of the
- * servo's watchdog one more, with zero force; when both are answered, work goes on. If more states
- * come than messages were sent, the newest one counts, so that positions never fall behind.
+ * pace, and it never waits. At most one message waits for its state. After the time of the servo's
+ * watchdog, one more message is sent, with zero force; when both are answered, work continues. If
+ * more states come than messages were sent, the newest state counts, so that positions never fall
+ * behind.
  *
- * The arm is ready after the service has reported it as calibrated and ready. A flag that is left
- * out keeps its last value.
+ * The arm is ready after the service has reported it as calibrated and ready. A flag that the
+ * service omits keeps its last value.
  *
  * The first message and the last one have zero force. The documentation says that a force holds for
  * a tick and that a device becomes idle if no more come, but neither after how long, nor what
@@ -42,9 +43,12 @@ public:
   static constexpr double SilenceTime = 0.1;
   /** The least number of waits in that time: if this computer was late, the service was not. */
   static constexpr int SilentWaits = 4;
-  /** m: a hand leads the tip, so it makes no such step; at rest in time. */
+  /** m; a hand leads the tip, so it never makes a longer step */
   static constexpr double FarthestStep = 0.02;
-  /** Positions in a row without such a step before the device is ready: presets move the origin. */
+  /**
+   * The number of positions in a row without a longer step before the device is ready, because
+   * presets move the origin.
+   */
   static constexpr int SettledStates = 50;
   /** m: the origin in Haply's axes if there are no presets. */
   static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
@@ -63,7 +67,7 @@ public:
   void Disconnect() noexcept override;
 
 private:
-  /** Opens the connection and takes the inventory. */
+  /** Opens the connection and reads the inventory. */
   bool OpenConnection(std::string& error);
   bool Choose(std::string& error);
   /** Whether a session has the arm, judging by the last message. */
@@ -77,7 +81,7 @@ private:
   void ReceiveState(HardwareExchange& exchange, const HaplyArm& arm);
   void CopyGrips(DeviceSample& sample) const;
   void ReceiveEvents(HardwareExchange& exchange);
-  /** Keeps flags that the message omits. */
+  /** Copies the flags of the arm; flags that the message omits keep their values. */
   void CopyFlags(const HaplyArm& arm);
   void UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
@@ -105,14 +109,14 @@ private:
   bool IsLost = false;
   bool IsReady = false; ///< the device may give force
   ///@{
-  /** As the service last reported; false until then. */
+  /** As the service reported it last; false before. */
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
   bool HasSentRelief = false; ///< a message of zero force follows one that waits for its state
   int Awaited = 0;            ///< messages without a state
   std::int64_t SentAt = 0;
-  std::int64_t ToldAt = 0; ///< when the position last came
+  std::int64_t ToldAt = 0; ///< when the last position came
   int EmptyWaits = 0;
   int Settled = 0; ///< positions in a row without a step
   Vector3 Tip;     ///< last position, in the device's axes

@@ -23,19 +23,19 @@ constexpr const char* NoDevices = "sent a list of devices that is none";
 constexpr const char* NoId = "told of an arm without an identifier";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
-/** Brackets in brackets; the documentation's messages have seven. */
+/** The deepest nesting of brackets; the documentation's messages nest seven deep. */
 constexpr int DeepestBrackets = 64;
 /** Transforms that differ by at most this count as equal: the service uses float arithmetic. */
 constexpr double TransformTolerance = 1e-5;
 
-/** Names the session in Haply's Hub, as the documentation recommends it. */
+/** Names the session in Haply's Hub, as the documentation recommends. */
 constexpr const char* Profile = "org.vtk.volumehaptics:touch";
 /** Puts the origin into the middle of the workspace. */
 constexpr const char* Preset = "arm_front_centered";
 
 const Json Nothing;
 
-/** A member of an object; null if there is none. */
+/** Returns a member of an object; null if there is none. */
 const Json& At(const Json& object, const char* name)
 {
   if (object.is_object())
@@ -56,7 +56,7 @@ std::string Text(const Json& object, const char* name)
 }
 
 ///@{
-/** Keep the value if the member is missing. False if it is there with another type. */
+/** Reads a member, or keeps the value if it is missing. False if the member has another type. */
 bool Read(const Json& object, const char* name, bool& value)
 {
   const auto found = object.find(name);
@@ -98,7 +98,7 @@ bool Read(const Json& object, const char* name, HaplyTransform& value)
 }
 ///@}
 
-/** Nothing if the member is missing, or has another type. */
+/** Returns the member; nothing if it is missing, or has another type. */
 template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
@@ -207,7 +207,10 @@ const char* Parse(const std::string& text, Json& value)
   return value.is_object() ? nullptr : NoObject;
 }
 
-/** Answers by HTTP may be in an envelope: "Standard response envelope" in the documentation. */
+/**
+ * Unwraps an answer by HTTP, which may be in an envelope ("Standard response envelope" in the
+ * documentation).
+ */
 const Json& Unwrap(const Json& answer)
 {
   const Json& data = At(answer, "data");
@@ -224,7 +227,7 @@ Json MakeForce(const HaplyAddress& address, const Vector3& force)
 
 std::string Dump(const Json& message)
 {
-  // The identifier came from the service, as JSON; still no exception for a broken one.
+  // The identifier came from the service, as JSON; even a broken one must not throw.
   return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

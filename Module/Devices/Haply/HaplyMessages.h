@@ -8,9 +8,9 @@
  * Protocol", "Simulation Channel", "Control Commands", "Common Types", "Basis Permutation", "Events
  * & Monitoring", "HTTP", tutorials 00 to 06; and "Haply Inverse Service" of 3.0 and 3.1).
  *
- * The service sends a message for each one that it gets. Fields come in any order. A field that has
- * its default may be missing: a number is then 0, the w of an orientation 1, a button not pressed.
- * A position that is missing as a whole counts as not reported, because the documentation gives
+ * The service answers each message with one message. Fields come in any order. A field that has its
+ * default may be missing: a number is then 0, the w of an orientation 1, a button not pressed. A
+ * position that is missing as a whole counts as not reported, because the documentation gives
  * defaults only for the parts of a transform. A coordinate that is there and is no number has no
  * default: its vector counts as not reported, and an arm's position or transform as spoilt.
  * Services of 3.0 have maps from identifiers to devices where later ones have lists.
@@ -36,14 +36,14 @@
 namespace VolumeHaptics
 {
 
-/** From the device's space to the session's. */
+/** Maps from the device's space to the session's. */
 struct HaplyTransform
 {
   Vector3 Position; ///< m
   Quaternion Rotation;
   Vector3 Scale{ 1.0, 1.0, 1.0 };
 
-  /** Whether it changes lengths, and so the work of a force. */
+  /** Whether the transform changes lengths, and so the work of a force. */
   bool IsScaled() const noexcept;
   /** Whether two transforms are equal up to the service's float arithmetic. */
   bool IsNear(const HaplyTransform& other) const noexcept;
@@ -61,10 +61,10 @@ struct HaplyArm
   std::optional<Vector3> Force;          ///< N: the force that the service commands
   std::optional<Quaternion> Orientation; ///< orientation of its body
   std::optional<HaplyTransform> Transform;
-  /** The position or the transform is there, but not as numbers: NaN is written as null. */
+  /** whether the position or the transform exists but has no numbers: NaN is written as null */
   bool IsSpoilt = false;
   ///@{
-  /** Only if reported. */
+  /** Empty if not reported. */
   std::optional<bool> IsCalibrated;
   std::optional<bool> IsReady;
   std::optional<bool> IsInUse;
@@ -133,17 +133,16 @@ struct HaplyAddress
   std::string Id;
 };
 
-/** The message that sets a force (N, in Haply's axes) and requests a state. */
+/** Writes the message that sets a force (N, in Haply's axes) and requests a state. */
 std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
 /**
- * The first message: no force, and from 3.5 on the session's profile, Haply's own axes and the
- * arm's origin. For a profile that the user has changed in Haply's Hub, axes and origin would
- * differ.
+ * Writes the first message: no force, and from 3.5 on the session's profile, Haply's own axes and
+ * the arm's origin, because the user may have changed axes and origin in Haply's Hub.
  */
 std::string WriteHaplyGreeting(const HaplyAddress& address);
 
 ///@{
-/** Between Haply's axes and the device's. */
+/** Convert between Haply's axes and the device's. */
 constexpr Vector3 ToDevice(const Vector3& haply) noexcept
 {
   return { haply.X, haply.Z, -haply.Y };
@@ -152,7 +151,7 @@ constexpr Vector3 FromDevice(const Vector3& device) noexcept
 {
   return { device.X, -device.Z, device.Y };
 }
-/** From a grip that points along its y to a stylus that points along its -z. */
+/** Converts from a grip that points along its y to a stylus that points along its -z. */
 constexpr Quaternion ToDevice(const Quaternion& haply) noexcept
 {
   return { haply.W, haply.X, haply.Z, -haply.Y };

@@ -15,19 +15,19 @@
 namespace VolumeHaptics
 {
 
-/** For errors: the cure if the service does not answer. */
+/** The cure if the service does not answer, for errors. */
 extern const char* const HowToStartHaply;
 
 /**
  * Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT", "PORT,EVENTS" or "PORT,EVENTS,HTTP", or
- * its defaults. The documentation has HTTP at 10000 up to 3.1, and at the port of the states in the
- * latest 3.5.
+ * its defaults. By the documentation, HTTP is at 10000 up to 3.1, and at the port of the states in
+ * 3.5.
  */
 struct HaplyPorts
 {
-  std::uint16_t States = 10001; ///< and HTTP, in later services
+  std::uint16_t States = 10001; ///< the port of the states and, in later services, of HTTP
   std::uint16_t Events = 10020;
-  std::uint16_t Http = 10000; ///< in earlier services
+  std::uint16_t Http = 10000; ///< the port of HTTP in earlier services
 
   /** False, with the reason and the cure. */
   static bool Read(HaplyPorts& ports, std::string& error);
@@ -40,10 +40,13 @@ struct HaplyPorts
 bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
-/** Asks the service for its version. False, with the reason and the cure. */
+/** Requests the version of the service. False, with the reason and the cure. */
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
-/** For people: maker, product, the service's name of the arm, and the hand that it is built for. */
+/**
+ * Returns a name for people: maker, product, the service's name of the arm, and the hand that it is
+ * built for.
+ */
 std::string NameOfHaply(const HaplyArm& arm);
 
 } // namespace VolumeHaptics

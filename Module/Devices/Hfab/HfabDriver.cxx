@@ -15,7 +15,7 @@ namespace
 constexpr int HfabRoundPause = 2; // ms, between messages if the servo gives no force
 constexpr int HfabLostPause = 10; // ms
 constexpr int WriteTime = 20;     // ms
-/** ms. If an answer is later, the message counts as lost, and the next one is sent. */
+/** s; if an answer takes longer, the message counts as lost, and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 
@@ -165,7 +165,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  // At least once: if this computer was late, the controller was not.
+  // Reads at least once: if this computer was late, the controller was not.
   do
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
@@ -301,7 +301,7 @@ bool HfabDriver::ReceiveAnswer(HardwareExchange& exchange)
   }
   if ((answer.Error & HfabMessageErrors) != 0)
   {
-    // Its counts are old. One spoilt message is no fault: the next one follows at once.
+    // The counts are old. One spoilt message is no fault, because the next one follows at once.
     if (++this->Refusals > MostRefusals)
     {
       this->Lose(exchange,

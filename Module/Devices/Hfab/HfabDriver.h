@@ -33,9 +33,9 @@ class HfabDriver final : public HardwareDriver
 public:
   ///@{
   /**
-   * Published controllers' boards have this word in their names. Haply's arms, which need other
-   * messages, have it, too, together with the second word: ID_VENDOR Teensyduino, ID_MODEL
-   * Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
+   * The names of published controllers' boards contain this word. So do the names of Haply's arms,
+   * which need other messages, but these also contain the second word: ID_VENDOR Teensyduino,
+   * ID_MODEL Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
    */
   static constexpr const char* Board = "Teensyduino";
   static constexpr const char* OtherBoard = "Haply";
@@ -49,14 +49,14 @@ public:
   static constexpr double SilenceTime = 0.5;
   ///@{
   /**
-   * The longest way of the tip (m) from one answer to the next, and its speed (m/s) in a longer
-   * pause: no hand is as fast.
+   * The longest way of the tip (m) from one answer to the next, and its largest speed (m/s) in a
+   * longer pause: no hand is as fast.
    */
   static constexpr double FarthestStep = 0.02;
   static constexpr double FastestHand = 2.5;
   ///@}
   /**
-   * s, for which the arm has to be still to be calibrated, and counts by which it may move
+   * How long (s) the arm has to be still to be calibrated, and the counts by which it may move
    * meanwhile.
    */
   static constexpr double StillTime = 0.2;
@@ -72,16 +72,16 @@ public:
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
-  /** The ports of boards that may be controllers. */
+  /** Lists the ports of boards that may be controllers. */
   static std::vector<SerialPortInfo> ListBoardPorts(
     const std::string& folder = SerialPort::NamesFolder);
-  /** The identity of the board at a port for the user's file of devices. */
+  /** Makes the identity of the board at a port for the user's file of devices. */
   static std::string MakeIdentity(const SerialPortInfo& port);
 
 private:
   enum class Phase : std::uint8_t
   {
-    Waiting,     ///< for the hand to put the arm into its pose, and for Home()
+    Waiting,     ///< waits for the hand to put the arm into its pose, and for Home()
     Calibrating, ///< waits until the arm is still
     Ready
   };

@@ -78,7 +78,7 @@ double Dot(const Point& a, const Point& b) noexcept
 {
   return a.X * b.X + a.Y * b.Y;
 }
-/** A quarter turn: the derivative of U(q) is Left(U(q)). */
+/** Returns a quarter turn to the left: the derivative of U(q) is Left(U(q)). */
 Point Left(const Point& a) noexcept
 {
   return { -a.Y, a.X };
@@ -116,12 +116,12 @@ struct Linkage
   bool Exists = false;
   double Angle = 0.0;
   Point Tip;
-  Point ByUpper; ///< the tip's derivatives
+  Point ByUpper; ///< the derivatives of the tip
   Point ByLower;
 };
 
 ///@{
-/** Rotations about the arm's x, y, z. */
+/** Rotations about the arm's x, y and z. */
 Quaternion AboutX(double angle) noexcept
 {
   return { std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0 };

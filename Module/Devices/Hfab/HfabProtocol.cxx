@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** In a number: enough for counts of any encoder. */
+/** The most digits of a number: enough for the counts of any encoder. */
 constexpr int MostDigits = 9;
 } // namespace
 
@@ -31,7 +31,7 @@ bool HfabReader::Receive(char byte) noexcept
   const bool isUnderWay = this->Field >= 0;
   if (byte == '[')
   {
-    // An answer that was cut off is no answer.
+    // An answer that was cut off does not count.
     this->BadLines += isUnderWay ? 1 : 0;
     this->Field = this->Digits = 0;
     this->IsNegative = false;

@@ -28,15 +28,15 @@ struct HfabAnswer
 ///@{
 /** Bits of HfabAnswer::Error, as the firmware sets them. */
 constexpr int HfabGimbalErrors = 1 | 2 | 4; ///< an encoder of the handle can't be read
-/// The controller refused the message; the counts belong to the last message that it took.
+/// The controller refused the message; the counts belong to the last message that it accepted.
 constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
 ///@}
 
-/** Takes bytes as they come, and extracts the answers. No allocation. */
+/** Receives bytes one by one, and extracts the answers. No allocation. */
 class HfabReader
 {
 public:
-  /** Takes a byte. Returns true if it ends an answer; Get then returns the answer. */
+  /** Adds a byte. Returns true if it ends an answer, which Get then returns. */
   bool Receive(char byte) noexcept;
   const HfabAnswer& Get() const noexcept { return this->Answer; }
   /** How many lines were no answers. */
@@ -51,7 +51,7 @@ private:
   static constexpr int Fields = 8;
   std::array<int, Fields> Numbers{};
   HfabAnswer Answer;
-  int Field = -1; ///< the present number; negative: waits for a bracket
+  int Field = -1; ///< index of the present number; negative: waits for a bracket
   int Digits = 0;
   bool IsNegative = false;
   int BadLines = 0;
@@ -65,7 +65,7 @@ struct HfabMessage
   std::size_t Size = 0;
 };
 
-/** Currents in mA. */
+/** Encodes currents (mA). */
 HfabMessage EncodeHfab(const std::array<int, 3>& milliamperes) noexcept;
 
 } // namespace VolumeHaptics

@@ -41,7 +41,8 @@ DeviceKind WithoutLibrary(const char* name, const std::string& library, const st
 #endif
 
 /**
- * All of them. A kind whose library is missing from this build lists nothing, and its Make says so.
+ * Returns all built-in kinds. A kind whose library is missing from this build lists no device, and
+ * its Make gives the reason.
  */
 std::vector<DeviceKind> GetBuiltInKinds()
 {
@@ -157,7 +158,8 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 {
   const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  // A kind with a single device may have its whole id as its name, beside others that begin alike.
+  // A kind with a single device may have its whole id as its name, beside kinds whose names begin
+  // alike.
   for (const std::string& name : { id, id.substr(0, id.find(':')) })
   {
     for (const DeviceKind& kind : kinds)

@@ -13,12 +13,12 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with the reason, if the name is taken or invalid, or if the kind can't list or make
- * devices. Any thread.
+ * Adds a kind. False, with the reason, if the name is taken or invalid, or if the kind can't list
+ * or make devices. Any thread.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 
-/** Every device that is plugged in, in the order of the kinds. */
+/** Lists every device that is plugged in, in the order of the kinds. */
 std::vector<DeviceListing> ListDevices();
 
 /** The reason why this computer has no devices of a kind. */
@@ -28,10 +28,10 @@ struct DeviceObstacle
   std::string Text; ///< the obstacle and its cure
 };
 
-/** The kinds that this computer can't have, in order, by DeviceKind::Missing. */
+/** Lists the kinds that this computer can't have, in order, by DeviceKind::Missing. */
 std::vector<DeviceObstacle> ListMissingKinds();
 
-/** A back end for an id, not open yet. Null, with the reason and the cure. */
+/** Makes a back end for an id, not open yet. Null, with the reason and the cure. */
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error);
 

@@ -45,7 +45,8 @@ enum OutPlace
 };
 ///@}
 constexpr std::uint8_t ClassicVibration = 1U << 0;      // bit of Flags
-constexpr std::uint8_t SelectVibration = 1U << 1;       // bit of Flags: motors, not sound
+constexpr std::uint8_t SelectVibration = 1U << 1;       // bit of Flags: selects the motors, not
+                                                        // sound
 constexpr std::uint8_t NewerClassicVibration = 1U << 2; // bit of MoreFlags
 constexpr std::size_t VersionPlace = 44;                // in the firmware's report
 constexpr unsigned NewerVersion = 2 << 8 | 21;
@@ -56,7 +57,7 @@ struct ButtonPlace
   int Bit;
   std::uint32_t Button;
 };
-// Square, cross, circle, triangle; L1, R1; create, options, the sticks; PS.
+// The buttons: square, cross, circle, triangle; L1, R1; create, options, the sticks; PS.
 constexpr ButtonPlace ButtonPlaces[] = { { 0, 4, PadWest }, { 0, 5, PadSouth }, { 0, 6, PadEast },
   { 0, 7, PadNorth }, { 1, 0, PadLeftShoulder }, { 1, 1, PadRightShoulder }, { 1, 4, PadSelect },
   { 1, 5, PadStart }, { 1, 6, PadLeftStick }, { 1, 7, PadRightStick }, { 2, 0, PadMode } };

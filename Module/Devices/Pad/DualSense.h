@@ -26,8 +26,9 @@ public:
   static constexpr std::uint16_t Vendor = 0x054C;
   static constexpr std::uint16_t Product = 0x0CE6;
   static constexpr std::uint16_t EdgeProduct = 0x0DF2;
-  static constexpr std::uint8_t CalibrationReport = 0x05; ///< a feature; then reports are whole
-  static constexpr std::uint8_t FirmwareReport = 0x20;    ///< a feature report
+  static constexpr std::uint8_t CalibrationReport = 0x05; ///< the id of a feature report; once it
+                                                          ///< was requested, reports are whole
+  static constexpr std::uint8_t FirmwareReport = 0x20;    ///< the id of a feature report
   static constexpr std::size_t LongestReport = 78;
 
   enum class Link : std::uint8_t
@@ -59,10 +60,10 @@ public:
     std::array<std::uint8_t, LongestReport> Bytes{};
     std::size_t Size = 0; ///< 0 for an unknown link
   };
-  /** Speeds of the motors, 0 to 255. `number` counts reports, for Bluetooth. */
+  /** Encodes the speeds of the motors, 0 to 255. `number` counts reports, for Bluetooth. */
   static Report Encode(Link link, bool isNewer, int strong, int weak, unsigned number) noexcept;
 
-  /** CRC-32 as in IEEE 802.3, of a first byte and then others. */
+  /** Computes CRC-32 as in IEEE 802.3, of a first byte and the bytes after it. */
   static std::uint32_t ComputeCrc(
     std::uint8_t first, const std::uint8_t* bytes, std::size_t size) noexcept;
 };

@@ -134,7 +134,7 @@ bool DualSenseDriver::Listen(HardwareExchange& exchange)
     const char* const wrong =
       DualSense::Decode(bytes, static_cast<std::size_t>(size), link, this->State);
     hasNews = hasNews || !wrong;
-    // A report that radio has spoilt is no fault: the next one follows at once.
+    // A report that the radio link has spoilt is no fault, because the next one follows at once.
     this->BadReports = wrong ? this->BadReports + 1 : 0;
     if (this->BadReports > MostBadReports)
     {

@@ -23,7 +23,7 @@ namespace VolumeHaptics
 class DualSenseDriver final : public HidDriver
 {
 public:
-  static constexpr double SendPeriod = 0.01; ///< s, between changes; silence does not wait
+  static constexpr double SendPeriod = 0.01; ///< s between changes; silence is sent at once
 
   /** `number` counts in Find. */
   explicit DualSenseDriver(int number);

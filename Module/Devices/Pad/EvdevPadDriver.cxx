@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* InputFolder = "/sys/class/input";
 
-/** The first line of a file of sysfs; empty if there is none. */
+/** Returns the first line of a file of sysfs; empty if there is none. */
 std::string ReadAttribute(const std::string& path)
 {
   char text[1024] = {};
@@ -138,7 +138,7 @@ std::string EvdevPad::GetState() const
   {
     return Explain(errno);
   }
-  // For a moment: the only way to detect whether another program has grabbed it.
+  // Grabs for a moment: the only way to detect whether another program has grabbed the pad.
   const bool isFree = ioctl(node, EVIOCGRAB, 1) == 0;
   std::string state = isFree ? "available" : Explain(errno);
   ioctl(node, EVIOCGRAB, 0);

@@ -37,11 +37,11 @@ struct EvdevPad
   std::string GetLabel() const;
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** The obstacle for an error of open() or EVIOCGRAB. */
+  /** Explains the obstacle for an error of open() or EVIOCGRAB. */
   static std::string Explain(int fault);
 };
 
-/** In the order of their numbers: all pads with a first button and a stick of two axes. */
+/** Lists all pads with a first button and a stick of two axes, in the order of their numbers. */
 std::vector<EvdevPad> ListEvdevPads();
 
 /** The obstacle and its cure for a pad whose driver can't make it vibrate. */

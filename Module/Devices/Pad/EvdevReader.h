@@ -51,14 +51,15 @@ private:
   struct Axis
   {
     bool Exists = false;
-    bool IsCentred = false; ///< at first: a trigger begins at an end
+    bool IsCentred = false; ///< whether the axis was in its middle at first; a trigger begins at an
+                            ///< end
     int Value = 0;
     int Least = 0;
     int Most = 0;
     int Flat = 0;
   };
   double Stick(unsigned code) const noexcept;
-  /** The furthest of the existing axes. */
+  /** Returns the value of the existing axis that is pushed furthest. */
   double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
 
   std::array<Axis, ABS_CNT> Axes{};

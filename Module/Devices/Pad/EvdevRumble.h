@@ -28,12 +28,12 @@ class EvdevRumble
 {
 public:
   static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
-  static constexpr int Steps = 255; ///< of a motor's level: the resolution of pads
+  static constexpr int Steps = 255; ///< the number of levels of a motor, the resolution of pads
 
-  /** For an open node, with the full gain. False if it holds no effects. */
+  /** Prepares an open node, with the full gain. False if it holds no effects. */
   bool Begin(int node) noexcept;
   ///@{
-  /** False if the device refuses it. */
+  /** Sets the levels. False if the device refuses. */
   bool Show(const VibrationLevels& levels) noexcept;
   bool Silence() noexcept;
   ///@}

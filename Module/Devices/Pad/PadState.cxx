@@ -15,7 +15,7 @@ constexpr double TriggerDeadZone = 0.05;
 constexpr double LargestDeadZone = 0.5;
 constexpr double FineFraction = 0.2;
 
-/** The part of a number (0 to 1) beyond a dead zone, scaled to 0 to 1. */
+/** Returns the part of a number (0 to 1) beyond a dead zone, scaled to 0 to 1. */
 double Beyond(double part, double deadZone) noexcept
 {
   return std::clamp((part - deadZone) / (1.0 - deadZone), 0.0, 1.0);

@@ -51,14 +51,14 @@ public:
   static constexpr double FullChange = 1.0; ///< N, the change that gives the full speed
   static constexpr double RiseRate = 100.0; ///< 1/s
   static constexpr double FallRate = 10.0;  ///< 1/s
-  /** Motors of pads do not turn below this fraction: they get nothing. */
+  /** Motors of pads do not turn below this fraction, so they get nothing. */
   static constexpr double Least = 0.04;
 
   ///@{
-  /** s, for devices that end the vibration ReplayTime after the last report. */
+  /** How long (s) a device that ends vibration by itself goes on after the last report. */
   static constexpr double ReplayTime = 0.15;
   static constexpr double RenewTime = 0.05;
-  static constexpr double SendPeriod = 0.01; ///< between changes; silence does not wait
+  static constexpr double SendPeriod = 0.01; ///< s between changes; silence is sent at once
   ///@}
 
   /**
@@ -66,10 +66,10 @@ public:
    * beyond 1e6 N, is silence.
    */
   VibrationLevels Advance(const Vector3& force, double elapsed) noexcept;
-  /** Resets the filters, as before any force. */
+  /** Resets the filters to a rest without force. */
   void Silence() noexcept;
 
-  /** A level as a whole number from 0 to `steps`; 0 below Least. */
+  /** Converts a level to a whole number from 0 to `steps`; 0 below Least. */
   static int Quantize(double level, int steps) noexcept;
   /**
    * Whether to send levels, `age` (s) after the last ones. Silence is sent at once, other changes

@@ -33,7 +33,8 @@ public:
   double GetStep() const noexcept;
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
   /**
-   * For a device without a motor on its second axis, which may be a pedal. State::Axes[1] stays 0.
+   * Reads only one axis, for a device without a motor on its second axis, which may be a pedal.
+   * State::Axes[1] stays 0.
    */
   void UseOneAxis() { this->Axes.resize(1); }
 

@@ -15,7 +15,7 @@ namespace
 constexpr std::uint16_t OrdinalPage = 0x0A;
 constexpr HidUsage AxisUsages[] = { MakeHidUsage(0x01, 0x30), MakeHidUsage(0x01, 0x31) };
 
-/** A duration (s) as the field's logical value, in its own unit and scale. */
+/** Converts a duration (s) to the field's logical value, in its own unit and scale. */
 std::int64_t ToLogical(const HidField& field, double quantity, double unitWithoutUnit) noexcept
 {
   const double unit = field.Unit == 0 ? unitWithoutUnit : std::pow(10.0, field.UnitExponent);
@@ -47,7 +47,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   constexpr HidReportKind output = HidReportKind::Output;
   constexpr HidReportKind feature = HidReportKind::Feature;
 
-  // The report's usage may be missing around the control's own.
+  // The report's usage may be missing around the usage of the control.
   if (!mapper.Turn(PidUsage::DeviceControlReport, output, "Device Control", this->ControlShape))
   {
     need(PidUsage::DeviceControl, output, "Device Control", this->ControlShape);
@@ -139,7 +139,7 @@ void PidDevice::Choose(HidReport& report, const Slot& slot) noexcept
   PidDevice::Put(report, slot, slot.Value);
 }
 
-// Sets a bit; OpenFFBoard's descriptor of one axis says that the only value is 0.
+// Sets a bit, even though OpenFFBoard's descriptor of one axis says that the only value is 0.
 void PidDevice::SwitchOn(HidReport& report, const Slot& slot) noexcept
 {
   if (slot.Known)
@@ -199,8 +199,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   // interpret the direction differently.
   const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
-  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle, in any
-  // unit. For shares, it is the whole axis.
+  // The direction is polar, clockwise from the north. As in Linux, the field's range is the whole
+  // circle, in any unit; with HasShares, it is the whole axis.
   const double circle = this->HasShares ? 1.0 : axis == 0 ? 0.25 : 0.0;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,

@@ -63,7 +63,7 @@ struct PidSettings
   /// N at full magnitude, for x and y. Only the user knows it. A value below zero reverses the
   /// force; 0 means no force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
-  /// s, 0.05 to 0.1: how long a force acts after the host's last report.
+  /// s, 0.05 to 0.1: how long a force acts after the last report of the host
   double Duration = 0.1;
 };
 
@@ -86,41 +86,48 @@ public:
 
   bool HasPool() const noexcept { return this->Pool.Known; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
-  /** 2 if the second axis can be told from the first, else 1. */
+  /** Returns 2 if the second axis can be distinguished from the first, else 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
-  /** For a device without a motor on its second axis, although its descriptor has one. */
+  /**
+   * Uses only the first axis, for a device without a motor on its second axis, although its
+   * descriptor has one.
+   */
   void UseOneAxis() noexcept { this->Axes = 1; }
   /** Makes directions shares of the enabled axis: see PidFirmware. */
   void UseShares() noexcept { this->HasShares = true; }
 
   ///@{
-  /** Reports to send. The device numbers the blocks of its effects from 1; axes are 0 and 1. */
+  /**
+   * Make the reports to send. The device numbers the blocks of its effects from 1; axes are 0 and
+   * 1.
+   */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 0 for axis 1: a positive magnitude pushes to
-   * the left, or towards the hand, if a force comes from its direction (see PidFirmware). Firmwares
-   * with angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the other way.
+   * Sets a constant effect, from 90 degrees for axis 0 and from 0 degrees for axis 1: a positive
+   * magnitude pushes to the left, or towards the hand, if a force comes from its direction (see
+   * PidFirmware). Firmwares with angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the
+   * other way.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * A magnitude: newtons over newtons per full scale, at most the full scale; 0 if either is not
-   * finite.
+   * Sets a magnitude: newtons over newtons per full scale, at most the full scale; 0 if either is
+   * not finite.
    */
   HidReport SetConstant(
     std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}
 
   ///@{
-  /** Feature reports to fetch, still empty. */
+  /** Make the feature reports to fetch, still empty. */
   HidReport AskPool() const noexcept;
   HidReport AskBlockLoad() const noexcept;
   ///@}
 
   ///@{
-  /** Read the received payloads. Zero effects: the device did not say. */
+  /** Read the received payloads. Zero effects mean that the device did not say. */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
     const std::uint8_t* payload, std::size_t size, std::int64_t& block) const noexcept;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-// Limits the time for which a device goes on without its host to 50 to 100 ms, whatever the
+// Limits the time for which a device continues without its host to 50 to 100 ms, whatever the
 // setting.
 PidSettings Bounded(PidSettings settings)
 {
@@ -163,7 +163,7 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   }
   this->Silence += elapsed;
   const bool isSignDue = this->Silence >= SignTime;
-  // Twice within a duration, so that one report may be late.
+  // Restarted twice within a duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
   for (int axis = 0; axis < axes; ++axis)
   {

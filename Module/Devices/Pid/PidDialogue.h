@@ -39,17 +39,17 @@ public:
   /** The device has to outlive the dialogue. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
 
-  /** The next step; the same until Sent or Fetched is called. */
+  /** Returns the next step; the same one until Sent or Fetched is called. */
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** The result of that step. An empty payload means that the device gave none. */
+  /** Reports the result of that step. An empty payload means that the device gave none. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}
 
   const std::string& GetError() const { return this->Error; }
-  /** The block of an axis' effect, if ready. */
+  /** Returns the block of an axis' effect, if ready. */
   std::int64_t GetBlock(int axis) const noexcept { return this->Blocks[axis]; }
 
 private:

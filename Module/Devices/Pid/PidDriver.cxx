@@ -70,9 +70,9 @@ bool HasSecondAxis(const HidReportDescriptor& descriptor)
 constexpr int RepeatsOfStream = 20;
 /** ns: a longer pause before a repeated packet is chance. */
 constexpr std::int64_t LongestReminder = 250000000;
-/** In gaps between repeats: after this time, two repeats are missing. */
+/** A pause of more than this many gaps means that two repeats are missing. */
 constexpr double MissedGaps = 2.5;
-/** After this time, the tip may have left its last place. */
+/** After this many gaps, the tip may have left its last place. */
 constexpr double LateGaps = 1.5;
 
 const char* const TwoAxes =
@@ -385,9 +385,9 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  // A positive magnitude pushes to the left, and towards the hand.
+  // A positive magnitude pushes to the left, or towards the hand.
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
-  // For each axis its start, if due, and its magnitude.
+  // Sends for each axis its start, if due, and its magnitude.
   HidReport report;
   bool isAlive = false;
   for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)

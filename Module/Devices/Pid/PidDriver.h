@@ -65,7 +65,7 @@ class PidDriver final : public HidDriver
 {
 public:
   static constexpr double Travel = 0.05; ///< m, the tip's at the end of an axis
-  /** m/s, the whole way in 20 ms. No hand is faster. */
+  /** m/s: the whole way in 20 ms; no hand is faster */
   static constexpr double FastestStick = 5.0;
 
   /** The devices that an id denotes: all, or those of a vendor and product. */
@@ -86,7 +86,7 @@ public:
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 
   DeviceLimits GetLimits() const override;
-  /** Includes the axes that the user has reversed: their signs differ. */
+  /** The identity includes the axes that the user has reversed, because their signs differ. */
   std::string GetIdentity() const override;
 
 private:
@@ -96,7 +96,8 @@ private:
     PidDevice Device;
     HidStick Stick;
     PidFirmware Firmware;
-    std::string Objection; ///< why it gets no forces although it could; empty: it gets them
+    std::string Objection; ///< why the device gets no forces although it could; empty if it gets
+                           ///< forces
 
     /** False, with the missing parts, if it is no force-feedback device. */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
@@ -114,24 +115,24 @@ private:
   void Fetch(HidReport& report);
   bool Listen(HardwareExchange& exchange);
   void ReportPlace(HardwareExchange& exchange);
-  /** Whether the device has taken a report. */
+  /** Sends the forces. Returns whether the device has taken a report. */
   bool SendForces(HardwareExchange& exchange);
   bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;
 
   const Numbers Wanted;
   const std::array<double, 2> NewtonsPerFullScale;
-  PidSettings Settings; ///< with the firmware's sign
+  PidSettings Settings; ///< settings with the firmware's sign
   Mapping Map;
 
   std::optional<PidDialogue> Dialogue;
-  std::optional<PidStream> Stream; ///< after the dialogue
+  std::optional<PidStream> Stream; ///< set after the dialogue
   HidStick::State State;           ///< axes that were not reported yet are NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
-  int Repeats = 0; ///< packets that equal the one before
+  int Repeats = 0; ///< number of packets that equal the one before
   std::int64_t LastPacketTime = 0;
-  std::int64_t LongestGap = 0; ///< ns, before a repeated packet
+  std::int64_t LongestGap = 0; ///< ns, the longest gap before a repeated packet
   std::int64_t LastRound = 0;
 };
 

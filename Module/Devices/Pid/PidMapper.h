@@ -43,11 +43,11 @@ public:
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** As Find; records a missing field. */
+  /** The same as Find; records a missing field. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void RecordMissing(const std::string& what);
-  /** All missing parts, separated by commas. */
+  /** Returns all missing parts, separated by commas. */
   const std::string& GetMissing() const { return this->Missing; }
 
 private:

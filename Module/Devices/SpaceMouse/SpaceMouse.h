@@ -39,8 +39,8 @@ public:
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
   /**
-   * Whether the y axis is up and the z axis away from the hand. On most devices y is towards the
-   * hand and z down.
+   * Whether the y axis points up and the z axis away from the hand. On most devices y points
+   * towards the hand and z down.
    */
   static bool HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept;
 
@@ -51,7 +51,7 @@ public:
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, State& state) noexcept;
 
-  /** -1 to 1 from counts, with the dead zone. */
+  /** Converts counts to -1 to 1, with the dead zone. */
   static double Scale(int counts) noexcept;
 };
 

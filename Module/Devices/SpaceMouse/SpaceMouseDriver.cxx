@@ -20,8 +20,8 @@ constexpr std::uint8_t ButtonReport = 3;
 constexpr std::uint16_t DesktopPage = 0x01;
 
 /**
- * From the device's axes to the tip's (right, up, towards the hand). The device's are right,
- * towards the hand, down, or right, up, away from the hand.
+ * Converts from the device's axes to the tip's (right, up, towards the hand). The device's axes are
+ * right, towards the hand, down; or right, up, away from the hand.
  */
 Vector3 TurnAxes(bool isAxisUp, double x, double y, double z)
 {
@@ -146,7 +146,7 @@ void SpaceMouseDriver::Light(bool on) noexcept
   this->IsLit = on;
   if (!this->Port.Write(report, this->LightSize + 1))
   {
-    // The light is unimportant: without it the device stays usable.
+    // The light is not important: without it the device stays usable.
     this->LightSize = 0;
   }
 }

@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class SpaceMouseDriver final : public HidDriver
 {
 public:
-  static constexpr double HoldTime = 0.5; ///< s, how long a push counts that is not repeated
+  static constexpr double HoldTime = 0.5; ///< s; how long a push counts that is not repeated
 
   explicit SpaceMouseDriver(int number);
 
@@ -54,7 +54,8 @@ private:
   const int Number;
   std::size_t LightSize = 0; ///< bytes of the light's report; 0: no light
   bool IsLit = false;
-  bool IsAxisUp = false; ///< the device's y is up; else its z is down
+  bool IsAxisUp = false; ///< whether the device's y axis points up; otherwise its z axis points
+                         ///< down
   SpaceMouse::State State;
   RateTip Tip;
   std::int64_t LastMotion = 0;

@@ -36,7 +36,7 @@ public:
   {
     std::string Name;
     std::string Serial;
-    bool IsOpen = false; ///< by this program
+    bool IsOpen = false; ///< whether this program has the device open
   };
 
   /**
@@ -48,22 +48,22 @@ public:
   static std::shared_ptr<VendorLibrary> LoadFile(const std::string& path, std::string& error);
 
   /**
-   * The devices. While one is open, returns the last list without asking the plug-in. False, with
-   * the reason, if the plug-in can't list them.
+   * Lists the devices. While one is open, returns the last list without calling the plug-in. False,
+   * with the reason, if the plug-in can't list them.
    */
   bool Describe(std::vector<Description>& devices, std::string& error);
 
   ///@{
-  /** Opens a device (null, with the reason) and closes it. */
+  /** Open a device (null, with the reason, on failure), and close it. */
   void* Open(int number, std::string& error);
   void Close(void* device, int number) noexcept;
   ///@}
 
   const VolumeHapticsVendorPlugin& Functions() const noexcept { return *this->Table; }
-  /** The plug-in's text about a device, or about itself; never empty. */
+  /** Returns the plug-in's text about a device, or about itself; never empty. */
   std::string LastError(void* device) const;
 
-  /** The identity of a device for the user's file of devices. */
+  /** Makes the identity of a device for the user's file of devices. */
   static std::string MakeIdentity(const std::string& plugin, int number, const std::string& serial);
 
 private:
@@ -82,7 +82,7 @@ private:
 class VendorDriver final : public HardwareDriver
 {
 public:
-  /** s. A longer call is a fault: the device was not observed meanwhile. */
+  /** s; a longer call is a fault, because the device was not observed meanwhile. */
   static constexpr double LongestCall = 0.5;
 
   /** `path` as in VendorFolder::Split. */

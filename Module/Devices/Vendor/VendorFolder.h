@@ -30,14 +30,14 @@ public:
   static constexpr const char* Variable = "VOLUMEHAPTICS_VENDOR_PATH";
 
   /**
-   * The folders of a search path, separated by colons; if the path is empty, those of the
-   * environment variable. A program that has more rights than its user ignores the variable.
+   * Returns the folders of a search path, separated by colons; if the path is empty, the folders of
+   * the environment variable. A program that has more rights than its user ignores the variable.
    */
   static std::vector<std::string> Split(const std::string& path);
 
   /**
-   * All plug-ins in the folders; the first of several with the same name. Folders that fail add a
-   * text.
+   * Lists all plug-ins in the folders; the first of several with the same name. Folders that can't
+   * be used add a text.
    */
   static std::vector<VendorFile> List(
     const std::vector<std::string>& folders, std::vector<std::string>& obstacles);

@@ -37,7 +37,10 @@ std::vector<DeviceListing> ListVendors()
   return all;
 }
 
-/** The obstacle of each plug-in that can't be used, and the obstacle of the kind as a whole. */
+/**
+ * Explains the obstacle of each plug-in that can't be used, and the obstacle of the kind as a
+ * whole.
+ */
 std::string WhyNoVendors()
 {
   std::vector<std::string> obstacles;

@@ -68,13 +68,13 @@ void VirtualDevice::Update(double period) noexcept
   const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
   const double most = this->Dynamics.HandSpeed * period;
-  // Exactly the target if it is within reach.
+  // Ends exactly at the target if it is within reach.
   this->Position = distance <= most ? this->Target : this->Position + (most / distance) * way;
 }
 
 void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 {
-  // Runge-Kutta of fourth order; the force is held, so that the right-hand side is smooth.
+  // Integrates by Runge-Kutta of fourth order; the force is held, so the right-hand side is smooth.
   constexpr int steps = 8;
   const double h = period / steps;
   const double m = this->Dynamics.Mass;

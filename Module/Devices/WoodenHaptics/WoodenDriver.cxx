@@ -193,7 +193,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
 {
   if (this->Now == Phase::Consent)
   {
-    // Ignore its packets for now.
+    // Ignore the device's packets until the user has consented.
     std::uint8_t ignored[LongestReport];
     this->Read(exchange, ignored, 1);
     this->IsSilent(true);

@@ -88,7 +88,7 @@ private:
   std::int64_t LastSent = 0;
   std::int64_t PresetBegin = 0;
   std::int64_t LastPreset = 0;
-  bool HasConsent = false; ///< the user has allowed sending
+  bool HasConsent = false; ///< whether the user has allowed the driver to send forces
 };
 
 } // namespace VolumeHaptics

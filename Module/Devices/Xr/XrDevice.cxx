@@ -30,7 +30,7 @@ DeviceState XrDevice::Write(const Vector3& force) noexcept
   this->Elapsed = 0.0;
   const double amplitude = std::max(levels.Strong, levels.Weak);
   double largest = this->Largest.load(std::memory_order_relaxed);
-  // Repeated at most once, if DrainAmplitude comes in between: nothing else changes it.
+  // This loop repeats at most once: only DrainAmplitude also changes Largest.
   while (amplitude > largest &&
     !this->Largest.compare_exchange_strong(largest, amplitude, std::memory_order_relaxed))
   {

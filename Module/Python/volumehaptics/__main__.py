@@ -26,7 +26,8 @@ CURE = f"""python -m volumehaptics: there is no {PROGRAM}, neither in the packag
 
 
 def find_explorer() -> str | None:
-    """The package's own program, which wheels have; else the one beside the package's prefix; else the one on PATH."""
+    """Returns the package's own program, which wheels have; else the one beside the package's prefix; else the one on
+    PATH."""
     package = Path(__file__).resolve().parent
     for program in (package / "bin" / PROGRAM, (package / "../../../../bin").resolve() / PROGRAM):
         if os.access(program, os.X_OK) and program.is_file():
@@ -35,7 +36,7 @@ def find_explorer() -> str | None:
 
 
 def without_display(command: list[str]) -> list[str]:
-    """The command for a computer without a display: it writes pictures, on a virtual screen if possible."""
+    """Returns the command for a computer without a display: it writes pictures, on a virtual screen if possible."""
     if not any(word == "--pictures" or word.startswith("--pictures=") for word in command):
         command = [*command, "--pictures", "explore-pictures"]
     own_screen = shutil.which("xvfb-run")

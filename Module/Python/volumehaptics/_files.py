@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Volumes of files and folders, by the explorer's reader: the same values, axes and lengths in every front end."""
+"""Reads files and folders by the explorer: a volume has the same values, axes and lengths in every front end."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from .__main__ import PROGRAM, find_explorer
 
 
 def read(path: str | os.PathLike, *options: str) -> tuple[vtkImageData, list[str]]:
-    """The volume of a file or a folder, left-posterior-superior in mm if it says so, and what was assumed, dropped,
-    filled or turned on the way. options: of volumehaptics-explore, such as "--series", "2".
+    """Returns the volume of a file or a folder, left-posterior-superior in mm if it says so, and notes on what was
+    assumed, dropped, filled or turned. options: options of volumehaptics-explore, such as "--series", "2".
 
-    ValueError: it can't be read, with the cure."""
+    ValueError: the file or folder can't be read; with the cure."""
     explorer = find_explorer()
     if explorer is None:
         raise ValueError(f"there is no {PROGRAM}, which reads volumes, neither in the package nor on PATH. Cure: the wheel "

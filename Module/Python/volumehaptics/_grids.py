@@ -51,7 +51,7 @@ def _leaves(grid: vtkDataSet | vtkCompositeDataSet) -> list[vtkDataSet]:
 
 
 def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
-    """A coarse image of the whole grid, with its point and cell arrays as point arrays."""
+    """Makes a coarse image of the whole grid, with its point and cell arrays as point arrays."""
     all_bounds = [leaf.GetBounds() for leaf in _leaves(grid)]
     bounds = [(min if i % 2 == 0 else max)(one[i] for one in all_bounds) for i in range(6)] if all_bounds else [0.0] * 6
     edges = [bounds[i + 1] - bounds[i] for i in (0, 2, 4)]
@@ -70,7 +70,7 @@ def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
 
 
 def suggest_mode(image: vtkImageData) -> str | None:
-    """The preset of modes for vectors, else for tensors; None for scalars, whose surfaces are felt."""
+    """Returns the preset of modes for vectors, else for tensors; None for scalars, whose surfaces are felt."""
     points = image.GetPointData()
     sizes = {points.GetArray(i).GetNumberOfComponents() for i in range(points.GetNumberOfArrays()) if points.GetArray(i)}
     if 3 in sizes:

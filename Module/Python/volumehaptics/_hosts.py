@@ -113,13 +113,13 @@ class Haptics:
 
 
 def _plain_vtk(wrapped: Any) -> Any:
-    """VTK's object inside a tvtk object (Mayavi); tvtk's other objects have None there."""
+    """Returns VTK's object inside a tvtk object (Mayavi); for tvtk's other objects None."""
     inner = getattr(wrapped, "_vtk_obj", None)
     return wrapped if inner is None else inner
 
 
 def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
-    """The interactor of a program's window object, by its attributes."""
+    """Returns the interactor of a program's window object, found by its attributes."""
     target = _trame.window_of(target) if _trame.is_view(target) else _plain_vtk(target)
     if isinstance(target, vtkRenderWindowInteractor):
         return target
@@ -135,7 +135,7 @@ def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInterac
 
 
 def _find_volume(volume: Any) -> vtkVolume:
-    """The volume inside a program's object, by its attributes."""
+    """Returns the volume inside a program's object, found by its attributes."""
     for one in (volume, getattr(volume, "actor", None)):  # vedo
         if isinstance(_plain_vtk(one), vtkVolume):
             return _plain_vtk(one)
@@ -156,7 +156,7 @@ def _find_plotter(target: Any) -> Any:
 
 
 def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -> vtkImageData | None:
-    """The image that a volume shows, or the first image of a window."""
+    """Returns the image that a volume shows, or the first image of a window."""
     shown = [volume] if volume is not None else []
     renderers = interactor.GetRenderWindow().GetRenderers()
     for renderer in map(renderers.GetItemAsObject, range(renderers.GetNumberOfItems())):

@@ -69,7 +69,7 @@ def _function(value: float) -> vtkPiecewiseFunction:
 
 
 def _constant(name: str, material: Mapping[str, float]) -> vtkHapticProperty:
-    """A property that feels the same everywhere."""
+    """Makes a property that feels the same everywhere."""
     feel = vtkHapticProperty()
     feel.SetDistinctness(_function(1.0))
     for key, value in material.items():
@@ -100,7 +100,7 @@ def _slab(values: tuple[float, float] | None, margin: int) -> Any:
 
 
 def _way(start: float, depth: float, stroke: float) -> np.ndarray:
-    """A path down to a depth, then aside."""
+    """Makes a path down to a depth, then aside."""
     down = np.arange(start, depth + 0.5 * _TICK, _TICK)
     aside = np.arange(_TICK, stroke + 0.5 * _TICK, _TICK)
     points = np.zeros((len(down) + len(aside), 3))
@@ -111,7 +111,7 @@ def _way(start: float, depth: float, stroke: float) -> np.ndarray:
 
 
 def _on_slab(slab: Any, above: float, strategy: str, force: float, depth: float, settings: dict[str, Any]) -> list:
-    """The cues of one material."""
+    """Computes the cues of one material."""
     down = _way(-above, _DEEPEST, 0.0)
     normal = -arrays(touch(slab, down, **settings))["Force"][:, 2]
     if strategy == "force":
@@ -155,7 +155,7 @@ def _positive(name: str, value: float) -> None:
 
 
 def _is_values(material: Any) -> bool:
-    """A scalar value inside, or a pair: outside and inside."""
+    """Whether a material is a scalar value inside, or a pair: outside and inside."""
     pair = material if isinstance(material, tuple) else (material,)
     return len(pair) in (1, 2) and all(isinstance(one, numbers.Real) for one in pair)
 

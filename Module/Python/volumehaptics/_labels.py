@@ -49,7 +49,7 @@ def _one_of(known: Iterable[str], wrong: str) -> str:
 
 
 def _labels_of(table: vtkHapticLabelTable, key: int | str) -> list[int]:
-    """The labels that a key of materials stands for: one number, or all labels of a name."""
+    """Returns the labels that a key of materials stands for: one number, or all labels of a name."""
     if isinstance(key, numbers.Integral) and not isinstance(key, bool):
         if not -2**31 <= key < 2**31:
             raise ValueError(f"label {key} is out of range: labels are from {-2**31} to {2**31 - 1}")
@@ -106,7 +106,7 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
 
 
 def _copy(image: vtkImageData) -> vtkImageData:
-    """The image without the reader's record of its origin; it shares the samples."""
+    """Copies an image without the reader's record of its origin; the copy shares the samples."""
     copy = vtkImageData()
     copy.ShallowCopy(image)
     return copy
@@ -150,7 +150,7 @@ def _count_held(file: str) -> int:
 
 
 def _run(reader: Any, file: str) -> vtkImageData:
-    """The output of a VTK reader. ValueError: an error, or a header that promises more than the file holds.
+    """Returns the output of a VTK reader. ValueError: an error, or a header that promises more than the file holds.
 
     Some readers continue after an error, and read all samples into memory for one voxel; all of them allocate first."""
     from ._touch import Errors
@@ -338,7 +338,7 @@ def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
 
 
 def _ends(image: vtkImageData, volume: vtkImageData) -> list[tuple[float, ...]]:
-    """An image's first voxel, and the last voxel along each axis, as indices of a volume."""
+    """Returns an image's first voxel, and the last voxel along each axis, as indices of a volume."""
     matrix, extent = _to_voxels(image, volume), image.GetExtent()
     ends = [[extent[2 * axis + (axis == end)] for axis in range(3)] for end in (-1, 0, 1, 2)]
     return [matrix.MultiplyPoint((*index, 1.0))[:3] for index in ends]
@@ -348,12 +348,12 @@ _TOLERANCE = 0.05  # voxels
 
 
 def _has_voxels_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether voxels coincide, in the same order; both images have as many along each axis."""
+    """Whether the voxels of both images coincide, in the same order; both have the same number along each axis."""
     return all(math.dist(a, b) < _TOLERANCE for a, b in zip(_ends(image, volume), _ends(volume, volume)))
 
 
 def _has_grid_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether an image's voxels are voxels of the volume, or would be beyond its border; axes may differ."""
+    """Whether an image's voxels are voxels of the volume, or would be beyond its border; the axes may differ."""
     matrix = _to_voxels(image, volume)
     steps = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
     return all(abs(abs(step) - 0.5) > 0.4 and abs(step) < 1.1 for step in steps) and all(

@@ -162,7 +162,7 @@ def _end_reading() -> None:
 
 
 class _Volume:
-    """The volume [z, y, x] of an array with further axes before these."""
+    """The volume [z, y, x] of an array that has further axes before these."""
 
     def __init__(self, array: Any, before: tuple[int, ...]) -> None:
         self._array, self._before = array, before
@@ -173,7 +173,7 @@ class _Volume:
 
 
 def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float], list[float]]:
-    """Spacing and origin of OME-Zarr's coordinate transformations, along all axes."""
+    """Returns spacing and origin of OME-Zarr's coordinate transformations, along all axes."""
     scale, translation = [1.0] * axes, [0.0] * axes
     for one in transformations:
         if one.get("type") == "scale" and "scale" in one:
@@ -218,7 +218,7 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
 
 
 def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
-    """The levels of an OME-Zarr group from the wanted one on, to the coarsest."""
+    """Opens the levels of an OME-Zarr group, from the wanted one to the coarsest."""
     attributes = dict(group.attrs)
     scales = attributes.get("ome", attributes).get("multiscales")
     if not scales:
@@ -253,12 +253,12 @@ def _open_path(path: str, level: int) -> list[_Level]:
 
 
 def _choose_coarse(levels: list[_Level]) -> _Level | None:
-    """The finest coarser level that is small enough to stay in memory, if there is one."""
+    """Returns the finest coarser level that is small enough to stay in memory, if there is one."""
     return next((one for one in levels[1:] if np.prod(one.array.shape, dtype=float) <= _MOST_COARSE), None)
 
 
 def _beside(coarse: Any, fine: _Level) -> _Level:
-    """A coarse image over the box of a volume whose spacing and origin are known."""
+    """Places a coarse image over the box of a volume whose spacing and origin are known."""
     ratio = [f / c for f, c in zip(fine.array.shape[::-1], coarse.shape[::-1])]
     spacing = [s * r for s, r in zip(fine.spacing, ratio)]
     return _Level(coarse, spacing, [o + 0.5 * (c - s) for o, c, s in zip(fine.origin, spacing, fine.spacing)])
@@ -289,7 +289,7 @@ def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageDat
 
 
 def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHapticRegionSource:
-    """A file that C++ reads itself, on threads that need no Python lock."""
+    """Opens a file that C++ reads itself, on threads that need no Python lock."""
     source = _Source()
     with Errors(source) as errors:
         if not source.OpenFile(path):

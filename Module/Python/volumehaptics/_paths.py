@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
 def _lines(ends: np.ndarray) -> vtkCellArray:
-    """Polylines of consecutive points, by the indices where they end."""
+    """Makes polylines of consecutive points, from the indices where they end."""
     # Copies the offsets: vtkCellArray may take the memory without the object that keeps NumPy's array alive.
     offsets = numpy_to_vtkIdTypeArray(np.array(ends, np.int64), deep=True)
     points = numpy_to_vtkIdTypeArray(np.arange(ends[-1], dtype=np.int64), deep=True)
@@ -34,7 +34,7 @@ def _is_plain(path: vtkPolyData) -> bool:
 
 
 def groups(paths: list[vtkPolyData]) -> list[list[int]]:
-    """The indices of paths that can be felt together: all have times, or none has."""
+    """Returns the indices of paths that can be felt together: all of them have times, or none has."""
     timed: list[int] = []
     untimed: list[int] = []
     others: list[list[int]] = []
@@ -52,7 +52,7 @@ def groups(paths: list[vtkPolyData]) -> list[list[int]]:
 
 
 def together(paths: list[vtkPolyData]) -> vtkPolyData:
-    """One polydata with a line for each of some paths that groups() puts together."""
+    """Makes one polydata with a line for each of some paths that groups() puts together."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.concatenate(
         [vtk_to_numpy(path.GetPoints().GetData()).astype(np.float64, copy=False) for path in paths])))
@@ -68,14 +68,14 @@ def together(paths: list[vtkPolyData]) -> vtkPolyData:
 
 
 def _slice(array: vtkDataArray, begin: int, end: int) -> vtkDataArray:
-    """Some tuples of an array; they share its memory."""
+    """Returns some tuples of an array; they share its memory."""
     part = numpy_to_vtk(vtk_to_numpy(array)[begin:end], array_type=array.GetDataType())
     part.SetName(array.GetName())
     return part
 
 
 def apart(trace: vtkPolyData) -> list[vtkPolyData]:
-    """A trace for each line of a joint trace, equal to the trace of each path alone; all share its memory."""
+    """Returns a trace for each line of a joint trace, equal to the trace of each path alone; all share its memory."""
     ends = vtk_to_numpy(trace.GetLines().GetOffsetsArray())
     data = trace.GetPointData()
     arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]

@@ -129,7 +129,7 @@ class Haptics(HostHaptics):
             self._picture.SetRenderer(self._renderer())
 
     def _show_slices(self, plotter: pv.Plotter, image: vtkImageData | None) -> None:
-        """Slices through the tip, beside the scene: of an image, or of the felt data."""
+        """Shows slices through the tip, beside the scene: of an image, or of the felt data."""
         self.slices = vtkHapticSliceView()
         self.slices.SetDevice(self.device)
         self.slices.SetHeadUpDisplay(self.head_up_display)
@@ -152,7 +152,7 @@ class Haptics(HostHaptics):
                    for prop in self._in_scene)
 
     def _refuse(self) -> None:
-        """Prevents touch of a volume that is invisible or not in the scene."""
+        """Prevents touching a volume that is invisible or not in the scene."""
         if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
             self.style.FadeOut()
             warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
@@ -215,7 +215,7 @@ def _close_all() -> None:
 
 
 def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
-    """The subplot that shows an actor, preferably the active one; for other objects the active one."""
+    """Returns the subplot that shows an actor, preferably the active one; for other objects the active one."""
     if not isinstance(volume, vtkVolume):
         return plotter.renderer
     for renderer in (plotter.renderer, *plotter.renderers):
@@ -227,7 +227,7 @@ def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
 
 
 def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
-    """The plotter's volume, or its first one; with is_alone, its only one."""
+    """Returns the plotter's volume, or its first one; with is_alone, its only one."""
     volumes = {name: actor for name, actor in plotter.actors.items() if isinstance(actor, vtkVolume)}
     if not volumes:
         raise ValueError("the plotter has no volume. Cure: add_haptics(plotter, plotter.add_volume(image))")
@@ -239,7 +239,7 @@ def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
 
 
 def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume | vtkHapticRegionSource:
-    """The actor that shows a volume larger than memory; the volume itself if none does."""
+    """Returns the actor that shows a volume larger than memory; the volume itself if no actor does."""
     shown = [actor for actor in plotter.actors.values() if isinstance(actor, vtkVolume)]
     if not shown and large.GetCoarseImage() is not None:
         import pyvista
@@ -249,7 +249,7 @@ def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume
 
 
 def _image_of(volume: Any) -> vtkImageData:
-    """The image to be touched: an actor's, or the given one."""
+    """Returns the image to be touched: an actor's, or the given one."""
     image = volume
     if isinstance(volume, vtkVolume):
         image = volume.GetMapper().GetInputDataObject(0, 0) if volume.GetMapper() else None
@@ -267,7 +267,7 @@ def _geometry(image: vtkImageData) -> tuple[Any, ...]:
 
 
 def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticTimeStepSource:
-    """Images, one per frame, as the time steps of one volume."""
+    """Makes images, one per time step, the time steps of one volume."""
     if len(frames) < 2:
         raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
     for frame in frames:
@@ -287,7 +287,7 @@ def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapti
 
 
 def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageData:
-    """The actor that shows the first frame, or an image of its geometry; if there is none, the frame."""
+    """Returns the actor that shows the first time step, or an image of its geometry; if there is none, the time step."""
     def shows(actor: Any) -> bool:
         mapper = actor.GetMapper() if isinstance(actor, vtkVolume) else None
         shown = mapper.GetInputDataObject(0, 0) if mapper else None

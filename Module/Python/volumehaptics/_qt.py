@@ -14,7 +14,7 @@ _BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 
 
 def _binding_of(widget: Any) -> str | None:
-    """The Qt package of a widget; None for other objects."""
+    """Returns the Qt package of a widget; None for other objects."""
     for kind in type(widget).__mro__:
         binding = kind.__module__.split(".")[0]
         if kind.__name__ == "QWidget" and binding in _BINDINGS:

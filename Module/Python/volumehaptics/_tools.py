@@ -12,7 +12,7 @@ from .vtkVolumeHaptics import vtkHapticPointShell
 
 
 def _read(path: str) -> vtkPolyData:
-    """The surface in a file. ValueError: there is none."""
+    """Reads the surface in a file. ValueError: there is none."""
     ending = os.path.splitext(path)[1].lower()
     if ending in (".stl", ".obj"):
         from vtkmodules import vtkIOGeometry as module
@@ -40,7 +40,7 @@ def _read(path: str) -> vtkPolyData:
 
 
 def make_tool(tool: Any) -> Any:
-    """A tool with the shape of a mesh or of a mesh file; other values are returned as they are."""
+    """Makes a tool with the shape of a mesh or of a mesh file; returns other values unchanged."""
     if isinstance(tool, (str, os.PathLike)):
         tool = _read(os.fspath(tool))
     if not isinstance(tool, vtkPolyData):

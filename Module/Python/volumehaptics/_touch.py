@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def plain(text: str) -> str:
-    """A message of VTK without source file and line, which do not help the caller."""
+    """Returns a message of VTK without source file and line, which do not help the caller."""
     return re.sub(r"^(ERROR|Warning): In .*, line \d+\n.*?\(\w+\): ", "", text).strip()
 
 
@@ -57,7 +57,7 @@ class Errors(list):
 
 
 def _settings() -> list[str]:
-    """The names of settings that can be read back, in snake_case."""
+    """Returns the names of settings that can be read back, in snake_case."""
     names = dir(vtkVolumeHapticsFilter)
     return [
         re.sub(r"(?<!^)(?=[A-Z])", "_", name[3:]).lower()
@@ -67,7 +67,7 @@ def _settings() -> list[str]:
 
 
 def _unknown(name: str) -> str:
-    """A hint for a setting that does not exist."""
+    """Returns a hint for a setting that does not exist."""
     plain = name.replace("_", "").lower()
     known = _settings()
     close = [one for one in known if one.replace("_", "") == plain]
@@ -83,7 +83,7 @@ def _in_camel_case(name: str) -> str:
 
 
 def _by_name(name: str, value: Any) -> str:
-    """The enumeration value that may be meant if a word was given for a number."""
+    """Returns the enumeration value that may be meant if a word was given for a number."""
     if not isinstance(value, str):
         return ""
     if hasattr(vtkVolumeHapticsFilter, f"Set{_in_camel_case(name)}ByName"):
@@ -95,8 +95,8 @@ def _by_name(name: str, value: Any) -> str:
 
 
 def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) -> bool:
-    """False: the filter does not know the value; its error may say why. A number out of range is a ValueError, where
-    the filter would clamp."""
+    """Sets a value. False if the filter does not know it; the filter's error may say why. A number out of range, which the
+    filter would clamp, is a ValueError."""
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
         raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
@@ -119,7 +119,7 @@ def apply_preset(material: vtkHapticProperty, name: str, volume: Any) -> bool:
     """Applies a preset, fitted to the grey levels of a large volume, or of an image with scalars at its points."""
     if name == "MRI" and isinstance(volume, vtkHapticRegionSource):
         source, volume = volume, vtkImageData()
-        # Some samples, with what is known of the whole. What can't be read is told when it is felt.
+        # Reads some samples, with what is known of the whole. A failed read is reported when the volume is felt.
         if not source.ReadRegion([one + end for one in source.GetWholeExtent()[::2] for end in (0, 2)], volume):
             return material.ApplyPreset(name)
     if isinstance(volume, vtkImageData) and volume.GetPointData().GetScalars() is not None:
@@ -170,7 +170,7 @@ def choose_mode(
 
 
 def frame_of(source: vtkHapticRegionSource) -> vtkImageData:
-    """The extent and the position of a large volume, without its samples."""
+    """Returns the extent and the position of a large volume, without its samples."""
     frame = vtkImageData()
     frame.SetExtent(source.GetWholeExtent())
     frame.SetOrigin(source.GetOrigin())
@@ -207,7 +207,8 @@ def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vt
 
 @functools.lru_cache(maxsize=1)
 def _library() -> ctypes.CDLL:
-    """A library whose calls let other Python threads run; calls of VTK's wrappers do not, before VTK 9.4."""
+    """Loads the library so that other Python threads run during its calls; before VTK 9.4, VTK's wrappers don't allow
+    that."""
     library = ctypes.CDLL(vtkVolumeHaptics.__file__)
     library.vtkVolumeHapticsFilterUpdate.argtypes = [ctypes.c_void_p]
     library.vtkVolumeHapticsFilterUpdate.restype = None
@@ -220,7 +221,7 @@ def _update(haptics: vtkVolumeHapticsFilter) -> None:
 
 
 def _are_several(tip: Any) -> bool:
-    """Whether an argument is several paths, not the points of one."""
+    """Whether an argument is several paths, not the points of one path."""
     if not isinstance(tip, (list, tuple)) or not tip:
         return False
     first = tip[0]
@@ -244,7 +245,7 @@ class _Feeling:
         self._haptics, self._errors, self._failures = haptics, errors, failures
 
     def feel(self, path: vtkPolyData | None) -> vtkPolyData:
-        """The trace; the next path does not change it."""
+        """Returns the trace; the next path does not change it."""
         self._haptics.SetPathData(path)
         _update(self._haptics)
         # The executive's own error only repeats that the filter failed.
@@ -257,7 +258,7 @@ class _Feeling:
         return trace
 
     def feel_all(self, paths: list[vtkPolyData]) -> list[vtkPolyData]:
-        """The trace of each path, as many at once as there are cores; errors have the number of the path."""
+        """Returns the trace of each path, as many at once as there are cores; errors have the number of the path."""
         from . import _paths
 
         try:

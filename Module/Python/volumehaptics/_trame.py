@@ -25,12 +25,12 @@ def is_view(target: Any) -> bool:
 
 
 def window_of(view: Any) -> Any:
-    """The window that a view was made with: trame's classes keep it in a private attribute."""
+    """Returns the window that a view was made with; trame's classes keep it in a private attribute."""
     return next((value for name, value in vars(view).items() if name.endswith("__view")), None)
 
 
 def on_hidden(server: Any, call: Callable[[], None]) -> None:
-    """Calls a function when a browser hides a page that it opens from now on: another tab, or a minimised window."""
+    """Calls a function when a browser hides a page opened from now on, behind another tab or in a minimised window."""
     server = server.root_server
     server.enable_module(_PAGE)
     if not server.controller[HIDDEN].exists():

@@ -57,7 +57,7 @@ _NO_SECRET = ("This page needs the secret of its server. Cure: open the address 
 
 
 def page_now() -> str | None:
-    """The number of the page whose message is being handled."""
+    """Returns the number of the page whose message is being handled."""
     return _page.get()
 
 
@@ -74,7 +74,7 @@ class _Secret(LinkProtocol):
 
 
 def _place(address: str) -> tuple[str | None, str]:
-    """The host of an address, and the host with the port."""
+    """Returns the host of an address, and the host with the port."""
     try:
         parts = urlsplit(address)
         return parts.hostname, parts.netloc.lower()
@@ -136,7 +136,7 @@ class Door:
     # -- where the browser comes from --
 
     def _refusal(self, headers: Any) -> str | None:
-        """The reason for a refusal, or None. A page from another host name that leads here (DNS rebinding) has that
+        """Returns the reason for a refusal, or None. If another host name leads here (DNS rebinding), the page has that
         name as its host."""
         host = headers.get("Host", "")
         name, place = _place(f"//{host}")
@@ -203,7 +203,7 @@ _doors: weakref.WeakKeyDictionary[Any, Door] = weakref.WeakKeyDictionary()
 
 
 def door_of(server: Any, in_frames: bool = False) -> Door:
-    """The door of a server; makes one if the server does not run yet."""
+    """Returns the door of a server; makes one if the server does not run yet."""
     server = server.root_server
     if server not in _doors:
         if server.running:

@@ -49,7 +49,7 @@ _numbers = itertools.count(1)
 
 
 def _number(words: Any, word: str, otherwise: float) -> float:
-    """A number in a page's message, which may contain anything."""
+    """Returns a number in a page's message, which may contain anything."""
     value = words.get(word) if isinstance(words, dict) else None
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # not NaN
     return float(value) if is_number else otherwise
@@ -143,7 +143,7 @@ class View:
             self._begin()
 
     def get_address(self, host: str = "localhost", *words: str) -> str:
-        """The address to open in a browser, once the server runs."""
+        """Returns the address to open in a browser, once the server runs."""
         return self._door.address(host, "" if self.page == "main" else self.page, *words)
 
     # -- who leads --
@@ -153,7 +153,7 @@ class View:
         return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
 
     def _may_lead(self, page: str | None) -> bool:
-        """Whether the page, or the program, leads the hand, or nobody does."""
+        """Whether a page may lead the hand: it leads already, or nobody does. The program may always."""
         return page is None or self.leader in (None, page)
 
     def _lead(self, page: str | None) -> None:
@@ -180,7 +180,7 @@ class View:
     # -- the page --
 
     def _key(self, word: str) -> str:
-        """A name in trame's state; names of several pages on one server differ."""
+        """Makes a name in trame's state; the names of several pages on one server differ."""
         return f"{self.name}_{word}"
 
     def _make_page(self) -> VAppLayout:

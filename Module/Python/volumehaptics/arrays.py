@@ -41,7 +41,7 @@ _REAL = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64
 
 
 def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
-    """A VTK array that shares a contiguous array of one or two dimensions, and keeps it alive."""
+    """Makes a VTK array that shares a contiguous array of one or two dimensions, and keeps it alive."""
     # NumPy's bytes become VTK's plain char by default, which has no sign on some machines.
     shared = numpy_to_vtk(array, array_type=VTK_SIGNED_CHAR if array.dtype == np.int8 else None)
     if name is not None:
@@ -50,7 +50,7 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
 
 
 def _cure(wrong: object) -> str:
-    """A hint how to make a volume of another object, if there is a way."""
+    """Returns a hint how to make a volume of another object, if there is a way."""
     if isinstance(wrong, (str, os.PathLike)):
         return (". Cure: volumehaptics-explore FILE --write-volume volume.vti writes it where it lies, which readers of VTK's "
                 "and PyVista's do not all know; then read that with pyvista.read() or vtkXMLImageDataReader")
@@ -122,7 +122,7 @@ def image(
 
 
 def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
-    """The array itself if VTK can share it, else a copy that VTK can share."""
+    """Returns the array itself if VTK can share it, else a copy that VTK can share."""
     if np.ma.is_masked(array):
         raise ValueError(f"{what} are masked. Cure: leave those out, or array.filled(VALUE)")
     array = np.asarray(array)

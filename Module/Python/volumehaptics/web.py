@@ -123,7 +123,7 @@ def show_plotter(plotter: Any, **_: Any) -> Any:
 
 
 def _threshold(image: Any) -> float:
-    """The value that best separates the object from its surroundings: Otsu's."""
+    """Returns the value that best separates the object from its surroundings, by Otsu's method."""
     import numpy as np
 
     count, edges = np.histogram(image.active_scalars[::max(1, image.n_points // 1_000_000)], 256)
@@ -137,8 +137,8 @@ def _threshold(image: Any) -> float:
 
 
 def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any) -> Haptics:
-    """A touchable plotter with a volume: a CT by its values, and other volumes by the value that separates them
-    best."""
+    """Makes a touchable plotter with a volume: a CT is shown by its values, and any other volume by the value that
+    separates it best."""
     import pyvista as pv
 
     from .pyvista import add_haptics

@@ -81,7 +81,7 @@ private:
   /** Gives labels with thick slices a finer grid; computes only the parts that have changed. */
   void Refine(const ImageKey& key, const BakedLabels* last, BakedLabels& made);
   ///@{
-  /** Steps of Prepare(): false while a result is being computed. */
+  /** Prepare() calls these. They return false while a result is being computed. */
   bool PrepareZone(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
   bool PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine);
   ///@}

@@ -178,7 +178,10 @@ public:
     this->Made.reset();
   }
 
-  /** As Forget(), but keeps the work until it has returned, so that IsUnderWay() sees it. */
+  /**
+   * Does the same as Forget(), but keeps the work until it has returned, so that IsUnderWay() sees
+   * it.
+   */
   void Abandon()
   {
     if (!this->IsUnderWay())

@@ -54,8 +54,8 @@ struct SettingFacts
   const char* Unit;             ///< empty if the setting has none
   const SettingChoice* Choices; ///< of SettingKind::Choice: Maximum + 1 of them
   /**
-   * As ParaView shows it. The comment in the public header begins with the same words, but has the
-   * names of constants instead of those of choices.
+   * The sentence that ParaView shows. The comment in the public header begins with the same words,
+   * but has the names of constants instead of those of choices.
    */
   const char* Documentation;
 };
@@ -90,11 +90,11 @@ struct HapticVectorSetting
   const char* Name; ///< as in Get... and Set...
   int Size;
   ///@{
-  /** Of each number. */
+  /** the limits of each number */
   double Minimum;
   double Maximum;
   ///@}
-  SettingVector Default; ///< its first `Size` numbers, and so below
+  SettingVector Default; ///< its first `Size` numbers count, here and below
   const char* Unit;      ///< empty for a setting that has none
   const char* Documentation;
   SettingVector (*Get)(Owner*);

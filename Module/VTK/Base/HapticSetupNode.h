@@ -25,7 +25,7 @@ namespace VolumeHaptics
 struct SetupFileKind
 {
   const char* Format; ///< the value of the key "Format"
-  int Version;        ///< version that is written; this and earlier ones are read
+  int Version;        ///< the version to write; files of this version and earlier ones can be read
   const char* Noun;   ///< such as "setup"
   const char* Cure;   ///< where such files come from: "that vtkHapticSetup saved"
   const char* Again;  ///< what else helps: "save the setup again"

@@ -14,9 +14,9 @@ namespace VolumeHaptics
 {
 
 /**
- * The smallest and the largest finite value; the first is larger if there are none. As
- * vtkDataArray::GetFiniteRange, which keeps ranges in the array's information: here a view of the
- * same memory keeps them, so that another thread may read the array meanwhile. Arrays that don't
+ * Computes the smallest and the largest finite value; the first is larger if there are none.
+ * vtkDataArray::GetFiniteRange would keep the range in the array's information; this function uses
+ * a view of the same memory, so that another thread may read the array meanwhile. Arrays that don't
  * keep tuple after tuple in memory have no such view.
  */
 inline void ComputeFiniteRange(vtkDataArray* array, int component, double range[2])

@@ -42,7 +42,7 @@ struct WholeFacts
   BackgroundLevel Solid; ///< absent if the image does not carry it
   StoredShift Shift;     ///< 0 if the image does not carry it
   double Time = 0.0;     ///< changes when the whole changes
-  /** Factor on the force; below 1 if the samples stand in for the whole volume's. */
+  /** The factor on the force; below 1 if the samples stand in for the whole volume's. */
   double Share = 1.0;
   OutsideSamples Outside; ///< which samples are still to be filled, and how many are holes
 };

@@ -189,10 +189,7 @@ public:
     return this->Servo ? this->Servo->GetTicks().FindModel(this->State.Generation) : nullptr;
   }
 
-  /**
-   * Writes all states since a reader's last call as rows of a table: see
-   * vtkHapticState::Drain.
-   */
+  /** Writes all states since a reader's last call as rows of a table: see vtkHapticState::Drain. */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
   /** Reserve a number for DrainStates(), and release it: see vtkHapticState::AddReader. */

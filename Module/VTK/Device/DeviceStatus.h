@@ -39,8 +39,8 @@ struct DeviceStatus
   RealTimeGrant RealTimePriority = RealTimeGrant::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
   ServoLoop::Privilege LockedSamples = ServoLoop::Privilege::Unknown;
-  double ReportPeriod = 0.0; ///< measured (s); 0 if not known
-  double RoundTrip = 0.0;    ///< measured (s); 0 if not known
+  double ReportPeriod = 0.0; ///< s, as measured; 0 if not known
+  double RoundTrip = 0.0;    ///< s, as measured; 0 if not known
   ForceCaps Caps;
   std::string RecordingTrouble; ///< why a recording has failed; empty if none has
 

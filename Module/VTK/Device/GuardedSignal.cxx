@@ -84,8 +84,8 @@ void GuardedSignal::PutBack(int count) noexcept
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept
 {
-  // Above zero, the kernel caused the signal; otherwise a program sent it. Damaged memory that was
-  // found before its use (BUS_MCEERR_AO) is not yet a crash.
+  // A code above zero means that the kernel caused the signal; otherwise a program sent it. Damaged
+  // memory that was found before its use (BUS_MCEERR_AO) is not yet a crash.
   return (number == SIGSEGV || number == SIGBUS || number == SIGFPE || number == SIGILL) &&
     info.si_code > 0
 #if defined(BUS_MCEERR_AO)

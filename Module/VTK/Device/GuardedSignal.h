@@ -43,9 +43,8 @@ public:
   /** Number of earlier handlers that are left; changes with each PutBack. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
-   * Restores the earlier handler that was next when `count` were left, unless that was done, or
-   * another handler was put in front meanwhile. Signal handlers may call it, on several threads at
-   * once.
+   * Restores the next earlier handler, if `count` of them are still left, and if no other handler
+   * was put in front meanwhile. Signal handlers may call it, on several threads at once.
    */
   void PutBack(int count) noexcept;
 

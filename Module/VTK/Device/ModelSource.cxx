@@ -259,7 +259,7 @@ std::shared_ptr<const HapticModel> ModelSource::PollTimeSteps()
     model && std::any_of(model->Baked->TimeSteps.begin(), model->Baked->TimeSteps.end(), isShown);
   if (model && !hasShown)
   {
-    this->Shown.Clear(); // frees its memory, which is needed now
+    this->Shown.Clear(); // releases the model's memory, which is needed now
   }
   return model;
 }

@@ -5,10 +5,7 @@
  * @brief   the placement of a device in the world, from points that its stylus touched
  *
  * Calibrates co-location: the hand then feels an object where the eye sees it. Touch three or more
- * points whose world positions are known, such as marks on the display. This class then computes
- * the matrix for vtkHapticDevice::SetDeviceToWorld that maps the touched positions to the known
- * ones: a rotation and a translation by least squares, and one uniform scale, the ratio of the
- * spreads of the points. It is never a mirror (vtkLandmarkTransform).
+ * points whose world positions are known, such as marks on the display:
  *
  *   calibration->AddPoint(tip, mark);            // tip: in the device's space, m; three or more
  *   if (calibration->Compute())
@@ -17,14 +14,18 @@
  *     device->Publish();
  *   }
  *
+ * The computed matrix maps the touched positions to the known ones: a rotation and a translation by
+ * least squares, and one uniform scale, the ratio of the spreads of the points. It is never a
+ * mirror (vtkLandmarkTransform).
+ *
  * GetResidual says how well the points fit; if the largest residual is far above it, one point was
  * touched badly. The points have to span a triangle whose height is at least 1 % of its longest
  * side; a wider one is better. More than three points, at different depths, average out the hand's
  * tremor.
  *
  * While you touch points, let the device's space be the world (an identity matrix in
- * SetDeviceToWorld, so that a world unit is a metre): vtkHapticState::GetTipPosition then gives
- * the device's position of each pair.
+ * SetDeviceToWorld, so that a world unit is a metre): vtkHapticState::GetTipPosition then gives the
+ * device's position of each pair.
  *
  * @sa vtkHapticDevice, vtkHapticSetup
  */

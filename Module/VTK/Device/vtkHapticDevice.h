@@ -4,7 +4,8 @@
  * @class   vtkHapticDevice
  * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
  *
- * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it.
+ * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it. A
+ * thread of its own computes the force 1000 times a second:
  *
  *   device->Open("virtual");
  *   device->SetVolumeHaptics(filter);
@@ -15,92 +16,49 @@
  *   ...
  *   device->Stop();                   // zero force, thread joined
  *
- * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
- * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
- * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
- * it immutable snapshots of the filter with Publish, and copies the latest state with UpdateState.
+ * Positions are in world units and forces in newtons along the world's axes, unless stated.
  *
- * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
- * to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every gap
- * it rises from zero over half a second, and the proxy begins at the tip. None of this gives the
- * hand more energy than the hand put in: a wall that is pressed meanwhile, or struck too fast for
- * MaximumForceRate, stays soft until the tip leaves it or presses deeper. A tip that is not finite,
- * that moves faster than a hand can hold the device, or a device that is lost, cuts the force and
- * latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
- * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other
- * signals that end or stop the process send zero force. Signal handlers that the program installed
- * before Arm run after the force is zero; handlers installed later run first. Stiffness and
- * ForceFieldDamping are capped at what the device can hold.
+ * **Devices.** "virtual" has no hardware: GetVirtualHand leads its tip. "vibration:xr" is led in
+ * the same way, and returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration.
+ * "replay:FILE" plays back a recording (.vtp or .csv), tick by tick. Open lists the real devices,
+ * most of which need no vendor's library. None of them was verified on physical hardware yet: the
+ * drivers run against emulated devices, which answer as public descriptions of the protocols say. A
+ * program adds devices of its own with AddDeviceKind.
  *
- * A program can't send zero force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of
- * another program, loss of power, a crash in the thread that talks to the device, a crash that
- * leaves the heap locked if the device's library needs it, or a stack overflow in a thread other
- * than the owner's. Then the device's own watchdog ends the force, or a guard process: see below.
+ * **Threads.** The servo ticks at ServoRate with exactly the code that vtkVolumeHapticsFilter runs
+ * offline. It never waits: it neither locks, allocates nor calls a vtkObject. The thread that owns
+ * this object (the GUI thread) hands it immutable snapshots of the filter with Publish, and copies
+ * the latest state with UpdateState. The servo and work in the background read the image's own
+ * array, without a copy: give the image a new array instead of resizing or refilling one that is
+ * being touched. Call Modified() after changing values in place; background work on them then
+ * begins again. If a vtkHapticRegionSource is on port 0 of the filter, UpdateState makes it read
+ * the region around the tip, and publishes each region when it is there.
  *
- * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which
+ * **Safety.** No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce
+ * and to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every
+ * gap it rises from zero over half a second, and the proxy begins at the tip. Stiffness and
+ * ForceFieldDamping are capped at what the device can hold. None of this gives the hand more energy
+ * than the hand put in: a wall that is pressed meanwhile, or struck too fast for MaximumForceRate,
+ * stays soft until the tip leaves it or presses deeper.
+ *
+ * The force is cut, and a fault is latched until Arm is called again, if the tip is not finite, if
+ * it moves faster than a hand can hold the device, or if the device is lost. Without fresh samples
+ * for 30 ms the force goes to zero.
+ *
+ * The force is off while the owner's thread is busy with long work: see BeginLongWork, which
  * Publish and vtkHapticRecorder::Stop call by themselves where they need it. If the program does
  * not call the device for 2 s without having announced such work, the force fades and stays off
  * until Arm is called again: see SetAttentionTime.
  *
- * The servo reads the image's own array, without a copy, and so does work in the background: give
- * the image a new array instead of resizing or refilling one that is being touched. Call Modified()
- * after changing values in place; background work on them then begins again.
- *
- * Positions are in world units and forces in newtons along the world's axes, unless stated.
- * Devices: "virtual" has no hardware: GetVirtualHand leads its tip. "vibration:xr" is led in the
- * same way, and returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration.
- * "replay:FILE" plays back a recording (.vtp or .csv), tick by tick. Most real devices are reached
- * without vendors' libraries:
- *
- *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
- *                      FirmwareFile after it was plugged in, and is homed by hand.
- *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 2.5 N. Calibrated by hand each
- *                      time it is opened. The Polhem is refused, since its geometry is different.
- *   pid[:VVVV:PPPP]    force-feedback wheels and sticks (HID usage page 0x0F), through hidapi, by
- *                      USB vendor and product (hexadecimal). Set NewtonsPerFullScale to their
- *                      force. Sticks of two axes are refused unless their firmware is known (an
- *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
- *                      firmwares disagree on the direction of the force along the second axis.
- *   haply[:ID]         Haply's Inverse3, Inverse3x and Minverse, through Haply's Inverse service,
- *                      which has to run. 3 in and out, 2 N; a VerseGrip adds orientation and
- *                      buttons. ID is the service's name of the device, such as 049D. The
- *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
- *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
- *                      force.
- *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
- *                      Vibration, not force: the sticks move the tip, and the motors render how the
- *                      force changes.
- *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
- *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
- *                      each time it is opened.
- *   vendor:PLUGIN[:N]  devices of a vendor's library, through a plug-in that you build against the
- *                      installed SDK: Force Dimension's (forcedimension) and 3D Systems'
- *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.
- *
- * N counts from 0; without it, the first device is meant. None of this was verified on physical
- * hardware yet: it runs against emulated devices, which answer as public descriptions of the
- * protocols say. A program adds devices of its own with AddDeviceKind.
- *
- * If the program can't send zero force any more, for example after SIGKILL, only the watchdog of
- * the device itself ends the force: WoodenHaptics ends it after half a second, a wheel within a
- * tenth of a second. No watchdog is known for the Falcon. On Linux a process of
- * its own, the program volumehaptics-guard, talks to the Falcon, and sends zero force within 50 ms
- * if this program is gone or stands still. Open fails if the guard can't be started. The
- * environment variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library. Without
- * a guard, as on other systems, the Falcon may keep its last force until it is switched off: accept
- * this by UseGuardOff or VOLUMEHAPTICS_GUARD=off, otherwise Open fails.
- *
- * On Linux a user needs permission for the device. The installed udev rules,
- * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
- * missing, the messages of ListDevices and Open contain the rule that is needed.
- *
- * A real device that is not homed opens at once and waits for the hand, as GetStatusText says; Arm
- * is refused until it is ready. When it is unplugged, stops answering, loses its zero, or the
- * computer was asleep, the force is cut and stays off until the user calls Home() or Open(), and
- * then Arm().
- *
- * If a vtkHapticRegionSource is on port 0 of the filter, UpdateState makes it read the region
- * around the tip, and publishes each region when it is there.
+ * Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other signals
+ * that end or stop the process send zero force. Signal handlers that the program installed before
+ * Arm run after the force is zero; handlers installed later run first. A program can't send zero
+ * force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another program, loss of power,
+ * a crash in the thread that talks to the device, a crash that leaves the heap locked if the
+ * device's library needs it, or a stack overflow in a thread other than the owner's. Then the
+ * device's own watchdog ends the force: that of WoodenHaptics after half a second, that of a wheel
+ * within a tenth of a second. No watchdog is known for the Falcon, so a guard process talks to it:
+ * see SetUseGuard.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticState, vtkHapticPlayback, vtkHapticRecorder,
  * vtkHapticVirtualHand, vtkHapticRegionSource
@@ -181,7 +139,45 @@ public:
 
   /**
    * Open a device by its id, and close the device that was open. False, with an error that names
-   * the cure, if opening fails.
+   * the cure, if opening fails. The ids are "virtual", "vibration:xr", "replay:FILE", those of
+   * AddDeviceKind, and
+   *
+   *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
+   *                      FirmwareFile after it was plugged in, and is homed by hand.
+   *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 2.5 N. Calibrated by hand
+   *                      each time it is opened. The Polhem is refused, since its geometry is
+   *                      different.
+   *   pid[:VVVV:PPPP]    force-feedback wheels and sticks (HID usage page 0x0F), through hidapi, by
+   *                      USB vendor and product (hexadecimal). Set NewtonsPerFullScale to their
+   *                      force. Sticks of two axes are refused unless their firmware is known (an
+   *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
+   *                      firmwares disagree on the direction of the force along the second axis.
+   *   haply[:ID]         Haply's Inverse3, Inverse3x and Minverse, through Haply's Inverse service,
+   *                      which has to run. 3 in and out, 2 N; a VerseGrip adds orientation and
+   *                      buttons. ID is the service's name of the device, such as 049D. The
+   *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
+   *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume;
+   *                      no force.
+   *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
+   *                      Vibration, not force: the sticks move the tip, and the motors render how
+   *                      the force changes.
+   *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a
+   *                      serial port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by
+   *                      hand each time it is opened.
+   *   vendor:PLUGIN[:N]  devices of a vendor's library, through a plug-in that you build against
+   *                      the installed SDK: Force Dimension's (forcedimension) and 3D Systems'
+   *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.
+   *
+   * N counts from 0; without it, the first device is meant.
+   *
+   * On Linux a user needs permission for the device. The installed udev rules,
+   * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
+   * missing, the messages of ListDevices and Open contain the rule that is needed.
+   *
+   * A real device that is not homed opens at once and waits for the hand, as GetStatusText says;
+   * Arm is refused until it is ready. When it is unplugged, stops answering, loses its zero, or the
+   * computer was asleep, the force is cut and stays off until the user calls Home() or Open(), and
+   * then Arm().
    */
   bool Open(const char* id);
   /** Stop, and release the device. */
@@ -437,6 +433,10 @@ public:
    * than Linux. Without it, the Falcon may keep its last force, and a DualSense its vibration, if
    * this program is killed or stopped: keep the power switch within reach. VOLUMEHAPTICS_GUARD=off
    * in the environment also turns it off. Takes effect with Open.
+   *
+   * The guard is the program volumehaptics-guard. It sends zero force within 50 ms if this program
+   * is gone or stands still. The environment variable VOLUMEHAPTICS_GUARD names it if it is not
+   * near this library.
    */
   vtkSetMacro(UseGuard, bool);
   vtkGetMacro(UseGuard, bool);
@@ -445,8 +445,8 @@ public:
 
   ///@{
   /**
-   * Longest force (N) on the hand, at most the device's own maximum. Half of that by default, for
-   * every device that is opened; ResetMaximumForce returns to this default.
+   * The largest force (N) on the hand, at most the device's own maximum. The default, half of the
+   * device's own maximum, is set whenever a device is opened; ResetMaximumForce returns to it.
    */
   void SetMaximumForce(double force);
   void ResetMaximumForce();
@@ -455,9 +455,9 @@ public:
 
   ///@{
   /**
-   * Largest torque (N m) on the hand, at most the device's own maximum. Half of that by default,
-   * for every device that is opened; ResetMaximumTorque returns to this default. The torque grows
-   * by at most 20 N m/s. It leaves only while force may leave.
+   * The largest torque (N m) on the hand, at most the device's own maximum. The default, half of
+   * the device's own maximum, is set whenever a device is opened; ResetMaximumTorque returns to it.
+   * The torque grows by at most 20 N m/s, and is sent only while force may flow.
    */
   void SetMaximumTorque(double torque);
   void ResetMaximumTorque();
@@ -466,11 +466,10 @@ public:
 
   ///@{
   /**
-   * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that
-   * becomes smaller does so at once, and one that turns takes its new direction at once. A limit on
-   * these, too, would push the hand off a stiff wall with more energy than the hand put in. For the
-   * same reason, if a wall is hit so fast that its force is limited, it stays softer until the tip
-   * leaves it or presses deeper.
+   * The fastest growth of the force (N/s), 1 or more. Default 500. Only growth is limited: the
+   * force decreases and turns at once, because a limit there would push the hand off a stiff wall
+   * with more energy than the hand put in. For the same reason, a wall that is hit so fast that its
+   * force is limited stays softer until the tip leaves it or presses deeper.
    */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);

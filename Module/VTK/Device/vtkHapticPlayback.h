@@ -41,10 +41,10 @@ public:
 
   ///@{
   /**
-   * The time of a volume that moves: its source has several time steps (TIME_STEPS), or its
-   * components are (SetFramesToComponents of the filter). It begins with the first Play
-   * or SetDataTime: until then, the time step that the source shows is felt, or the component of
-   * the property, and the volume stands still.
+   * Play a volume that moves: a volume whose source has several time steps, or whose components are
+   * time steps (SetFramesToComponents of the filter). Before the first Play or SetDataTime the
+   * volume stands still, and the time step that the source shows, or the component that the
+   * property names, is felt.
    *
    * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
    * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
@@ -85,8 +85,8 @@ public:
 
   ///@{
   /**
-   * How many times as fast as by the filter's TimeUnitsPerSecond a volume that moves is played;
-   * less than 0, backwards. Unlike that setting, it needs no Publish. -1e6 to 1e6, default 1.
+   * The speed of playback, as a multiple of the filter's TimeUnitsPerSecond; negative plays
+   * backwards. Unlike TimeUnitsPerSecond, it needs no Publish. -1e6 to 1e6, default 1.
    */
   void SetSpeed(double factor);
   double GetSpeed();
@@ -94,11 +94,10 @@ public:
 
   ///@{
   /**
-   * Get the volume that moves as it is felt now: the time step nearest to GetDataTime, as an image
-   * whose scalars are the touched array of that time step, or the component that it is; and
-   * its time. The image stays the same until the time step changes; its samples must not be
-   * changed. vtkInteractorStyleHaptic shows it by itself. nullptr if HasTimeSteps is false: no
-   * volume that moves is felt.
+   * Get the felt time step, the one nearest to GetDataTime: an image whose scalars are the touched
+   * array of this time step (or the component that is this time step), and its time. The image
+   * stays the same until the time step changes; do not change its samples. vtkInteractorStyleHaptic
+   * shows it by itself. nullptr if HasTimeSteps is false: no moving volume is felt.
    */
   bool HasTimeSteps();
   vtkImageData* GetTimeStepImage();

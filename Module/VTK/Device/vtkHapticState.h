@@ -160,10 +160,10 @@ public:
   vtkGetVector3Macro(MediumPosition, double);
   ///@}
   /**
-   * Get the fraction of the force, 0 to 1, that missing data around the tip
-   * (vtkHapticRegionFilter), FadeOut, AttentionTime and long work leave in the latest state; 1
-   * without any of these. Changes from 0 to 1 or back in 50 ms at the fastest. The ramp after Arm
-   * is not part of it.
+   * Get the fraction of the force, 0 to 1, that is felt in the latest state. It falls where data
+   * around the tip are missing (vtkHapticRegionFilter), after FadeOut or AttentionTime, and during
+   * long work, from 1 to 0 in 50 ms at the fastest, and rises as gradually. The ramp after Arm is
+   * not part of it.
    */
   vtkGetMacro(Residency, double);
   /** Get the number of the latest state since Start, and its time (s). */

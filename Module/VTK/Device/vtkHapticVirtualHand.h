@@ -102,10 +102,11 @@ public:
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
   /**
-   * Give the virtual device the limits of another device: its force (N), stiffness (N/m), damping
-   * (N s/m), and its own friction b (N s/m); a spring is not stable above 2 b / period. 0 does not
-   * limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to
-   * half of the force, as Open does. Call it before Start.
+   * Give the virtual device the limits of another device: the largest force (N), stiffness (N/m)
+   * and damping (N s/m), 0: not limited; and the friction b of the device itself (N s/m), with
+   * which a spring is stable up to the stiffness 2 b / period, 0: not limited. Default: 20 N, the
+   * others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to half of the force, as Open
+   * does. Call it before Start.
    */
   void SetLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);

@@ -49,8 +49,8 @@ public:
     vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
 
   /**
-   * Whether there is a text on what was guessed about the values, and it was not the last one
-   * reported.
+   * Whether a text on what was guessed about the values exists and differs from the one reported
+   * last.
    */
   bool IsNewGuess(const std::string& guess)
   {

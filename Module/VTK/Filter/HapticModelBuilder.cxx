@@ -39,8 +39,8 @@ std::string DescribeRange(const PropertyFunction& function)
 }
 
 /**
- * Converts a function of gradient magnitudes of the property's values to a function of those of
- * scalars.
+ * Converts a function of the property's gradient magnitudes to a function of the scalars' gradient
+ * magnitudes.
  */
 void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 {
@@ -190,8 +190,8 @@ void MeshTimeSteps(const std::vector<ImageTimeStep>& read, double value,
 }
 
 /**
- * Returns the time steps' mesh with the most triangles; null, with an error, if no time step has a
- * triangle.
+ * Returns the mesh with the most triangles of all time steps; null, with an error, if no time step
+ * has a triangle.
  */
 std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   const std::vector<VolumeTimeStep>& timeSteps, double value, std::string& error)

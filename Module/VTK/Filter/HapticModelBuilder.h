@@ -42,8 +42,8 @@ struct HapticModelOptions
   /** Time steps of a volume that moves; the image is at its first step. */
   std::vector<ImageTimeStep> TimeSteps;
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
-  TimeStepSeries Series;         ///< the series that Time steps are a part of
-  OutsideSamples Outside;        ///< outside samples of Time steps, to be filled
+  TimeStepSeries Series;         ///< the series of which TimeSteps are a part
+  OutsideSamples Outside;        ///< outside samples of TimeSteps, to be filled
   HapticModes Modes;             ///< for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr; ///< null stands for a point
   vtkHapticRemoval* Removal = nullptr;

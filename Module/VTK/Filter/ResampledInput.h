@@ -30,7 +30,10 @@ public:
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
   /** Explains why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;
-  /** Says that only the first time step is felt, with the cure; empty if it said so before. */
+  /**
+   * Reports the first time that only the first time step is felt, with the cure; then returns an
+   * empty text.
+   */
   std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 
 private:

@@ -4,75 +4,45 @@
  * @class   vtkVolumeHapticsFilter
  * @brief   the forces on a hand that moves a stylus through a volume
  *
- * Computes the forces on a stylus that moves through a volume, along a path or, with a
- * vtkHapticDevice, in a hand:
+ * Computes the forces on a stylus that moves through a volume: along a path or, with a
+ * vtkHapticDevice, in a hand. A spring ties a proxy to the stylus's tip, and virtual surfaces in
+ * the volume hold the proxy back:
  *
  *   filter->SetInputConnection(reader->GetOutputPort());   // the volume
  *   filter->SetPathConnection(path->GetOutputPort());      // such as a vtkHapticPathSource
- *   filter->GetProperty()->ApplyPreset("CT contrast");
+ *   filter->GetProperty()->ApplyPreset("CT contrast");     // the materials
  *   filter->Update();                                      // the trace: proxy and forces by tick
  *
- * A proxy is tied to the tip of the stylus by a spring. Virtual surfaces, perpendicular to the
- * gradient of the volume, hold the proxy back, as do friction and drag; vtkHapticProperty has their
- * materials. The force on the hand is k (x_p - x_tip), with the proxy's position x_p and the
- * stiffness k. Equations, figures and the choices beyond the paper that it implements (Lundin,
- * Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002) are
- * in Documentation/method.md. The first tick of a path puts the proxy on the tip, without force. A
- * sample that is NaN or infinite makes no surface; if such a sample, or a number for missing
- * values, is in a corner, all of them are felt as the least value.
+ * Documentation/method.md has the equations, figures, and the choices beyond the paper that it
+ * implements (Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric
+ * Density Data", 2002).
  *
- * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
- * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
- * not copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: it then
- * feels like the whole, to the bit. If the region lacks data that a tick needs, the force fades
- * within 50 ms and the proxy is put on the tip; the force returns as gradually. With a
- * vtkHapticRegionSource, which reads the regions by itself, ticks along a path wait for their data
- * instead.
+ * **Port 0, the volume**: vtkImageData with point scalars of any type. SetInputArrayToProcess and
+ * vtkHapticProperty::SetComponent choose others. Origin, spacing and direction matrix count. The
+ * array is not copied. A sample that is NaN or infinite makes no surface; if such a sample, or a
+ * number for missing values, is in a corner, all of them are felt as the least value. The volume
+ * may also be:
  *
- * Any other vtkDataSet with cells (rectilinear, structured or unstructured), and a
- * vtkCompositeDataSet of such data sets, is resampled where the path or the hand is, by a
- * vtkHapticRegionSource that belongs to this filter: see its OpenDataSet(), which an application
- * calls itself for a spacing of its choice. Point and cell arrays can be touched and be the arrays
- * of modes.
+ * - a region of a larger volume, made by vtkHapticRegionFilter. It feels like the whole, to the
+ *   bit. If the region lacks data that a tick needs, the force fades within 50 ms and the proxy is
+ *   put on the tip; the force returns as gradually. A vtkHapticRegionSource reads regions by
+ *   itself; ticks along a path then wait for their data;
+ * - any other vtkDataSet with cells, or a vtkCompositeDataSet of such data sets. A
+ *   vtkHapticRegionSource of this filter resamples its point and cell arrays around the path or the
+ *   hand. To choose the spacing, call vtkHapticRegionSource::OpenDataSet();
+ * - a volume that moves: a source with several time steps, or an array whose components are time
+ *   steps. See SetTimeUnitsPerSecond.
  *
- * If the source of port 0 has several time steps, or the components of the touched array are frames
- * (SetFramesToComponents), the volume moves. The steps that the path needs are requested one after
- * the other and kept, and blended linearly between their times. At the path's time 0, the data time
- * is the first step's time; it advances by TimeUnitsPerSecond, and stops at the last step's time.
- * Edges that move by more than twice their width from step to step get a warning, unless the steps
- * have an array that says where their material moves (DisplacementArrayName).
+ * **Port 1, the path** (optional): vtkPolyData. See SetPathConnection.
  *
- * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
- * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
- * segments (lines of two points) that continue one another, or points without lines: then all
- * points are one path, in the order in which they are stored. A line that joins them in another
- * order is an error. A recording of vtkHapticDevice is replayed tick by tick, to the bit. A
- * recording from before SetMaterialPlacement() is replayed with the materials of the kernel and the
- * contact alignment that it was made with, whatever is set.
+ * **Port 2, the surface** (optional): vtkPolyData that SURFACE_PROXY touches. See
+ * SetSurfaceConnection.
  *
- * Several polylines are several paths, as if each were felt alone, to the bit: each begins with the
- * proxy on the tip, at its own first time, and goes through its points in the order of its cell.
- * Paths may share points, and a line of one point is a path of one tick. If all lines are segments
- * and one stroke can't draw them, each segment that continues the one before it belongs to the same
- * path. Points outside all lines, and vertices, are not felt. The paths are computed in parallel,
- * by vtkSMPTools.
+ * **Port 3, the labels** (optional): the vtkImageData of a segmentation. See SetLabelConnection.
  *
- * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
- * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
- *
- * Port 3, optional: vtkImageData, the labels of a segmentation, with a geometry of its own: origin,
- * spacing, direction and size may differ from those of port 0. The labels are its point scalars, of
- * any integer type or whole numbers of a floating-point type. SetLabelTable gives them materials:
- * k, mu and T_N are those of the label at x_s, and R is that of the label at x_v. A label without
- * an entry in the table, and all that lies outside the label image, has the material of the
- * transfer functions. Between labels, materials change gradually within a voxel of the label image,
- * by the trilinear weights of the labels of the eight voxels around. If no label at a position has
- * a material, forces are the same as without labels, to the bit. The methods SURFACE_PROXY and
- * LOCAL_SURFACE have one material, that of IsoValue, and FORCE_FIELD has none: labels don't change
- * them. The whole label image has to be in memory, also if port 0 has a region of a larger volume.
- *
- * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline for each
- * path, in the order of the paths, and these point arrays, unless SetTraceArrays() leaves some out:
+ * **Output, the trace**: vtkPolyData with one point for each tick, at the proxy after the tick
+ * (world), and one polyline for each path, in the order of the paths. It has these point arrays,
+ * unless SetTraceArrays() leaves some out (the symbols are those of Documentation/method.md):
  *
  *   Time               s; of the tick
  *   Tip (3)            world; the stylus
@@ -112,16 +82,12 @@
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the
  * output is empty, and input is only checked; a mesh that takes long is then left to the
- * background. Input that can't be touched gives one error that names the input and the cure, and an
- * empty output. Long paths report progress and can be aborted; each path then ends where it was
- * aborted.
+ * background. Input that can't be touched gives one error, which names the input and the cure, and
+ * an empty output. Long paths report progress and can be aborted; each path then ends where it was
+ * aborted. If the output is requested in pieces, for example on several ranks, piece 0 is the whole
+ * trace, and the others are empty.
  *
- * A path is felt as a whole: if the output is requested in pieces, for example on several ranks,
- * piece 0 requests the whole image and is the whole trace; the other pieces request nothing and are
- * empty.
- *
- * @sa vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter,
- * vtkHapticRegionSource
+ * @sa vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter, vtkHapticRegionSource
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
@@ -164,28 +130,61 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Set the path of the tip, on port 1. */
+  /**
+   * Set the path of the tip, on port 1, in world units. Its points are the ticks, in order; with a
+   * point array "Time" (s) the path is resampled to ServoRate. The first tick puts the proxy on the
+   * tip, without force.
+   *
+   * A path may be one polyline, segments (lines of two points) that continue one another, or points
+   * without lines: then all points are one path, in the order in which they are stored. A line that
+   * joins them in another order is an error.
+   *
+   * Several polylines are several paths, each felt as if it were alone, to the bit: it begins with
+   * the proxy on the tip, at its own first time, and goes through its points in the order of its
+   * cell. Paths may share points, and a line of one point is a path of one tick. If all lines are
+   * segments and one stroke can't draw them, each segment that continues the one before it belongs
+   * to the same path. Points outside all lines, and vertices, are not felt. vtkSMPTools computes
+   * the paths in parallel.
+   *
+   * A recording of vtkHapticDevice is replayed tick by tick, to the bit. A recording from before
+   * SetMaterialPlacement() is replayed with the materials of the kernel and the contact alignment
+   * that it was made with, whatever is set.
+   */
   void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetPathData(vtkPolyData* path);
   ///@}
 
   ///@{
-  /** Set the surface for SURFACE_PROXY, on port 2. */
+  /**
+   * Set the surface that SURFACE_PROXY touches instead of the isosurface at IsoValue, on port 2, in
+   * world units. Polygons and strips count; with point normals the force is shaded.
+   */
   void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
 
   ///@{
   /**
-   * Set the label image, on port 3. SetInputArrayToProcess(1, 3, 0,
-   * vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses an array other than its point scalars.
+   * Set the label image, on port 3. Its labels are its point scalars, of any integer type or whole
+   * numbers of a floating-point type; SetInputArrayToProcess(1, 3, 0,
+   * vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses another array. Its origin, spacing,
+   * direction and size may differ from those of port 0. The whole label image has to be in memory,
+   * even if port 0 has a region of a larger volume.
    */
   void SetLabelConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
   void SetLabelData(vtkImageData* labels);
   ///@}
 
   ///@{
-  /** The materials of the labels. Default: none, so that no label has a material. */
+  /**
+   * The materials of the labels. Default: none, so that no label has a material.
+   *
+   * A label without an entry in the table, and all that lies outside the label image, has the
+   * material of the transfer functions. Between labels, materials change gradually within a voxel
+   * of the label image. If no label at a position has a material, forces are the same as without
+   * labels, to the bit. Labels don't change SURFACE_PROXY and LOCAL_SURFACE, which have one
+   * material, that of IsoValue, nor FORCE_FIELD, which has none.
+   */
   void SetLabelTable(vtkHapticLabelTable* table);
   vtkHapticLabelTable* GetLabelTable();
   ///@}
@@ -502,9 +501,16 @@ public:
 
   ///@{
   /**
-   * The data time that passes in a second of the hand: time steps of the image's source per second
-   * if these are whole numbers, -1e9 to 1e9. Negative, time runs backwards. 0 takes one time step,
-   * that which the pipeline asks for, as if the volume did not move. Default 1.
+   * The data time that passes in a second of the hand, -1e9 to 1e9, in the units of the image's
+   * source: time steps per second if their times are whole numbers. A negative number plays
+   * backwards. With 0, the volume does not move: only the time step that the pipeline requests is
+   * felt. Default 1.
+   *
+   * At the path's time 0, the data time is the first step's time; it stops at the last step's time.
+   * The time steps that the path needs are requested one after the other and kept, and blended
+   * linearly between their times. If an edge moves by more than twice its width from step to step,
+   * the filter warns, unless the steps have an array that says where their material moves
+   * (DisplacementArrayName).
    */
   vtkSetClampMacro(TimeUnitsPerSecond, double, -1e9, 1e9);
   vtkGetMacro(TimeUnitsPerSecond, double);
@@ -517,8 +523,9 @@ public:
   };
   ///@{
   /**
-   * What the frames of a volume that moves are. TIME_STEPS (default): those of the image's source,
-   * if it has several. COMPONENTS: those of the touched array, FrameSpacing apart, without a copy.
+   * Where the time steps of a volume that moves come from. TIME_STEPS (default): from the image's
+   * source, if it has several. COMPONENTS: each component of the touched array is a time step,
+   * FrameSpacing after the one before it; nothing is copied.
    *
    * vtkNIFTIImageReader gives a 4-D image such components:
    *
@@ -527,9 +534,9 @@ public:
    *   filter->SetFramesToComponents();
    *   filter->SetFrameSpacing(reader->GetTimeSpacing());
    *
-   * With COMPONENTS, time steps of the source are ignored, and data time begins at 0. All
-   * components are frames, so vtkHapticProperty::Component counts only if TimeUnitsPerSecond is 0.
-   * DisplacementArrayName does not apply to them.
+   * With COMPONENTS, time steps of the source are ignored, and data time begins at 0.
+   * vtkHapticProperty::Component then counts only if TimeUnitsPerSecond is 0. DisplacementArrayName
+   * does not apply to them.
    */
   vtkSetClampMacro(Frames, int, TIME_STEPS, COMPONENTS);
   vtkGetMacro(Frames, int);
@@ -539,8 +546,8 @@ public:
 
   ///@{
   /**
-   * The data time from one component of the touched array to the next, if the components are the
-   * frames: 1e-12 to 1e12, in any unit. Default 1.
+   * The data time from one component of the touched array to the next, if the components are time
+   * steps: 1e-12 to 1e12, in any unit. Default 1.
    */
   vtkSetClampMacro(FrameSpacing, double, 1e-12, 1e12);
   vtkGetMacro(FrameSpacing, double);
@@ -548,10 +555,10 @@ public:
 
   ///@{
   /**
-   * The point array of the touched image, in each time step, with where its material goes until the
-   * next one: three components, in world units along the world's axes. Surfaces then move with
-   * their material from step to step, however far, and take along a hand that friction holds.
-   * Empty (default): the steps are blended in place.
+   * The name of a point array of each time step: the displacement of the material until the next
+   * time step, three components in world units along the world's axes. Surfaces then move with
+   * their material from step to step, however far, and take along a hand that friction holds. Empty
+   * (default): the steps are blended in place.
    *
    * Registration gives such arrays, and so do simulations that move a mesh. The last time step
    * needs no such array. In any other step, a missing array, a wrong number of components, or
@@ -664,9 +671,9 @@ public:
 
   ///@{
   /**
-   * Time constant (s) with which the force of a proxy that leaps goes over to the new one, with the
-   * solver PRECISE and materials of the FAR_SIDE, 0 to 1: where a surface gives way, the hand feels
-   * that over some milliseconds, by 150 N a second at most. 0: at once. Default 0.005.
+   * Time constant (s) with which the force changes when the proxy leaps, for example where a
+   * surface gives way, 0 to 1. The force changes by at most 150 N a second meanwhile. 0: at once.
+   * Default 0.005. For the solver PRECISE with materials of the FAR_SIDE.
    */
   vtkSetClampMacro(ReleaseTime, double, 0.0, 1.0);
   vtkGetMacro(ReleaseTime, double);
@@ -674,8 +681,8 @@ public:
 
   ///@{
   /**
-   * Time (s) in which the force of the method LOCAL_SURFACE goes over from one surface to the
-   * next, 0 to 10: longer ones are smoother, and follow later. Default 0.015.
+   * Time (s) in which the force of the method LOCAL_SURFACE changes over from one surface to the
+   * next, 0 to 10. Longer times feel smoother and react later. Default 0.015.
    */
   vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);
   vtkGetMacro(RecoveryTime, double);
@@ -683,7 +690,7 @@ public:
 
   ///@{
   /**
-   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
+   * The largest force (N) in the trace; larger forces are shortened. 0 (default) does not limit.
    */
   vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumForce, double);
@@ -691,8 +698,8 @@ public:
 
   ///@{
   /**
-   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
-   * stable. 0 (default) does not cap.
+   * Cap on the stiffness (N/m), whatever the material says: what a device and its tick rate can
+   * render without becoming unstable. 0 (default) does not cap.
    */
   vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumStiffness, double);
@@ -701,8 +708,9 @@ public:
   ///@{
   /**
    * The point arrays of the trace, by their names, with commas or spaces between them. Default
-   * "all". "none" leaves the points, the proxy, alone. What is not chosen takes neither time nor
-   * memory; forces do not depend on it. The documentation of the output lists them.
+   * "all". "none" leaves the points, the proxy, alone. Arrays that are not chosen take neither time
+   * nor memory; forces do not depend on the choice. The class documentation lists the arrays under
+   * Output.
    *
    * nullptr stands for all. If no array has one of the names, returns false, with an error that
    * lists the arrays, and keeps the choice.
@@ -741,7 +749,7 @@ public:
   void NextMethod();
 
 #ifndef __VTK_WRAP__
-  /** Get the fault in names for SetTraceArrays, with the cure; empty if there is none. */
+  /** Get what is wrong with names for SetTraceArrays, with the cure; empty if nothing is. */
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
@@ -760,7 +768,7 @@ public:
    */
   std::string HashScalars();
 
-  /** Compute the MD5 of the labels on port 3 likewise. */
+  /** Compute the MD5 of the labels on port 3 in the same way. */
   std::string HashLabels();
 
   /**
@@ -791,7 +799,7 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** For other classes of the module, such as vtkHapticDevice. */
+  /** Returns the model builder, for other classes of the module such as vtkHapticDevice. */
   VolumeHaptics::HapticBaker& GetBaker()
   {
     return *this->Baker;
@@ -810,8 +818,8 @@ public:
     return this->Cut.get();
   }
   /**
-   * Returns the fault in the settings for a servo that ticks at a rate (Hz), with the cure; empty
-   * if there is none.
+   * Returns what is wrong with the settings for a servo of a rate (Hz), with the cure; empty if
+   * nothing is.
    */
   std::string CheckSettings(double rate);
   ///@}

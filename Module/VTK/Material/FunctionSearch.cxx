@@ -98,7 +98,7 @@ void CountEdges(
       histogram.Fractions[cell] += 1.0;
     }
   }
-  // Voxels without change are so many that edges would look too pale beside them.
+  // Without this limit, the many voxels without change would make edges look too pale.
   constexpr int edges = EdgeHistogram::Columns * EdgeHistogram::Rows / 8;
   const double most = std::max(
     1.0, *std::max_element(histogram.Fractions.begin() + edges, histogram.Fractions.end()));

@@ -45,8 +45,8 @@ struct EdgeHistogram
 };
 
 /**
- * Fills the Shares from some hundred thousand voxels of a volume, with the gradients of a kernel.
- * Gradients above MostSlope do not count. Leaves no Shares if it is cancelled.
+ * Fills Fractions from some hundred thousand voxels of a volume, with the gradients of a kernel.
+ * Gradients above MostSlope do not count. Leaves Fractions empty if it is cancelled.
  */
 void CountEdges(
   const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram);

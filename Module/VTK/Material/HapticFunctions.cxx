@@ -30,9 +30,9 @@ struct Node
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
-  // Below the documented bounds, because the chord is checked at three positions only. A value that
-  // is tiny compared with the piece's height must be accurate, too, except for the last digits near
-  // zero.
+  // The tolerance is smaller than documented, because the chord is checked at three positions only.
+  // A value that is tiny compared with the piece's height must be accurate, too, except for the
+  // last digits near zero.
   constexpr double fraction = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance = std::clamp(

@@ -47,7 +47,7 @@ struct Preset
   int Side;
   bool IsOfLabels = false;
   bool IsOfImage = false; ///< whether the image shows what is solid
-  /** For values without a unit: the median of what is brighter than the first tissue; else 0. */
+  /** For values without a unit: the median of the values above the first tissue; else 0. */
   double Body = 0.0;
 };
 
@@ -184,7 +184,7 @@ void Fill(
   {
     function->AddPoint(scale * tissue.Low, tissue.*quantity);
     function->AddPoint(
-      scale * tissue.High, tissue.*quantity); // the same point if there is no range
+      scale * tissue.High, tissue.*quantity); // the same point twice if there is no range
   }
 }
 
@@ -228,7 +228,7 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
   if (level.IsThere && brightness > 0.0)
   {
     const double noise = NoiseEnd * valueOf(level.Dark);
-    // What is nearly as bright as the body is no noise.
+    // Values nearly as bright as the body are no noise.
     scale.Values = noise < brightness * preset->Tissues[1].Low
       ? std::max(brightness, noise / preset->Tissues[0].High)
       : brightness;

@@ -39,8 +39,8 @@ constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
  * Smallest rise of an edge within a voxel, as a fraction of the range; less is shading or rounding.
  */
 constexpr double LeastSlopeFraction = 0.003;
-constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
-constexpr double FlatNoise = 2.0;      // standard deviations
+constexpr double NoiseThreshold = 3.4; // standard deviations of the noise at which its ramp starts
+constexpr double FlatNoise = 2.0;      // standard deviations up to which a place counts as flat
 /**
  * Smallest fraction of all edges that noisy edges must make up for the background to count as
  * noisy.
@@ -220,7 +220,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     facts.BackgroundEnd = DetectBackgroundEnd(input, facts.Outside);
     if (facts.BackgroundEnd)
     {
-      // Streaks and other correlated noise, which the estimate of the noise does not include.
+      // Streaks and other correlated noise, which the noise estimate does not include.
       const auto isNoise = [&](const EdgeLine& line)
       { return facts.Covers(line.Low) && facts.Covers(line.High); };
       const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
@@ -297,7 +297,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
     const std::string name = i == proposal.Background
       ? "outside"
       : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
-    // Named only where the functions are constant.
+    // A tissue is named only where the functions are constant.
     property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
       toValue(proposal.SurfaceStrength[2 * i + 1].X));
   }

@@ -162,11 +162,11 @@ public:
    * Whether the image tells what is solid: the background, darker than Otsu's threshold between the
    * darkest two materials that are apart, then has no surface strength, however steep its noise and
    * its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the threshold on,
-   * SurfaceStrength holds. Off (default), for a SurfaceSide other than HIGHER, or if all values are
-   * one heap: SurfaceStrength holds everywhere. A material that rises by less than a tenth of the
-   * brightest one is background. Padding that is darker than air makes air solid: set it to the
-   * value of air first. The threshold is found again when the noise of DistinctnessFromNoise is; a
-   * region of a larger volume has the threshold of the whole.
+   * SurfaceStrength holds. Off (default), with a SurfaceSide other than HIGHER, or if the histogram
+   * has a single peak, SurfaceStrength holds everywhere. A material that rises by less than a tenth
+   * of the brightest one is background. Padding that is darker than air makes air solid: set it to
+   * the value of air first. The threshold is computed whenever the noise of DistinctnessFromNoise
+   * is computed; a region of a larger volume has the threshold of the whole volume.
    */
   vtkSetMacro(SolidFromImage, bool);
   vtkGetMacro(SolidFromImage, bool);
@@ -174,7 +174,7 @@ public:
   ///@}
 
   /**
-   * What is added to a scalar for the value that the functions and tissues are of: -1024 for
+   * The number that is added to each scalar before the functions and tissues read it: -1024 for
    * Hounsfield units that are stored 1024 higher. Default 0. The value is (scalar + ScalarShift)
    * ScalarScale, as vtkImageShiftScale has it; the functions of a needle and of a burr use this
    * value, too. Scalar values of filters, tools and modes, such as an IsoValue, and the opacities
@@ -184,16 +184,16 @@ public:
   vtkGetMacro(ScalarShift, double);
 
   /**
-   * What that sum is multiplied by, 1e-12 to 1e12, for data of another unit than the functions.
-   * Default 1. The gradient magnitudes of Distinctness are scaled, too.
+   * The factor by which the shifted scalar is multiplied, 1e-12 to 1e12, for data in another unit
+   * than the functions. Default 1. The gradient magnitudes of Distinctness are scaled, too.
    */
   vtkSetClampMacro(ScalarScale, double, 1e-12, 1e12);
   vtkGetMacro(ScalarScale, double);
 
   ///@{
   /**
-   * Whether the functions are in Hounsfield units and the image tells how they are stored: as they
-   * are, or as whole numbers from 0 on, 1000, 1024 or 32768 higher, which is told. On, as
+   * Whether the functions are in Hounsfield units and the image tells how they are stored:
+   * unchanged, or as whole numbers from 0 on that are 1000, 1024 or 32768 higher. On, as
    * ApplyPreset() sets it for CT: if there is no value below -200, air and soft tissue are searched
    * for at these shifts, and the shift that is found (FoundShift) is used; a warning reports values
    * that can't be Hounsfield units. Nothing is searched for if ScalarShift or ScalarScale is set.
@@ -355,9 +355,9 @@ public:
    * not wait for this, vtkHapticFunctionEditor::BeginProposal does it in the background.
    *
    * The values on both sides of the edges become materials of one stiffness, told apart by strength
-   * (3 N for the largest rise; 12 N for one that lies behind another material), friction and drag.
-   * Distinctness keeps the weakest of these edges, but neither noise nor shading. Use the result as
-   * a beginning, and edit it.
+   * (3 N for the largest rise; 12 N for a rise that lies behind another material), friction and
+   * drag. Distinctness keeps the weakest of these edges, but neither noise nor shading. Use the
+   * result as a beginning, and edit it.
    *
    * The functions use the values that ScalarShift and ScalarScale define; a FoundShift becomes the
    * ScalarShift, and ShiftFromImage is turned off.

@@ -157,9 +157,9 @@ public:
 
   ///@{
   /**
-   * Set what is being measured, for displays: the points so far, or the path or area as it grows.
-   * It does not belong to the list, the files or the changes; nullptr ends it. The text gives the
-   * value so far, and says what is missing, such as "Distance: 1 of 2 points".
+   * Set what is being measured now, for displays: the points, the path or the area so far. It
+   * belongs neither to the list nor to the files, and Undo ignores it; nullptr ends it. The text
+   * gives the value so far and what is missing, such as "Distance: 1 of 2 points".
    */
   void SetUnfinished(int kind, vtkPolyData* shape);
   void GetUnfinished(vtkPolyData* shape);
@@ -190,8 +190,8 @@ public:
 
   ///@{
   /**
-   * What the world's axes point to, for files of 3D Slicer: LPS (default), to the left, posterior
-   * and superior of a patient, or RAS, to the right, anterior and superior.
+   * What the world's axes point to, for files of 3D Slicer. LPS (default): to a patient's left,
+   * posterior and superior. RAS: to the right, anterior and superior.
    */
   vtkSetClampMacro(CoordinateSystem, int, LPS, RAS);
   vtkGetMacro(CoordinateSystem, int);
@@ -207,8 +207,8 @@ public:
 
   ///@{
   /**
-   * How far apart the samples of a path are that is followed in a scene (world units, 0 or more).
-   * Default 0: each tick is a sample.
+   * The distance between the samples of a path that is measured in a scene (world units, 0 or
+   * more). Default 0: each tick is a sample.
    */
   vtkSetClampMacro(PathSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PathSpacing, double);
@@ -216,8 +216,8 @@ public:
 
   ///@{
   /**
-   * The radius of the brush with which areas are painted in a scene (world units, 0 or more).
-   * Default 0: four times the smallest spacing of the image.
+   * The radius of the brush that paints areas in a scene (world units, 0 or more). Default 0: four
+   * times the smallest spacing of the image.
    */
   vtkSetClampMacro(BrushRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BrushRadius, double);

@@ -24,7 +24,10 @@ namespace VolumeHaptics
  */
 struct ModeKindRow
 {
-  /** Names of Strength and SecondStrength in files and errors; null for what the kind lacks. */
+  /**
+   * Names of Strength and SecondStrength in files and errors; null for a function that the kind
+   * lacks.
+   */
   const char* Functions[2];
   /** The settings that only this kind has; null after the last one. */
   const char* Settings[2];
@@ -44,7 +47,7 @@ struct ModeFunction
 {
   const char* Name; ///< as in files and errors
   const char* Getter;
-  double Default; ///< N, of a function without points
+  double Default; ///< N, the value of a function without points
   vtkPiecewiseFunction* Function;
 };
 

@@ -210,7 +210,7 @@ const ModeKindRow& GetModeKind(vtkHapticMode* mode)
         d.SnapDistance = mode->GetSnapDistance();
         return ModeKind::Ridge;
       } },
-    // Its own settings are those of vtkHapticGuideMode, and GuideShapes.h describes them.
+    // The settings of a guide are those of vtkHapticGuideMode, and GuideShapes.h describes them.
     { { strength, nullptr }, {},
       [](M* mode, D&)
       {

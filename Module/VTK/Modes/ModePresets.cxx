@@ -20,7 +20,7 @@ struct ModePreset
 {
   const char* Name;
   int Kind;
-  /** Of the strength that the image proposes, which the second strength gets; 0: none. */
+  /** The second strength as a fraction of the strength that the image proposes; 0: none. */
   double Fraction;
   bool TouchesSurfaces;
   void (*Adjust)(vtkHapticMode*); ///< null: the kind's own settings are the defaults

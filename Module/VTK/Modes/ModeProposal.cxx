@@ -119,8 +119,8 @@ void SetPoints(vtkHapticMode* mode, double none, double whole)
 }
 
 /**
- * Sets a strength of 0 up to a tenth of the measure that counts as large, and full from half of it
- * on.
+ * Sets the strength: 0 up to a tenth of the measure that counts as large, and full from half of
+ * this measure on.
  */
 bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double fraction)
 {

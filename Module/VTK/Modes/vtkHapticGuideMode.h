@@ -4,25 +4,24 @@
  * @class   vtkHapticGuideMode
  * @brief   a path or a surface that guides the hand
  *
- * Guides the hand along a path or a surface (a virtual fixture): the hand is drawn to the nearest
- * point of a polyline, and held there, with the Strength (N), a function of the distance from it
- * (world units). It moves freely along the line. A trace of vtkVolumeHapticsFilter, or a stream
- * line of vtkStreamTracer, may be such a path.
+ * Guides the hand along a path or a surface (a virtual fixture). The guide draws the hand to the
+ * nearest point with the Strength (N), a function of the distance (world units), and leaves it free
+ * along the path:
  *
- * Instead of a path, the guide may be a surface, or a level of a distance field:
- *
+ *   guide->SetPath(line);         // a vtkPolyData, such as a trace or a stream line; or
  *   guide->SetSurface(plan);      // a vtkPolyData; the hand moves freely on it
  *   guide->SetSideToOutside();    // or is only kept outside of it
  *   guide->SetDistance(2.0);      // or held 2 world units away from it
  *
- * Directions, not positions, are rounded over a voxel at corners, so that a hand outside of a
- * corner rests at it. Lines with many small corners feel rough: smooth them, for example with
- * vtkSplineFilter. Edges of a surface are rounded in the same way; its polygons should all turn the
- * same way, as vtkPolyDataNormals makes them. Beyond the border of an open surface, its last plane
- * continues.
+ * Instead of a path or a surface, the guide may be a level of a distance field. It is read as a
+ * cubic B-spline of its samples, which lies higher than the samples by a sixth of their second
+ * derivatives: on a sphere of r voxels by 1 / (3 r) voxels.
  *
- * A distance field is read as a cubic B-spline of its samples, which lies higher than the samples
- * by a sixth of their second derivatives: on a sphere of r voxels by 1 / (3 r) voxels.
+ * At corners, the direction of the force is rounded over a voxel, so that a hand outside of a
+ * corner rests at the corner. Lines with many small corners feel rough: smooth them, for example
+ * with vtkSplineFilter. Edges of a surface are rounded in the same way; its polygons should all
+ * turn the same way, as vtkPolyDataNormals makes them. Beyond the border of an open surface, its
+ * last plane continues.
  *
  * @sa vtkHapticMode
  */
@@ -46,8 +45,8 @@ public:
   ///@{
   /**
    * The polylines, in world units: the lines of a polydata or, if it has none, all its points in
-   * their order as one line. Of several lines, the nearest one guides. A line that ends at its
-   * first point is closed; others hold the hand at their ends.
+   * their order as one line. If there are several lines, the nearest one guides. A line that ends
+   * at its first point is closed; an open line holds the hand at its ends.
    */
   void SetPath(vtkPolyData* path);
   vtkPolyData* GetPath();
@@ -55,8 +54,8 @@ public:
 
   ///@{
   /**
-   * A surface in world units: the polygons and strips of a polydata. The outside is the side that
-   * their normals point to, from which they turn counterclockwise.
+   * A surface in world units: the polygons and strips of a polydata. The outside is the side from
+   * which the polygons turn counterclockwise, to which their normals point.
    */
   void SetSurface(vtkPolyData* surface);
   vtkPolyData* GetSurface();
@@ -81,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Where a surface or a distance field holds the hand: on its SURFACE (default), or so that it
-   * stays OUTSIDE or INSIDE of it, and is free there.
+   * Where a surface or a distance field holds the hand: on the SURFACE (default), or on one side of
+   * it, OUTSIDE or INSIDE, where the hand moves freely.
    */
   vtkSetClampMacro(Side, int, SURFACE, INSIDE);
   vtkGetMacro(Side, int);
@@ -93,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The distance from the surface, or in the distance field, at which the hand is held (world
-   * units). It is negative on the inside. Default 0: on the surface itself.
+   * The distance (world units) from the surface, or level of the distance field, at which the hand
+   * is held; negative is inside. Default 0: on the surface itself.
    */
   vtkSetMacro(Distance, double);
   vtkGetMacro(Distance, double);

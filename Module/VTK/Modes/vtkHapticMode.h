@@ -122,9 +122,9 @@ public:
 
   ///@{
   /**
-   * The point array of the touched image that the mode is about: vectors of 3 components, or
-   * tensors of 6 (XX, YY, ZZ, XY, YZ, XZ) or 9. Empty (default): the active vectors or tensors, or
-   * else the active scalars, if they have as many components.
+   * The point array of the touched image that the mode reads: vectors of 3 components, or tensors
+   * of 6 (XX, YY, ZZ, XY, YZ, XZ) or 9. Empty (default): the active vectors or tensors, or else the
+   * active scalars, if they have as many components.
    *
    * nullptr stands for the empty name. RIDGE, GUIDE and SURFACE ignore it.
    */
@@ -144,11 +144,11 @@ public:
 
   ///@{
   /**
-   * What only some kinds have (N), as a function of the same quantity as the Strength or, for
-   * TENSOR_FOLLOW, of c_p. VECTOR_FOLLOW: it pushes the hand along the vectors, and so does work,
-   * which holds never do. VORTEX: it holds the hand on lines along the axis. TENSOR_FOLLOW: it
-   * holds the hand within the plane of the first two eigenvectors. A function without points is 0
-   * everywhere, the default; with points it is an error for the other kinds.
+   * A second force (N) of three kinds of modes. VECTOR_FOLLOW: pushes the hand along the vectors,
+   * and so does work on it; a function of the quantity of Strength. VORTEX: holds the hand on lines
+   * along the axis; of the same quantity. TENSOR_FOLLOW: holds the hand within the plane of the
+   * first two eigenvectors; a function of c_p. A function without points is 0 everywhere, the
+   * default; with points it is an error for the other kinds.
    */
   void SetSecondStrength(vtkPiecewiseFunction* strength);
   vtkPiecewiseFunction* GetSecondStrength();
@@ -159,8 +159,9 @@ public:
 
   ///@{
   /**
-   * Whether the hand is held in both directions along the vectors, so that it snaps on a front.
-   * Off (default): it is held only against them, and free the way they point. For VECTOR_FRONT.
+   * For VECTOR_FRONT: whether the hand is held in both directions along the vectors, so that it
+   * snaps on a front. Off (default): the hand is held only against the vectors, and moves freely
+   * along them.
    */
   vtkSetMacro(TwoSided, bool);
   vtkGetMacro(TwoSided, bool);
@@ -175,7 +176,7 @@ public:
 
   ///@{
   /**
-   * Whether vessels are BRIGHT (default), brighter than what is around them, or DARK. For RIDGE.
+   * For RIDGE: whether the vessels are BRIGHT (default), brighter than their surroundings, or DARK.
    */
   vtkSetClampMacro(Polarity, int, BRIGHT, DARK);
   vtkGetMacro(Polarity, int);
@@ -185,27 +186,27 @@ public:
 
   ///@{
   /**
-   * How far from the ridge the hand is drawn to it with all of the strength (voxels), 0.1 to 16. At
-   * twice this distance it is free. Default 3. For RIDGE.
+   * For RIDGE: the distance from the ridge up to which the full strength draws the hand (voxels),
+   * 0.1 to 16. Beyond twice this distance the hand is free. Default 3.
    */
   vtkSetClampMacro(SnapDistance, double, 0.1, 16.0);
   vtkGetMacro(SnapDistance, double);
   ///@}
 
   /**
-   * Set the Strength to one that suits an image. It depends on |v|, vorticity, rate of stretch, or
-   * how tubular the scalars are: it is 0 up to a tenth of the value that counts as large in this
-   * image, and 2 N from half of that value on. 95 % of the positions with a positive value lie
-   * below the large one; for vessels, 99.5 %. For a tensor, the Strength is 0 up to the anisotropy
-   * 0.15 and 2 N from 0.4 on; for a guide, it is the default. Returns false, with an error and no
-   * change, if the image has nothing for this mode.
+   * Set a Strength that suits an image, as a function of |v|, vorticity, rate of stretch, or how
+   * tubular the scalars are: 0 up to a tenth of a large value of the image, and 2 N from half of
+   * the large value on. The large value is the 95th percentile of the positive values; for vessels,
+   * the 99.5th. For a tensor, the Strength is 0 up to the anisotropy 0.15 and 2 N from 0.4 on; for
+   * a guide, it is the default. Returns false, with an error and no change, if the image has
+   * nothing for this mode.
    */
   bool ProposeFromImage(vtkImageData* image);
 
   ///@{
   /**
-   * Whether the mode is felt. Default on. It may change while a hand feels it: after the next
-   * vtkHapticDevice::Publish(), force that would leap comes softly.
+   * Whether the mode is felt. Default on. It may change while a hand feels the mode: after the next
+   * vtkHapticDevice::Publish(), a force that would jump rises gradually.
    */
   vtkSetMacro(Active, bool);
   vtkGetMacro(Active, bool);
@@ -220,9 +221,9 @@ public:
 
   ///@{
   /**
-   * The axes along which the components of the array stand. WORLD (default): those of the world, as
-   * ParaView takes them. IMAGE: those of the image, turned by its direction matrix.
-   * With a negative spacing an axis points to where the index grows.
+   * The axes that the components of the array refer to. WORLD (default): the world's axes, as
+   * ParaView takes them. IMAGE: the image's axes, turned by its direction matrix. With a negative
+   * spacing, an image axis points to where the index grows.
    */
   vtkSetClampMacro(Axes, int, WORLD, IMAGE);
   vtkGetMacro(Axes, int);
@@ -235,8 +236,9 @@ public:
 
   ///@{
   /**
-   * Get the point arrays that the kind can be about: "vectors (a point array of 3 components)", for
-   * example, or "" if it reads none; and the name of the first one that some data have, or "".
+   * Get which point arrays the kind can read, such as "vectors (a point array of 3 components)",
+   * and the name of the first such array in some data; empty if the kind reads none, or the data
+   * have none.
    */
   std::string GetArrayText();
   std::string FindArrayName(vtkDataSet* data);

@@ -289,7 +289,7 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
 {
   std::shared_ptr<CoarseLevel> level(new CoarseLevel);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  constexpr int kernelRadius = 0; // no kernel is placed in it
+  constexpr int kernelRadius = 0; // an image in which no kernel is placed
   HapticVolume volume;
   if (!scalars)
   {

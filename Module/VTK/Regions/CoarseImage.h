@@ -41,7 +41,8 @@ public:
 
   /**
    * Fills a box of the volume, x fastest, with samples of a VTK type: trilinear between the samples
-   * of the image, and as at its border beyond them; rounded for integer types.
+   * of the image, with the value of the nearest border sample beyond them; rounded for integer
+   * types.
    */
   void Fill(const BoxExtent& box, int scalarType, void* samples) const;
 

@@ -104,7 +104,7 @@ public:
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
-  /** Returns once what is treated as outside, then an empty text. */
+  /** Returns what is treated as outside at the first call, then an empty text. */
   std::string DrainNotice() { return std::exchange(this->Notice, {}); }
 
   /** Reads a region into a new array within this call; null, with an error, on failure. */

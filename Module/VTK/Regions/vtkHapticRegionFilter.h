@@ -4,13 +4,18 @@
  * @class   vtkHapticRegionFilter
  * @brief   a part of a volume that can be touched as if the whole were here
  *
- * Crops the image on port 0 to Region, with the touched array (SetInputArrayToProcess; default the
- * active scalars), and writes the facts about the whole that vtkVolumeHapticsFilter needs. If a
- * volume is too large for the memory at the hand (it is on a server, or out of core), a small
- * region around the tip is sent from time to time; vtkHapticRegionPlanner plans which and when.
+ * Cuts a region out of the image on port 0, and adds what vtkVolumeHapticsFilter has to know about
+ * the whole volume. Such small regions around the tip are sent from time to time if a volume is too
+ * large for the memory at the hand, because it is on a server, or out of core:
  *
- * The output keeps origin, spacing, direction and the indices that the region has in the whole. It
- * has the field arrays
+ *   regions->SetInputConnection(reader->GetOutputPort());  // where the whole volume is
+ *   regions->SetRegion(wanted);                            // as vtkHapticRegionPlanner::Plan says
+ *   regions->Update();
+ *   haptics->SetInputData(regions->GetOutput());           // where the hand is
+ *
+ * The output has the touched array (SetInputArrayToProcess; default the active scalars). It keeps
+ * origin, spacing, direction and the indices that the region has in the whole. It has the field
+ * arrays
  *
  *   HapticWholeExtent   6 integers; the extent of the whole volume
  *   HapticNoise         scalar units, one number a component, 0 or more; standard deviation of the
@@ -43,9 +48,9 @@
  *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders inside the
  * whole, the force does not end at a surface but fades (vtkHapticState::GetResidency). The whole
- * force is felt where tip and proxy are farther from such borders than all that a tick reads, plus
- * a band of 4 voxels: with the default settings 13 voxels, 6 of which are the walk to the far side
- * of an edge, and with materials of the kernel (SetMaterialPlacementToKernel) 9.
+ * force is felt at least 13 voxels away from such borders, with the default settings, and 9 with
+ * materials of the kernel (SetMaterialPlacementToKernel): see Documentation/method.md, "Regions of
+ * a volume".
  *
  * Collecting the noise needs the whole once; the result is kept until the input changes. A subclass
  * for volumes that lie in pieces on several processes overrides the three protected virtual

@@ -4,28 +4,27 @@
  * @class   vtkHapticRegionPlanner
  * @brief   plans which part of a remote volume the hand needs next, and when
  *
- * Plans which region of a volume to fetch. From the position and velocity of the tip, Plan computes
- * the wanted region, and whether to fetch it now, before the tip can leave the resident region.
- * With the latency t, the speed v_max that no hand exceeds, the spring's length T_N/k, the reach r
- * and the band b, the half-width of a region is
- *
- *   h = v_max t + T_N/k + r + b
- *
- * world units around x + t v, the position of the tip when the region comes. It is clipped to the
- * whole, and cut to MaximumVoxels. A cut region lies less far ahead, so that a hand that stops
- * still has its data. If the whole has at most MaximumVoxels, the region is the whole. A region is
- * fetched as soon as the resident region leaves the tip less than half the room that the wanted
- * region would leave, so that a resting hand fetches nothing.
+ * Plans which region of a volume to fetch, and when. From the position and velocity of the tip,
+ * Plan computes the wanted region, and whether to fetch it now, before the tip can leave the
+ * resident region:
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
- *   haptics->ConfigurePlanner(planner);                   // T_N/k, r, b, metres a world unit
+ *   haptics->ConfigurePlanner(planner); // SpringLength, Reach, Band, MetersPerWorldUnit
  *   ... in the GUI's timer ...
  *   if (planner->Plan(device->GetState()->GetTipPosition(), velocity, resident, wanted))
  *   {
  *     ... fetch it: vtkHapticRegionFilter's Region where the data are; then give it to the filter,
  *     and Publish ...
- *     planner->AddLatency(seconds);                       // from Plan to Publish
+ *     planner->AddLatency(seconds);     // from Plan to Publish
  *   }
+ *
+ * The wanted region is a cube around the position that the tip will have when the region comes. It
+ * is so wide that no hand slower than MaximumSpeed leaves it during the Latency:
+ * Documentation/method.md, "Regions of a volume", has the equation. The region is clipped to the
+ * whole, and cut to MaximumVoxels. A cut region lies less far ahead, so that a hand that stops
+ * still has its data. If the whole has at most MaximumVoxels, the region is the whole. A region is
+ * fetched as soon as the resident region leaves the tip less than half the room that the wanted
+ * region would leave, so that a resting hand fetches nothing.
  *
  * Not thread-safe: belongs to one thread.
  *
@@ -78,7 +77,7 @@ public:
   bool SetWhole(vtkImageData* image);
 
   ///@{
-  /** v_max (m/s), 0 to 10. Default 0.5. */
+  /** The speed of the hand that the region allows for (m/s), 0 to 10. Default 0.5. */
   vtkSetClampMacro(MaximumSpeed, double, 0.0, 10.0);
   vtkGetMacro(MaximumSpeed, double);
   ///@}
@@ -90,19 +89,28 @@ public:
   ///@}
 
   ///@{
-  /** T_N/k (world units), 0 to 1e12. Default 4. See vtkVolumeHapticsFilter::ConfigurePlanner. */
+  /**
+   * The largest distance by which the proxy lags behind the tip (world units), 0 to 1e12. Default
+   * 4. See vtkVolumeHapticsFilter::ConfigurePlanner.
+   */
   vtkSetClampMacro(SpringLength, double, 0.0, 1e12);
   vtkGetMacro(SpringLength, double);
   ///@}
 
   ///@{
-  /** r (world units), 0 to 1e12. Default 8. See vtkVolumeHapticsFilter::ConfigurePlanner. */
+  /**
+   * How far from tip and proxy samples are read (world units), 0 to 1e12. Default 8. See
+   * vtkVolumeHapticsFilter::ConfigurePlanner.
+   */
   vtkSetClampMacro(Reach, double, 0.0, 1e12);
   vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
-  /** b (world units), 0 to 1e12. Default 4. See vtkVolumeHapticsFilter::ConfigurePlanner. */
+  /**
+   * The width of the band over which the force fades at the region's borders (world units), 0 to
+   * 1e12. Default 4. See vtkVolumeHapticsFilter::ConfigurePlanner.
+   */
   vtkSetClampMacro(Band, double, 0.0, 1e12);
   vtkGetMacro(Band, double);
   ///@}
@@ -115,17 +123,17 @@ public:
 
   ///@{
   /**
-   * The latency t (s) for planning: the smoothed value of the measurements given to AddLatency,
-   * from a plan to the moment at which the region can be felt. The first counts fully; later a
-   * longer one counts half, a shorter one a tenth. Numbers that are negative or not finite are
-   * ignored. At most 10. Default 0.2, until there is a measurement. ResetLatency forgets all.
+   * The latency (s) for planning, from a plan to the moment at which the region can be felt: the
+   * smoothed value of the measurements given to AddLatency. The first measurement counts fully;
+   * later a longer one counts half, a shorter one a tenth. Numbers that are negative or not finite
+   * are ignored. At most 10. Default 0.2, until there is a measurement. ResetLatency forgets all.
    */
   void AddLatency(double seconds);
   void ResetLatency();
   vtkGetMacro(Latency, double);
   ///@}
 
-  /** Get h above (world units), before it is cut. */
+  /** Get the half-width of the wanted region (world units), before it is cut. */
   double GetHalfWidth();
 
   /**
@@ -138,7 +146,8 @@ public:
 
   /**
    * Compute how much more room (world units) a region (an extent) gives a tip (world) than its tick
-   * needs, T_N/k + r + b. If the result is negative, samples may be missing there.
+   * needs: the sum of SpringLength, Reach and Band. If the result is negative, samples may be
+   * missing there.
    */
   double FindRoom(const double tip[3], const int region[6]);
 

@@ -146,9 +146,9 @@ public:
 
   ///@{
   /**
-   * An image of all of the volume in memory, in the same world and of coarser voxels, as the upper
-   * levels of an image pyramid are. Live it stands in where samples are late; the paths don't use
-   * it. It may be what a window shows. It must not change while it is set. Default: none.
+   * An image of the whole volume in memory, at the same place in the world and with coarser voxels,
+   * such as an upper level of an image pyramid. Live, it is felt where samples are late; paths
+   * don't use it. A window may show it. Do not change it while it is set. Default: none.
    */
   void SetCoarseImage(vtkImageData* image);
   vtkImageData* GetCoarseImage();
@@ -172,9 +172,10 @@ public:
   using Reader = std::function<bool(const int extent[6], void* samples)>;
 
   /**
-   * Read the samples with a function instead of from a file; an empty function ends this. SetReader
-   * and the destructor wait only for a call that is under way. If `isAwaited` is false, they don't
-   * wait: then the function has to own all that it uses, and is destroyed after its last call.
+   * Read the samples with a function instead of from a file; an empty function returns to the file.
+   * SetReader and the destructor wait until a call that is under way has ended. If `isAwaited` is
+   * false, they don't wait; the function then has to own all that it uses, and is destroyed after
+   * its last call.
    */
   void SetReader(Reader reader, bool isAwaited = true);
 #endif
@@ -201,7 +202,7 @@ public:
    */
   bool OpenFile(const char* fileName);
 #ifndef __VTK_WRAP__
-  /** Open a file likewise, with the error as a text. */
+  /** Open a file as the function above does, but return the error as a text. */
   bool OpenFile(const char* fileName, std::string& error);
 #endif
   ///@}
@@ -232,8 +233,8 @@ public:
   static double GetMillimetersPerUnit(const char* unit);
 
   /**
-   * Get what OpenFile() assumed or left out, one note a line, such as a missing size of voxels.
-   * Empty if there is nothing to tell, or if no file was opened.
+   * Get what OpenFile() assumed or ignored, such as a missing size of voxels: one note a line;
+   * empty if there is none, or if no file was opened.
    */
   std::string GetFileNotes() const
   {
@@ -262,7 +263,7 @@ public:
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__
-  /** Read a region likewise, with the error as a text. */
+  /** Read a region as the function above does, but return the error as a text. */
   bool ReadRegion(const int region[6], vtkImageData* image, std::string& error);
 #endif
   ///@}
@@ -286,27 +287,29 @@ public:
    */
   bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
 #ifndef __VTK_WRAP__
-  /** Open a data set likewise, with the error as a text. */
+  /** Open a data set as the function above does, but return the error as a text. */
   bool OpenDataSet(vtkDataObject* data, double spacing, const std::vector<std::string>& arrays,
     std::string& error);
 #endif
 
 #ifndef __VTK_WRAP__
   /**
-   * Set what the output needs from a filter: vtkVolumeHapticsFilter::ConfigureSource calls this.
+   * Set the filter's settings that the output depends on; vtkVolumeHapticsFilter::ConfigureSource
+   * calls this.
    */
   void SetFeltAs(int kernelRadius, bool areLabels);
 #endif
 
   /**
-   * Get the planner of the regions. Its MaximumSpeed is for the user; this source sets all else.
+   * Get the planner of the regions. Only its MaximumSpeed is for the user; this source sets the
+   * rest.
    */
   vtkHapticRegionPlanner* GetPlanner();
 
   /** Get whether a region that Follow has ordered has not arrived yet. */
   bool IsWaiting();
 
-  /** Get whether the output has samples that were read, not samples of the CoarseImage or zeros. */
+  /** Get whether the output consists of samples of the volume, not of the CoarseImage or zeros. */
   bool HasSamples();
 
   /** Get what the source waits for, and why the last read failed; empty if nothing is awaited. */
@@ -328,7 +331,7 @@ private:
   /** Passes the coarse image to the store; false, with the fault, if it can't stand in. */
   bool UpdateCoarse(std::string& error);
 
-  /** Adds values as they were read to an image, as its arrays. */
+  /** Adds the values of a file to an image, as its arrays. */
   bool PutSamples(vtkDataArray* samples, vtkImageData* image, std::string& error);
   void PutArrays(vtkDataArray* samples, vtkImageData* image);
   /** Returns the number of values in a sample. */
@@ -355,7 +358,7 @@ private:
   vtkSmartPointer<vtkImageData> CoarseImage;
   int KernelRadius = 2;   // see SetFeltAs
   bool AreLabels = false; // see SetFeltAs
-  int Version = 0;        // counts changes of the samples
+  int Version = 0;        // incremented when the samples change
 
   vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;
   void operator=(const vtkHapticRegionSource&) = delete;

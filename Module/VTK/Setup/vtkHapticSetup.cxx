@@ -127,7 +127,7 @@ void PassLabel(
 
 void WriteTable(SetupNode node, vtkHapticLabelTable* table)
 {
-  // The field data show which flags are set: -1 stands for one that is not.
+  // The field data show which flags are set: -1 stands for a flag that is not set.
   vtkNew<vtkFieldData> data;
   table->WriteFieldData(data);
   vtkDataArray* const felt = data->GetArray("LabelFelt");
@@ -207,7 +207,7 @@ int PassKind(SetupNode& node, const std::function<int()>& get)
   return node.Choice("Kind", names, get, [](int) {});
 }
 
-/** Whether a setting of vtkHapticMode is of a mode's kind. */
+/** Whether a setting of vtkHapticMode belongs to a mode's kind. */
 bool HasSetting(vtkHapticMode* mode, const std::string& name)
 {
   const auto& own = GetModeKind(mode).Settings;
@@ -408,7 +408,7 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
 {
   if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
   {
-    // The file is a whole setup from before this setting.
+    // The file is a whole setup from before MaterialPlacement was added.
     node.Then([=] { filter->SetMaterialPlacementToKernel(); });
   }
   PassSettings(node, filter, FilterSettings);

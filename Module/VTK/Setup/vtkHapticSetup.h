@@ -96,8 +96,8 @@ public:
   /**
    * Write the file. An existing file is replaced only after the whole new one is on the disk; if
    * that fails, the old one stays. False, with an error, if the folder is missing, not writable or
-   * full, if a setting, such as NaN, could not be loaded again, or if the file would have more than
-   * 16 MiB, which a label table of 100 000 labels may need.
+   * full, if a setting could not be loaded again (such as NaN), or if the file would be larger than
+   * 16 MiB (a label table of 100 000 labels may be).
    */
   bool Save(const char* file);
 

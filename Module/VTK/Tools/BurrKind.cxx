@@ -142,7 +142,7 @@ public:
   {
     return vtkHapticBurr::SafeDownCast(tool)->GetRadius();
   }
-  /** Its head is a ball, felt without an orientation. */
+  /** The head is a ball, which feels no orientation. */
   bool TurnsWithStylus() const override { return true; }
   bool IsTurnable() const override { return true; }
 };

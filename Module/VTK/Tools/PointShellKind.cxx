@@ -51,7 +51,7 @@ public:
          : os << "(none)";
     os << "\n";
   }
-  /** The mesh stays the filter's, like the shapes of guides: a setup holds settings only. */
+  /** The mesh stays in the filter, like the shapes of guides: a setup holds settings only. */
   void TakeOver(vtkHapticTool* tool, vtkHapticTool* before) const override
   {
     auto* const shell = vtkHapticPointShell::SafeDownCast(before);

@@ -30,7 +30,7 @@ struct RemovalData
 {
   static RemovalData& Of(vtkHapticRemoval* removal);
 
-  /** Null until a model was made of a volume with a tool that removes, or shares were read. */
+  /** Null until a model was made of a volume with a tool that removes, or fractions were read. */
   std::shared_ptr<TissueRemoval> Tissue;
   vtkNew<vtkImageData> Geometry; ///< geometry of the volume, without scalars
   bool HasAir = false;           ///< whether the AirValue comes from the volume, or from a file
@@ -52,19 +52,19 @@ struct RemovalData
   /** Sets the AirValue that was found, without a change of the object's MTime. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /**
-   * Creates tissue with these shares, for a volume with that geometry. False if there are too many
-   * shares.
+   * Creates tissue with these fractions, for a volume with that geometry. False if there are too
+   * many.
    */
   bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
   void ApplyContent(std::unique_ptr<RemovalContent> content);
-  /** Whether the fractions still equal a file's shares, as far as they lie in the volume. */
+  /** Whether the fractions still equal those of the file, as far as they lie in the volume. */
   bool IsAsRead() const;
   /** Whether a volume with the extent of the last one is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
    * Fits the file's contents to another part of the file's volume. False if the samples do not lie
-   * at the positions of that volume's samples, or there are too many shares.
+   * at the positions of that volume's samples, or there are too many fractions.
    */
   bool FitRead(vtkImageData* geometry, const int extent[6]);
 };

@@ -34,7 +34,7 @@ constexpr int LloydRounds = 5;
 struct SurfacePlace
 {
   Vector3 Position;
-  Vector3 Normal; ///< scaled by the length that counts as much as a turn by a radian
+  Vector3 Normal; ///< times a length, so that turns and distances can be added
 };
 
 double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)

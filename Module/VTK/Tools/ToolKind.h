@@ -70,7 +70,7 @@ public:
   virtual void Pass(SetupNode& node, vtkHapticTool* tool) const = 0;
   /** Sets a number by its name, as in setups; false if there is none. */
   virtual bool Set(vtkHapticTool* tool, const std::string& name, double value) const = 0;
-  /** Takes from the tool before what setups do not hold, such as a mesh. */
+  /** Copies from the earlier tool what setups do not hold, such as a mesh. */
   virtual void TakeOver(vtkHapticTool* /*tool*/, vtkHapticTool* /*before*/) const {}
   virtual std::vector<ToolFunction> GetFunctions() const { return {}; }
 
@@ -88,12 +88,12 @@ public:
 
   ///@{
   /**
-   * How the scene shows a tool: its mesh relative to the hand, in world units, null for a stylus;
-   * and the distance of its farthest touching point from the hand, 0 for a point.
+   * How the scene shows a tool: the mesh relative to the hand, in world units (null: a stylus is
+   * drawn); and the distance of the farthest touching point from the hand (0 for a point).
    */
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
   virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
-  /** Whether its mesh turns with the stylus, and spins, instead of with what is felt. */
+  /** Whether its mesh turns with the stylus, and spins, instead of with the felt orientation. */
   virtual bool TurnsWithStylus() const { return false; }
   /** Whether it looks different when it is turned. */
   virtual bool IsTurnable() const { return false; }
@@ -168,8 +168,8 @@ const ToolKind* FindToolKind(vtkHapticTool* tool);
 void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool);
 
 /**
- * Describes a tool to a model's description that has its settings and time steps already. Null is a
- * point. False, with the reason and the cure in `error`, if it can't be felt.
+ * Adds a tool to a model's description, which already has its settings and time steps. A null tool
+ * stands for a point. False, with the reason and the cure in `error`, if it can't be felt.
  */
 bool DescribeTool(vtkHapticTool* tool, vtkHapticProperty* property,
   HapticModelDescription& description, std::string& error);

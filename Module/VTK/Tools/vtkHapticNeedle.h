@@ -4,8 +4,8 @@
  * @class   vtkHapticNeedle
  * @brief   a needle, which feels layers, its shaft, and the loss of resistance
  *
- * Punctures tissue. The needle's point feels surfaces as the hand does without a tool. A needle
- * that is pushed through them is inserted, and feels:
+ * Punctures tissue. Outside, the needle's point feels surfaces as the hand does without a tool; a
+ * needle that is pushed through them is inserted, and feels layers:
  *
  *   vtkNew<vtkHapticNeedle> needle;
  *   filter->SetTool(needle);
@@ -14,30 +14,27 @@
  *   table->SetViscosity(7, 0.8);       // N, to cut it
  *   table->SetShaftFriction(7, 60.0);  // N per metre of the shaft in it
  *
- * - **the layer around its point**: the force R that cuts it, only while the needle is pushed;
- * - **boundaries**: labels that have a surface strength T hold the point until they are punctured,
- *   as do the surfaces of the scalars where the label has no T;
- * - **its shaft**: friction tau of all tissues along the track, against any motion, in and out;
+ * - **the layer around its point** resists while the needle is pushed: with the viscosity of its
+ *   label, or else with the CuttingForce;
+ * - **boundaries** hold the point until they are punctured: those of labels that have a surface
+ *   strength, and where a label has none, the surfaces of the scalars;
+ * - **its shaft** is held by all tissues along the track, against any motion, in and out: by the
+ *   shaft friction of each label, or else by ShaftFriction;
  * - **across its axis** the tissue holds it with the LateralStrength.
  *
- * So the force along the needle is at most T + R + F_s while it is pushed, F_s while it is
- * withdrawn, with F_s the integral of tau over the track, and any value between at rest. Where a
- * tissue ends, its R is lost: the loss of resistance.
- *
- * R is the viscosity of the label, T its surface strength, tau its shaft friction. Where a label
- * does not set them, or without labels, R is the CuttingForce and tau the ShaftFriction, both
- * functions of the scalar, and T is the surface strength of vtkHapticProperty. The spring keeps the
- * stiffness of the surface that was punctured until the needle is out. Lengths in N per metre are
- * the hand's.
+ * Where a tissue ends, its resistance is lost: the loss of resistance. The equations are in
+ * Documentation/method.md, "The needle". The spring keeps the stiffness of the surface that was
+ * punctured until the needle is out. Lengths in N per metre are the hand's.
  *
  * The needle's axis is the axis of the stylus. If the device measures no orientation, it is the
  * direction of the hand's motion at the puncture, over the last millimetre, and stays until the
  * needle is out.
  *
  * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
- * length that is inserted (world units; 0: none), ShaftForce, F_s (N), and ForbiddenTouches, how
- * often a forbidden label has stopped the insertion. MakeTrack() converts a trace to the track
- * through the tissue; vtkHapticState::GetNeedleTrack() writes the track of a needle in the hand.
+ * length that is inserted (world units; 0: none), ShaftForce, the most that the tissue along the
+ * shaft holds (N), and ForbiddenTouches, how often a forbidden label has stopped the insertion.
+ * MakeTrack() converts a trace to the track through the tissue; vtkHapticState::GetNeedleTrack()
+ * writes the track of a needle in the hand.
  *
  * @sa vtkHapticTool vtkHapticLabelTable
  */
@@ -61,8 +58,8 @@ public:
   ///@{
   /**
    * The friction tau of the shaft (N per metre of it) against the scalar value, for tissue whose
-   * label does not say it. A function without points is 0. Created on first Get; nullptr restores
-   * the default.
+   * label has no shaft friction. A function without points is 0. Created on first Get; nullptr
+   * restores the default.
    */
   void SetShaftFriction(vtkPiecewiseFunction* friction);
   vtkPiecewiseFunction* GetShaftFriction();
@@ -70,10 +67,10 @@ public:
 
   ///@{
   /**
-   * The force R with which the point cuts (N) against the scalar value, for tissue whose label does
-   * not say it. A function without points (default) stands for the viscosity of vtkHapticProperty.
-   * Created on first Get; nullptr restores the default. That viscosity is equal for all soft
-   * tissues in the presets for CT; ApplyPreset() sets a force for each tissue.
+   * The force R with which the point cuts (N) against the scalar value, for tissue whose label has
+   * no viscosity. A function without points (default) stands for the viscosity of
+   * vtkHapticProperty. Created on first Get; nullptr restores the default. That viscosity is equal
+   * for all soft tissues in the presets for CT; ApplyPreset() sets a force for each tissue.
    */
   void SetCuttingForce(vtkPiecewiseFunction* force);
   vtkPiecewiseFunction* GetCuttingForce();
@@ -88,8 +85,8 @@ public:
 
   ///@{
   /**
-   * The force with which tissue holds the inserted needle across its axis (N), 0 or more. It is
-   * whole from 1 mm of the hand's depth on. Default 1.
+   * The force (N) with which tissue holds the inserted needle across its axis, 0 or more. Full from
+   * a hand depth of 1 mm on. Default 1.
    */
   vtkSetClampMacro(LateralStrength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LateralStrength, double);

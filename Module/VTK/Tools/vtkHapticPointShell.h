@@ -4,14 +4,15 @@
  * @class   vtkHapticPointShell
  * @brief   any closed surface as a tool, which feels force and torque
  *
- * Gives the hand a tool with a shape, such as that of an STL file:
+ * Gives the hand a tool with a shape, such as that of an STL file. The hand feels the force and the
+ * torque of all contacts of its surface:
  *
  *   vtkNew<vtkHapticPointShell> tool;
  *   tool->SetMesh(reader->GetOutput()); // world units
  *   filter->SetTool(tool);
  *
- * The surface becomes points with areas, spread evenly (Yuksel, Computer Graphics Forum 34, 2015).
- * Each point that is in solid material is pressed out of it:
+ * The surface becomes points with areas, spread evenly. Each point that is in solid material is
+ * pressed out of it (equations: Documentation/method.md, "Tools with a shape"):
  *
  * - **solid** is what is beyond a contact value of the scalars. By default it follows from the
  *   surface strength of vtkHapticProperty: see vtkHapticShapedTool;
@@ -28,12 +29,6 @@
  * vtkHapticTool), which points along its own -z. A device that measures no orientation holds the
  * tool as vtkHapticVirtualHand::SetToolOrientation says, and a device without torque only gives the
  * force. A tool that begins in solid material is free to leave it.
- *
- * One core of a PC ticks 10 000 points at 1 kHz, and a few thousand of them may be in contact; the
- * time grows with their number. Spreading 2000 points takes a quarter of a second, 100 000 points
- * some seconds: a vtkHapticDevice does this in the background, and the hand feels the old model
- * until vtkHapticDevice::IsPublished(). Points farther apart than details of the volume miss these:
- * the distance between them is about the square root of the tool's area over their number.
  *
  * It needs the method PROXY, and a volume that does not move. Friction is not felt. In the trace,
  * the points (proxies) are the origins of the tool, ToolOrientation is its orientation (w, x, y, z;
@@ -71,6 +66,12 @@ public:
   /**
    * The number of points on the surface. From 1 to 100000 can be felt; a few may be left out that
    * would stand for nothing. Default 2000.
+   *
+   * The distance between points is about the square root of the tool's area over their number:
+   * smaller details of the volume are missed. One core of a PC ticks 10 000 points at 1 kHz, and a
+   * few thousand of them may be in contact; the time grows with their number. Spreading 2000 points
+   * takes a quarter of a second, 100 000 points some seconds: a vtkHapticDevice does this in the
+   * background, and the hand feels the old model until vtkHapticDevice::IsPublished().
    */
   vtkSetClampMacro(NumberOfPoints, int, 0, 1000000);
   vtkGetMacro(NumberOfPoints, int);

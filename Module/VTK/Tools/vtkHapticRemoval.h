@@ -4,20 +4,17 @@
  * @class   vtkHapticRemoval
  * @brief   the tissue that a vtkHapticBurr has removed from a volume
  *
- * Keeps the share rho of tissue that remains at each sample of the volume on port 0 of a filter;
- * 255 stands for all of it:
+ * Keeps how much tissue remains at each sample of the volume on port 0 of a filter: its share, a
+ * number from 0 (none) to 255 (all):
  *
  *   vtkHapticRemoval* removal = filter->GetRemoval();
  *   removal->Undo();                  // the last stroke
  *   removal->WriteFile("cavity.vti");
  *
- * The felt value is
- *
- *   V' = V - (1 - rho/255) (V - AirValue),
- *
- * while the samples V stay unchanged. It needs memory only where tissue was removed: 12 MB for up
- * to 16384 bricks of 8 x 8 x 8 samples. If all bricks are in use, IsUsedUp() is true, and nothing
- * more is removed.
+ * What is felt goes from the sample itself to the AirValue as its share falls (equations:
+ * Documentation/method.md, "The burr"). The samples stay unchanged. The shares need memory only
+ * where tissue was removed: 12 MB for up to 16384 bricks of 8 x 8 x 8 samples. If all bricks are in
+ * use, IsUsedUp() is true, and nothing more is removed.
  *
  * A stroke begins when a burr removes something, and ends when it no longer spins or has removed
  * nothing for half a second. The servo that ticks with the burr carries out Undo(), Redo() and
@@ -26,7 +23,7 @@
  *
  * One vtkHapticDevice at a time may tick with a removal: give another device's filter its own
  * removal with vtkVolumeHapticsFilter::SetRemoval(). Shares belong to the samples of one extent: a
- * volume with another extent can't be felt until Reset() or SetRemoval(nullptr). Shares that
+ * volume with another extent can't be felt until Reset() or SetRemoval(nullptr). But shares that
  * ReadFile() has read fit any part of their volume, or a larger volume, as long as they are not
  * changed. While a volume moves, all of its tissue is there.
  *
@@ -59,10 +56,10 @@ public:
 
   ///@{
   /**
-   * Whether the AirValue follows from the volume, as long as nothing is removed: 2 % of a few
-   * thousand samples spread over it are less, or more if the solid is below the contact value. A
-   * file has the AirValue of its volume. If the volume is padded with a value that is not air, such
-   * as -3024, SetAirValue() is needed. Default: on.
+   * Whether the AirValue is computed from the volume, as long as nothing is removed: as the value
+   * below which 2 % of a few thousand spread samples lie (above which, if the solid is below the
+   * contact value). A file has the AirValue of its volume. If the volume is padded with a value
+   * that is not air, such as -3024, SetAirValue() is needed. Default: on.
    */
   vtkSetMacro(AutoAirValue, bool);
   vtkGetMacro(AutoAirValue, bool);
@@ -71,8 +68,8 @@ public:
 
   ///@{
   /**
-   * The value of a sample without tissue, such as -1000 in a CT; or the value that was found.
-   * Setting it turns AutoAirValue off.
+   * The value of a sample without tissue, such as -1000 in a CT. While AutoAirValue is on, the
+   * value that was found. Setting it turns AutoAirValue off.
    */
   void SetAirValue(double value);
   vtkGetMacro(AirValue, double);

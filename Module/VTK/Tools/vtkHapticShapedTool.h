@@ -24,8 +24,8 @@ public:
   ///@{
   /**
    * The area (square world units) on which the stiffness and the surface strength of the materials
-   * act, more than 0. A smaller one makes what is touched feel harder. A vtkHapticPointShell has
-   * Default 25, a vtkHapticBurr has Default 0.1: mm^2 in an image in mm.
+   * act, more than 0. A smaller area makes what is touched feel harder. Default 25 for a
+   * vtkHapticPointShell, 0.1 for a vtkHapticBurr (mm^2 if the world unit is mm).
    */
   vtkSetClampMacro(ContactArea, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ContactArea, double);
@@ -49,9 +49,9 @@ public:
 
   ///@{
   /**
-   * Which values of the scalars are solid: FROM_STRENGTH (default) finds the contact value at which
-   * the surface strength of vtkHapticProperty, where something is visible, passes half of its
-   * largest, if it does so once. ABOVE and BELOW are beyond the ContactValue.
+   * Which scalars are solid. FROM_STRENGTH (default): those beyond the value at which the surface
+   * strength of vtkHapticProperty passes half of its maximum, provided that it does so once in the
+   * visible range. ABOVE and BELOW: those beyond the ContactValue.
    */
   vtkSetClampMacro(Solid, int, FROM_STRENGTH, BELOW);
   vtkGetMacro(Solid, int);
@@ -61,10 +61,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The value of the scalars at the surface of what is solid, if Solid is ABOVE or BELOW. Default
-   * 0.
-   */
+  /** The scalar at the surface of what is solid, if Solid is ABOVE or BELOW. Default 0. */
   vtkSetMacro(ContactValue, double);
   vtkGetMacro(ContactValue, double);
   ///@}

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType tick
   return array;
 }
 
-/** The polylines of paths that follow one another without gaps. */
+/** Makes the polylines of paths that follow one another without gaps. */
 vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& paths, vtkIdType ticks)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -138,7 +138,7 @@ private:
   }
 
   const HapticTrace& Trace;
-  // Copies: for the compiler, writing to the columns could change the originals.
+  // Copies, because for the compiler, writing to the columns could change the originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
   const TickRecord* const Records;

@@ -39,9 +39,9 @@ struct RecordedTips
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * Reads a path in world units likewise, but never from DeviceTip, and without orientations. If a
- * .csv has no Tip, the columns "Points:0" to "Points:2" or "x", "y" and "z" are read. The end of
- * the last line may be missing.
+ * Reads a path in world units as ReadTraceFile reads tips, but never from DeviceTip, and without
+ * orientations. If a .csv has no Tip, the columns "Points:0" to "Points:2" or "x", "y" and "z" are
+ * read. The end of the last line may be missing.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

@@ -36,7 +36,7 @@ constexpr const char* Settings = "Settings"; ///< field array: a text
 constexpr const char* LabelHash = "LabelHash: ";
 /// begins the line with the number of fine voxels in a label voxel, if there is a finer grid
 constexpr const char* LabelGrid = "LabelGrid: ";
-constexpr const char* DeviceRate = "ServoRate of the device: "; ///< begins a line of all recordings
+constexpr const char* DeviceRate = "ServoRate of the device: "; ///< begins a line in all recordings
 } // namespace RecordingNames
 
 } // namespace VolumeHaptics

@@ -104,7 +104,7 @@ private:
       return;
     }
     const Quaternion turn = to * Conjugate(from);
-    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // times sin(angle/2)
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // the axis times sin(angle/2)
     const double sine = Norm(axis);
     if (sine > 0.0)
     {

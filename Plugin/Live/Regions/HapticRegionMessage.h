@@ -19,9 +19,9 @@ class vtkMultiProcessController;
 namespace VolumeHapticsLive
 {
 
-/** The image with its scalars and its numeric field arrays. */
+/** Packs the image with its scalars and its numeric field arrays. */
 std::vector<char> PackRegion(vtkImageData* image);
-/** A message with an error instead of an image. */
+/** Packs an error instead of an image. */
 std::vector<char> PackError(const std::string& error);
 
 /** False, with an error, if the message is an error, or no image. */

@@ -63,7 +63,7 @@ private:
 
 constexpr int PieceTag = 78232;
 
-/** The intersection of two boxes; false if it is empty. */
+/** Computes the intersection of two boxes; false if it is empty. */
 bool Intersect(const int a[6], const int b[6], int both[6])
 {
   bool isThere = true;
@@ -310,7 +310,7 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // The largest over all processes: whether something is wrong here, the kind of the array, and the
+  // Maxima over all processes: whether something is wrong here, the kind of the array, and the
   // number of a process with a part of it.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,

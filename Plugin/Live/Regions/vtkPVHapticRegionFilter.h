@@ -4,10 +4,10 @@
  * @class   vtkPVHapticRegionFilter
  * @brief   a region of a volume whose pieces are on several processes
  *
- * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's
- * extent: the first process has the output. The noise equals the whole volume's to the bit, for any
- * division into pieces. All processes have to execute it together; before that, they agree with
- * CanExecute that they can.
+ * Runs as a vtkHapticRegionFilter on every process of a controller, each with its own piece and the
+ * whole's extent; the first process gets the output. The noise equals the whole volume's to the
+ * bit, for any division into pieces. All processes have to execute the filter together, after they
+ * have agreed by CanExecute that they can.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -30,10 +30,10 @@ public:
   vtkTypeMacro(vtkPVHapticRegionFilter, vtkHapticRegionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Null (default) means this process alone. */
+  /** The controller of the processes. nullptr (default) means this process alone. */
   void SetController(vtkMultiProcessController* controller);
 
-  /** The piece of this process, null or empty if it has none, and the extent of the whole. */
+  /** Set the piece of this process (null or empty if it has none) and the extent of the whole. */
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
@@ -42,7 +42,7 @@ public:
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
-  /** Why gathering the last region failed; empty if it was not tried. */
+  /** Get why gathering the last region failed; empty if gathering was not tried. */
   std::string GetProblem() const;
 
 protected:

@@ -35,9 +35,9 @@ public:
   /**
    * Send a region (an extent) of a point array by name. An empty name means the active scalars. A
    * region without indices means a corner of the volume, from which the client learns the position
-   * of the whole. The present volume is the input's; the client gives its time. Another time must
-   * be among the last two sent ones; else the answer is an error. Call it on all processes
-   * together. The client gets exactly one answer: the region, or an error.
+   * of the whole. The time is that of the input's present volume, or one of the last two times that
+   * were sent; the answer to any other time is an error. Call it on all processes together. The
+   * client gets exactly one answer: the region, or an error.
    */
   void Send(
     const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time, int isPresent);
@@ -57,7 +57,7 @@ private:
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
-  /** Whether the data on any process are no image; collective. */
+  /** Whether any process has data that are no image; collective. */
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);

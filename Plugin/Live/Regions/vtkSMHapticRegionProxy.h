@@ -4,9 +4,9 @@
  * @class   vtkSMHapticRegionProxy
  * @brief   the client's side of vtkPVHapticRegionSender
  *
- * A fetch is one message there and one back, so it takes one round trip and the time for cutting
- * out and sending the region. The client waits: ParaView's connection can't do anything else
- * meanwhile.
+ * A fetch sends one message and gets one answer, so it takes one round trip plus the time for
+ * cutting out and sending the region. The client waits: ParaView's connection can't do anything
+ * else meanwhile.
  */
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h

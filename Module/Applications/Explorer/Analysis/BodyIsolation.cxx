@@ -13,7 +13,7 @@
 
 namespace
 {
-constexpr int EDGE = 3; // voxels around the region that are kept: partial volumes
+constexpr int EDGE = 3; // voxels that are kept around the region, because they may be partly body
 
 using Mask = std::vector<unsigned char>;
 
@@ -51,7 +51,7 @@ void Grow(Mask& mask, const int size[3], int axis)
       for (std::size_t step = 0; step < length; ++step)
       {
         unsigned char& voxel = mask[start + stride * (forward ? step : length - 1 - step)];
-        // 1 is the region before this axis, 2 what this axis adds.
+        // 1 marks the region before this axis, 2 what this axis adds
         reach = voxel == 1 ? EDGE + 1 : std::max(0, reach - 1);
         voxel = voxel == 0 && reach > 0 ? 2 : voxel;
       }

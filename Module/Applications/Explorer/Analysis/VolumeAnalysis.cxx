@@ -22,7 +22,8 @@ constexpr vtkIdType ENOUGH_SAMPLES = 4000000;
 
 using Histogram = std::array<double, BINS>;
 
-/// Every n-th voxel's finite value; n is odd, so that it does not stay in one column.
+/// Returns the finite ones among every n-th value; n is odd, so that it does not stay in one
+/// column.
 std::vector<float> SampleValues(vtkDataArray* scalars)
 {
   const vtkIdType count = scalars->GetNumberOfTuples();
@@ -47,7 +48,8 @@ double Percentile(std::vector<float>& values, double fraction)
   return *at;
 }
 
-/// Otsu's method for three classes: the two cuts with the largest variance between the classes.
+/// Returns the two cuts of Otsu's method for three classes: those with the largest variance between
+/// the classes.
 std::array<int, 2> OtsuCuts(const Histogram& histogram)
 {
   Histogram weight{}, moment{};
@@ -141,7 +143,8 @@ void SetKind(
 
 void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 {
-  // Life-size if the edges look like millimetres of something that a hand can hold; else 20 cm.
+  // Life-size if the edges have the length in millimetres of something that a hand can hold; else
+  // 20 cm.
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -13,7 +13,7 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
-  Field,    // from a simulation: no tissues
+  Field,    // values of a simulation: no tissues
   Labels,   // numbers of labels
   Other
 };
@@ -34,9 +34,9 @@ struct Analysis
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Everything except the position of the body. A large volume is sampled sparsely. The values of a
-/// field or of labels are not interpreted, whatever they look like. Without `mayBeHounsfield` they
-/// are no CT.
+/// Analyses everything except the position of the body. A large volume is sampled sparsely. The
+/// values of a field or of labels are not interpreted, whatever they look like. Without
+/// `mayBeHounsfield` the volume is no CT.
 Analysis AnalyseVolume(
   vtkImageData* image, bool isField = false, bool areLabels = false, bool mayBeHounsfield = true);
 

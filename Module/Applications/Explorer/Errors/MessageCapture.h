@@ -15,7 +15,7 @@ namespace Explore
 {
 /// While an object of this class lives, it collects the messages of VTK's readers instead of
 /// showing them on the terminal, so that a damaged file gives one message of this program instead
-/// of a page. MetaIO writes to std::cerr and std::cout directly, so these two are captured as well.
+/// of a page. MetaIO writes to std::cerr and std::cout directly, so both are captured, too.
 class MessageCapture
 {
 public:
@@ -27,7 +27,8 @@ public:
   /// True if a reader reported an error, or a warning that means missing data.
   bool HasErrors() const;
 
-  /// The first error in one line, without VTK's addresses and source positions; empty if none.
+  /// Returns the first error in one line, without VTK's addresses and source positions; empty if
+  /// there is none.
   std::string FirstError() const;
 
 private:

@@ -31,9 +31,12 @@
 
 namespace
 {
-constexpr double STRONGEST_PUSH = 1.0; // N: clearly felt, and a fraction of what any device holds
-constexpr double SHARPEST = 0.95;   // part of the surface that is less sharp; the rest may be noise
-constexpr int LOOKS_PER_AXIS = 100; // some thousand points of a surface are enough
+constexpr double STRONGEST_PUSH = 1.0; // N, clearly felt, and a fraction of what any device can
+                                       // give
+constexpr double SHARPEST = 0.95;   // the fraction of the surface that is less sharp; the rest may
+                                    // be noise
+constexpr int LOOKS_PER_AXIS = 100; // samples along an axis: some thousand points of a surface are
+                                    // enough
 
 /// Adds the points, between two voxels, at which a line of voxels along an axis crosses the
 /// threshold.
@@ -76,8 +79,8 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
   }
 }
 
-/// The magnitudes of the gradient at these points (scalar per world unit), by the filter's own
-/// estimator.
+/// Returns the magnitudes of the gradient at these points (scalar per world unit), by the filter's
+/// own estimator.
 std::vector<double> Gradients(vtkVolumeHapticsFilter* filter, vtkPoints* points)
 {
   vtkNew<vtkPolyData> path;
@@ -103,10 +106,10 @@ namespace Explore
 {
 namespace
 {
-/// Prepares every method for this volume, whichever is chosen: SURFACE_PROXY touches the outer
-/// surface (IsoValue), and FORCE_FIELD pushes with 1 N at its sharpest position (ForceFieldGain,
-/// from the gradients along the body's outer surface). The filter needs its estimator, its scale,
-/// and the volume on port 0.
+/// Prepares every method for this volume, because the user may change the method: SURFACE_PROXY
+/// touches the outer surface (IsoValue), and FORCE_FIELD pushes with 1 N at its sharpest position
+/// (ForceFieldGain, from the gradients along the body's outer surface). The filter needs its
+/// estimator, its scale, and the volume on port 0.
 
 void ScaleMethods(vtkVolumeHapticsFilter* filter, const Analysis& analysis, vtkImageData* body)
 {
@@ -184,7 +187,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   if (scalars && result.Body != volume.Image)
   {
-    // The picture loses what a burr removes from the felt image.
+    // The picture shows the removal of tissue that a burr removes from the felt image.
     result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
       vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
   }

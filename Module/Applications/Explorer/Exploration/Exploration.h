@@ -32,8 +32,8 @@ struct Settings
   std::string Front = "-y"; // world axis along which a face looks
   std::string Up = "+z";    // world axis to the top
   Estimator Gradient = Estimator::Gaussian;
-  // See vtkVolumeHapticsFilter::GetMethodNames; "auto" is primitives if the volume is a grid with
-  // vectors, which are followed, else proxy.
+  // See vtkVolumeHapticsFilter::GetMethodNames; "auto" is primitives, which follow the vectors, if
+  // the volume is a grid with vectors; else it is proxy.
   std::string Method = "auto";
   std::vector<std::string> Modes; // for the method primitives: see ModeChoice.h
   std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
@@ -53,7 +53,7 @@ struct Exploration
   vtkSmartPointer<vtkPolyData> Trace; // the filter's
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
-  std::string Method;     // the trace's, for users
+  std::string Method;     // the method of the trace, for users
   int KernelRadius = 0;   // voxels
   double ServoRate = 0.0; // Hz
   double FilterSeconds = 0.0;

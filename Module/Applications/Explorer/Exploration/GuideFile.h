@@ -16,9 +16,9 @@ namespace Explore
 /// (.vtp, .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
 void CheckGuideFile(const std::string& name);
 
-/// The mode that leads along the lines of a file, or holds on its polygons, in the coordinates of
-/// an image. For measurements, their paths lead. Throws InputError, also if the whole shape lies
-/// outside the image.
+/// Makes the mode that leads along the lines of a file, or holds on its polygons, in the
+/// coordinates of an image. A file of measurements leads along its paths. Throws InputError, also
+/// if the whole shape lies outside the image.
 vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkImageData* image);
 } // namespace Explore
 

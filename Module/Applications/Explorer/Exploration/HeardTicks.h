@@ -16,18 +16,18 @@
 namespace Explore
 {
 /// Extracts the audible data of ticks. The forces are the device's: none while it is not armed.
-/// Stiffness and strength are the material's, from the filter's functions of SurfaceValue or its
-/// table of labels: a trace has them as felt, that is, capped, equalised by SameShape, and lowered
-/// by distinctness.
+/// Stiffness and strength come from the material: from the filter's functions of SurfaceValue or
+/// from its table of labels. Those in a trace are the felt ones: capped, equalised by SameShape,
+/// and lowered by distinctness.
 class HeardTicks
 {
 public:
   explicit HeardTicks(vtkVolumeHapticsFilter* filter);
 
-  /// For the states since the last call: see vtkHapticState::Drain. The label is the latest
-  /// state's.
+  /// Extracts the ticks of the states since the last call: see vtkHapticState::Drain. The label is
+  /// that of the latest state.
   std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
-  /// For a trace of the filter, or a recording.
+  /// Extracts the ticks of a trace of the filter, or of a recording.
   std::vector<SoundTick> Read(vtkPolyData* trace);
 
 private:

@@ -23,7 +23,8 @@ namespace
 using Explore::InputError;
 using ModePointer = vtkSmartPointer<vtkHapticMode>;
 
-/// The names of the kinds by their number, such as "vector-follow"; that of a guide is empty.
+/// Returns the names of the kinds by their number, such as "vector-follow"; the name of a guide is
+/// empty.
 std::vector<std::string> NameKinds()
 {
   std::vector<std::string> names;
@@ -43,8 +44,8 @@ std::vector<std::string> NameKinds()
   return names;
 }
 
-/// A mode by its name, such as "vector-follow"; null if there is none. Guides have a flag of their
-/// own.
+/// Makes a mode by its name, such as "vector-follow"; null if there is no such mode. Guides have a
+/// flag of their own.
 ModePointer MakeMode(const std::string& name)
 {
   auto mode = ModePointer::New();
@@ -70,7 +71,7 @@ ModePointer MakeMode(const std::string& name)
   return mode;
 }
 
-/// The first array with vectors or tensors; empty if there is none.
+/// Returns the first array with vectors or tensors; empty if there is none.
 std::string FindVectors(vtkImageData* image)
 {
   return ModePointer::New()->FindArrayName(image);

@@ -11,26 +11,27 @@ class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
-/// The names of --mode, such as "vector-follow", for texts.
+/// Lists the names of --mode, such as "vector-follow", for texts.
 std::string ListModes();
 
-/// The names of vtkVolumeHapticsFilter::GetModePresetNames(), which --mode takes, too, for texts.
+/// Lists the names of vtkVolumeHapticsFilter::GetModePresetNames(), which --mode also accepts, for
+/// texts.
 std::string ListModePresets();
 
 /// Throws InputError if this is not the name of a mode, optionally with an array's name after a
 /// colon, or of a preset.
 void CheckMode(const std::string& mode);
 
-/// Adds modes to a filter, with strengths that suit the image. Without names: follows the vectors
-/// of the array `flow`, or of the first one, else the tensors, else feels the surfaces; and adds
-/// the other modes of vectors and tensors, not active. A file that guides the hand (GuideFile.h),
-/// if there is one, is the first mode; without names it is the only active one. Throws InputError
-/// if the image lacks the array of a mode.
+/// Adds modes to a filter, with strengths that suit the image. Without names, the hand follows the
+/// vectors of the array `flow` or of the first array with vectors; without vectors it follows the
+/// tensors, and without tensors it feels the surfaces. The other modes of vectors and tensors are
+/// added, but not active. A file that guides the hand (GuideFile.h) is the first mode; without
+/// names it is the only active one. Throws InputError if the image lacks the array of a mode.
 void AddModes(const std::vector<std::string>& modes, const std::string& flow,
   const std::string& guide, vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
-/// The names of a filter's modes, if its method feels them, made unique; empty for modes that are
-/// not active.
+/// Returns the names of a filter's modes, if its method feels them, made unique; the names of
+/// inactive modes are empty.
 std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter);
 } // namespace Explore
 

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
                           : make(vtkSmartPointer<vtkXMLPolyDataReader>::New());
 }
 
-/// The bytes of a number in a .ply; 0 for an unknown type.
+/// Returns the size (bytes) of a number in a .ply; 0 for an unknown type.
 std::size_t GetPlySize(const std::string& type)
 {
   const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
@@ -88,7 +88,7 @@ bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, s
   return true;
 }
 
-/// As SkipBinary, for a line of text.
+/// The same as SkipBinary, for a line of text.
 bool SkipLine(const PlyElements& kind, std::istream& text)
 {
   std::string line;

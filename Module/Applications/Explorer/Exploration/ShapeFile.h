@@ -10,7 +10,7 @@
 
 namespace Explore
 {
-/// The ending of a file's name, in lower case, such as ".stl".
+/// Returns the ending of a file's name, in lower case, such as ".stl".
 std::string GetEnding(const std::string& name);
 
 /// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Null, with the
@@ -18,8 +18,8 @@ std::string GetEnding(const std::string& name);
 /// does not exist.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
 
-/// As ReadPolyData. Throws InputError; its text begins with the option that names the file, and has
-/// the cure for a file that can't be read.
+/// The same as ReadPolyData, but throws InputError, whose text begins with the option that names
+/// the file, and has the cure.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure);
 } // namespace Explore

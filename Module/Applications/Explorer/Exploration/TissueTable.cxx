@@ -25,7 +25,8 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
-/// Fraction of the range: less noise is rounding to 8 bits or the shape of smooth parts.
+/// A smaller fraction of the range is not noise, but rounding to 8 bits or the shape of smooth
+/// parts.
 constexpr double LEAST_NOISE = 0.002;
 
 /// If nothing is denser than the body, the brighter half of its range counts as dense.
@@ -43,17 +44,18 @@ double EdgeOf(const Analysis& analysis)
   return 0.02 * (analysis.High - analysis.Low);
 }
 
-/// The brightness of the background, from the image.
+/// The brightness of the background, found in the image.
 struct Background
 {
   double Noise = 0.0;
-  double Threshold = 0.0; ///< nothing below is solid
-  double Full = 0.0;      ///< all from here on is; not above Threshold: unknown
+  double Threshold = 0.0; ///< no sample below is solid
+  double Full = 0.0;      ///< all samples from here on are solid; unknown if not above Threshold
 };
 
 Background FindBackground(vtkImageData* image)
 {
-  vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
+  vtkNew<vtkHapticRegionFilter> whole; // computes facts about the whole volume, with one of its
+                                       // samples
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
   whole->SetInputData(image);
@@ -71,7 +73,7 @@ void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
   if (analysis.Kind == VolumeKind::Field)
   {
-    return; // whose flanks are not noise
+    return; // the background's flanks are not noise
   }
   const Background found = FindBackground(image);
   if (found.Threshold < found.Full &&
@@ -94,7 +96,7 @@ void BeginAtSolid(Analysis& analysis, vtkImageData* image)
   }
 }
 
-/// Steps at the thresholds, a little smoothed, so that nothing jumps.
+/// Makes steps at the thresholds, a little smoothed, so that nothing jumps.
 void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
 {
   const double edge = EdgeOf(analysis);
@@ -107,7 +109,8 @@ void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const do
 
 void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 {
-  // Nothing outside, soft body, hard inside: the contrast of the CT preset at other thresholds.
+  // Outside nothing, in the body soft, inside hard: the contrast of the CT preset at other
+  // thresholds.
   const double stiffness[3] = { 0.0, 350.0, 800.0 };
   const double friction[3] = { 0.0, 0.25, 0.30 };
   const double viscosity[3] = { 0.0, 0.2, 0.2 };
@@ -137,7 +140,8 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->ShiftFromImageOff();
 }
 
-/// The middle of a boundary or, if nothing resists there yet, where the strength begins.
+/// Returns the middle of a boundary or, if nothing resists there yet, the value at which the
+/// strength begins.
 double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
@@ -155,7 +159,7 @@ double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high
   return middle;
 }
 
-/// Why nothing could be proposed; empty if a proposal was made.
+/// Proposes functions. Returns why nothing could be proposed; empty if a proposal was made.
 std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   vtkHapticProperty* const property = filter->GetProperty();

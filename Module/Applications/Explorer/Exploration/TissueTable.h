@@ -22,19 +22,18 @@ struct Tissue
   double To;   // exclusive
 };
 
-/// CT: the project's Hounsfield table; else the classes by the histogram's thresholds. A field has
-/// none.
+/// Makes the table: for a CT, the project's Hounsfield table; else the classes by the histogram's
+/// thresholds. Empty for a field.
 std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 
-/// The row of a table, which is not empty, that holds the value.
+/// Returns the row of a table, which is not empty, whose range contains the value.
 std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
-/// Sets the functions of a filter's property. "auto" takes the preset for Hounsfield units, else
-/// "propose" or, if the image has no edges to propose from, "histogram". "propose" takes what the
-/// edges of the image suggest, and the filter's KernelRadius with it; "histogram" builds materials
-/// on the histogram's thresholds, and raises thresholds that lie in the background's noise;
-/// anything else must be a preset of vtkHapticProperty. Throws InputError. Returns the name of the
-/// materials.
+/// Sets the functions of a filter's property. "propose" uses what the edges of the image suggest,
+/// and sets the filter's KernelRadius; "histogram" builds materials on the histogram's thresholds,
+/// and raises thresholds that lie in the background's noise. "auto" uses the preset for Hounsfield
+/// units, else "propose" or, if the image has no edges, "histogram". Any other name must be a
+/// preset of vtkHapticProperty. Throws InputError. Returns the name of the materials.
 std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkImageData* image,
   vtkVolumeHapticsFilter* filter);
 

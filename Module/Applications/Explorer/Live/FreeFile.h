@@ -7,10 +7,10 @@
 
 namespace Explore
 {
-/// The name of a numbered file or folder, such as name-001.png.
+/// Returns the name of a numbered file or folder, such as name-001.png.
 std::string NumberFile(const std::string& name, int number, const std::string& ending);
 
-/// The first of name-001.png, name-002.png and so on that does not exist yet.
+/// Returns the first name of name-001.png, name-002.png and so on that does not exist yet.
 std::string FindFreeFile(const std::string& name, const std::string& ending);
 } // namespace Explore
 

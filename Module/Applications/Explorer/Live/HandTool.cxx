@@ -17,10 +17,10 @@
 
 namespace
 {
-/// N per metre of the shaft, if no label gives it: a value for soft tissue.
+/// The friction (N per metre of the shaft) if no label sets it: a value for soft tissue.
 constexpr double SHAFT_FRICTION = 25.0;
-/// J/mm^3 for removing the softest tissue and the hardest one, so that a press of 2 N drills soft
-/// tissue at once and hard bone within seconds: an example, not a measurement.
+/// The energy (J/mm^3) for removing the softest and the hardest tissue, with which a press of 2 N
+/// drills soft tissue at once and hard bone within seconds: an example, not a measurement.
 constexpr double LEAST_ENERGY = 0.5;
 constexpr double MOST_ENERGY = 10.0;
 /// Voxels.

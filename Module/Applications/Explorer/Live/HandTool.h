@@ -17,10 +17,10 @@
 
 namespace Explore
 {
-/// Gives the hand in a window a needle (key N; again: a burr, the tool of a file, if there is one,
-/// and a point), undoes and redoes strokes of the burr (keys U and J), and writes a file (key T):
-/// the track of a needle in tissue, track-001.vtp, or what a burr has removed, removal-001.vti, or
-/// the next free number.
+/// Changes the tool in the hand of a window: key N goes through needle, burr, the tool of a file if
+/// there is one, and point. Keys U and J undo and redo strokes of the burr. Key T writes the track
+/// of a needle in tissue to track-001.vtp, or what a burr has removed to removal-001.vti, or to the
+/// next free number.
 ///
 /// Values above the outer surface rub along the needle where the labels have no shaft friction, and
 /// are solid for the other tools. With a preset for CT, vtkHapticNeedle::ApplyPreset() says how the

@@ -25,19 +25,19 @@ class KeptWork
 {
 public:
   /// `shown` is the window's file. Functions that have not changed since the window's start are not
-  /// stored; of the two looks, the outside's functions are stored.
+  /// stored. The stored functions are those of the outside look.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
     const FileChoice& shown);
 
-  /// As in vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to restore.
+  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to restore.
   std::string ListKeys() const;
-  /// What F11 would restore, as a notice; empty if there is nothing.
+  /// Returns what F11 would restore, as a notice; empty if there is nothing.
   std::string GetOffer() const;
   /// Restores the work, as F11 does.
   void BringBack();
 
-  /// Call it when the window has closed: stores unsaved work, and reports it. `isSetUp`: the
+  /// Call this when the window has closed: stores unsaved work, and reports it. `isSetUp`: the
   /// functions were saved to the file of --setup.
   void KeepAtEnd(bool isSetUp);
 
@@ -55,7 +55,7 @@ private:
   std::string Folder;            ///< folder for this volume's work, without its number; empty: none
   std::string Offered;           ///< a folder; empty if there is none, or after it was restored
   std::string Brought;           ///< a folder
-  std::vector<double> Functions; ///< at the beginning
+  std::vector<double> Functions; ///< the functions at the beginning
   KeyBinding Key;
 };
 } // namespace Explore

@@ -31,7 +31,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// The hand: follows the path by the clock, at most at the rate of an application's display.
+/// Leads the hand along the path by the clock, at most at the rate of an application's display.
 void PlayPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ std::string TimeKeeping(vtkHapticDevice* device)
   return text.str();
 }
 
-/// The first tick whose force differs, or -1.
+/// Returns the first tick whose force differs, or -1.
 vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
 {
   vtkDataArray* const fa = a->GetPointData()->GetArray("Force");
@@ -89,7 +89,7 @@ struct Agreement
 {
   vtkIdType Ticks = 0;  // ticks with the tip of the same offline tick
   vtkIdType Wrong = 0;  // of these, ticks with another force
-  vtkIdType Others = 0; // ticks with another tip
+  vtkIdType Others = 0; // ticks whose tip differs from that of any offline tick
 };
 
 Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
@@ -109,7 +109,7 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
     const auto tick = static_cast<vtkIdType>(ticks->GetComponent(i, 0));
     if (tick >= offline->GetNumberOfPoints())
     {
-      break; // the path is at its end
+      break; // the end of the path
     }
     const bool sameTip = isSame("Tip", i, tick);
     agreement.Ticks += sameTip ? 1 : 0;
@@ -140,8 +140,8 @@ vtkSmartPointer<vtkPolyData> ReadRecording(
   return recording;
 }
 
-/// Plays the planned path through the servo in real time, one point per tick, as no hand could
-/// move.
+/// Plays the planned path through the servo in real time, one point per tick, more exactly than any
+/// hand could move.
 Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
 {
   const Explore::MessageCapture capture;
@@ -153,7 +153,7 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
     throw std::runtime_error("the planned path can't be written: " + error);
   }
   vtkNew<vtkHapticDevice> device;
-  device->SetAttentionTime(0.0); // no hand holds it
+  device->SetAttentionTime(0.0); // off, because no hand holds the device
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
@@ -183,7 +183,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   vtkPolyData* const path = exploration.Tip.Path;
   const MessageCapture capture;
   vtkNew<vtkHapticDevice> device;
-  device->SetAttentionTime(0.0); // no hand holds it
+  device->SetAttentionTime(0.0); // off, because no hand holds the device
   Demand(device->Open("virtual"), "the virtual device does not open", capture);
   device->SetVolumeHaptics(filter);
   device->SetServoRate(exploration.ServoRate);

@@ -15,20 +15,20 @@
 
 namespace Explore
 {
-/// Key O shows only the dense inside of a volume, and again the outside. Hidden tissue is not felt:
-/// the hand goes through the skin to the visible part. Each look keeps its edited functions.
+/// Key O switches between the outside of a volume and its dense inside alone. Hidden tissue is not
+/// felt: the hand goes through the skin to the visible part. Each look keeps its edited functions.
 class LookSwitch
 {
 public:
   LookSwitch(TouchScene& touch, const Analysis& analysis, vtkRenderWindowInteractor* interactor);
-  /// Shows the outside, so that the inside does not count as an edit.
+  /// Shows the outside, so that the inside look does not count as an edit.
   ~LookSwitch();
   LookSwitch(const LookSwitch&) = delete;
   LookSwitch& operator=(const LookSwitch&) = delete;
 
-  /// As in vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
+  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
   std::string ListKeys() const;
-  /// Call it before functions are loaded, which belong to the outside.
+  /// Shows the outside. Call this before functions are loaded, which belong to the outside.
   void ShowOutside();
 
 private:

@@ -15,26 +15,25 @@
 namespace Explore
 {
 /// Saves the measurements of a window to a file: by the key S, and when the window is closed. A
-/// file that could only be read in part stays as it is, and the list goes to a new file beside it.
+/// file that could only be read in part is not changed, and the list goes to a new file beside it.
 class SavedMeasurements
 {
 public:
   /// Reads the file, if there is one; its name may be empty. Throws InputError if it can't be read.
   SavedMeasurements(TouchScene& touch, std::string file);
 
-  /// From now on, the key S saves: without a file, to a new measurements-001.mrk.json.
+  /// Lets the key S save from now on: without a file, to a new measurements-001.mrk.json.
   void SaveByKey(vtkRenderWindowInteractor* interactor);
 
-  /// Saves new measurements to the file; an emptied list does not replace a file. Reports
-  /// measurements that are not saved, without a file or because it can't be written, and returns
-  /// why.
+  /// Saves new measurements to the file; an emptied list does not replace a file. If measurements
+  /// are not saved, because there is no file or it can't be written, reports this and returns why.
   std::string SaveAtEnd();
 
   /// Whether everything is saved.
   bool IsSaved() const;
 
 private:
-  /// False, with the reason, if saving fails.
+  /// Saves the list. False, with the reason, on failure.
   bool Save(std::string& error);
   void Report(std::ostream& out) const;
 

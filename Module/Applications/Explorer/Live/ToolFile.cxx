@@ -19,7 +19,7 @@ bool HasOrigin(const double* bounds)
     bounds[4] <= 0.0 && bounds[5] >= 0.0;
 }
 
-/// Files do not agree on which side of a triangle faces outwards.
+/// Turns triangles outwards, because files do not agree on which side faces outwards.
 vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> turned;
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* surface)
   return merged->GetOutput();
 }
 
-/// Counts edges with a triangle on one side only.
+/// Counts the edges with a triangle on one side only.
 vtkIdType CountOpenEdges(vtkPolyData* surface)
 {
   vtkNew<vtkFeatureEdges> edges;

@@ -13,9 +13,9 @@ namespace Explore
 /// Whether a name has the ending of a surface: .stl, .ply, .obj or .vtp.
 bool IsToolFile(const std::string& name);
 
-/// The surface of a tool, in its file's units, which are the volume's. If its box does not contain
-/// the origin, it is moved, so that the middle of the box is there; triangles that face inwards are
-/// turned. Throws InputError, also for an open surface.
+/// Reads the surface of a tool; the file's units are taken to be those of the volume. If its box
+/// does not contain the origin, the surface is moved so that the middle of the box is at the
+/// origin; triangles that face inwards are turned. Throws InputError, also for an open surface.
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
 } // namespace Explore
 

@@ -23,7 +23,7 @@
 
 namespace
 {
-constexpr double REPLAY_STEP = 0.1; // s, of F6 and F7
+constexpr double REPLAY_STEP = 0.1; // s, the step of F6 and F7
 constexpr float SLIDER_PRIORITY = 1.0f;
 
 void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
@@ -36,7 +36,7 @@ void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
   actor->UseBoundsOff();
 }
 
-/// The last row whose time is not after this one.
+/// Returns the last row whose time is not after this time.
 vtkIdType FindRow(vtkDataArray* times, double time)
 {
   vtkIdType first = 0, last = times->GetNumberOfTuples() - 1;

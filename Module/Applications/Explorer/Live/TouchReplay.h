@@ -23,8 +23,8 @@
 namespace Explore
 {
 /// Shows a recording of the touch in the window: the way of the proxy, and at a time chosen with a
-/// slider, the tip, the proxy and the force. F5 plays it in real time and pauses it, F6 and F7 go
-/// back and on. It gives no force; a device can touch meanwhile.
+/// slider, the tip, the proxy and the force. F5 plays and pauses it in real time, F6 and F7 step
+/// back and forward. A replay gives no force; a device can touch meanwhile.
 class TouchReplay
 {
 public:
@@ -34,7 +34,7 @@ public:
   TouchReplay(const TouchReplay&) = delete;
   TouchReplay& operator=(const TouchReplay&) = delete;
 
-  /// As in vtkHapticHeadUpDisplay::HelpText.
+  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
   static std::string ListKeys();
 
 private:
@@ -52,12 +52,13 @@ private:
   double Begin = 0.0, End = 0.0; ///< s
   double Now = 0.0;              ///< s
   bool IsPlaying = false;
-  std::chrono::steady_clock::time_point Played; ///< played up to this time
+  std::chrono::steady_clock::time_point Played; ///< the clock's time up to which the recording was
+                                                ///< played
 
   vtkNew<vtkActor> Way;
   vtkNew<vtkSphereSource> Proxy;
   vtkNew<vtkActor> ProxyActor;
-  vtkNew<vtkLineSource> Spring; ///< from the proxy to the tip
+  vtkNew<vtkLineSource> Spring; ///< line from the proxy to the tip
   vtkNew<vtkActor> SpringActor;
   vtkNew<vtkArrowSource> Force;
   vtkNew<vtkActor> ForceActor;

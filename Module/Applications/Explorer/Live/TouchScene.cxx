@@ -80,7 +80,8 @@ void PresetSaver::Save()
 }
 
 /// Plays the sound of touches in a scene, from now until it is deleted; key o turns it off and on.
-/// If the output fails, it says so in one line, and the scene goes on; the key then tries again.
+/// If the output fails, the error is reported in one line, and the scene continues; the key then
+/// tries again.
 ///
 /// It uses the states that the scene's style reads for the displays (StatesEvent): nothing is added
 /// to the servo's loop.
@@ -102,7 +103,8 @@ private:
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   HeardTicks Ticks;
   SoundStream Stream;
-  std::unique_ptr<SoundOutput> Output; // after the stream that it plays
+  std::unique_ptr<SoundOutput> Output; // declared after the stream that it plays, so that it ends
+                                       // first
   bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
   KeyBinding Key;
@@ -166,7 +168,7 @@ using Explore::TouchScene;
 /// the head-up display is beside it.
 constexpr double BESIDE_PLOT = -0.14;
 
-/// All two-dimensional parts are above the volume and below the marker.
+/// Adds all parts. The two-dimensional ones are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   constexpr int labelPort = 3;
@@ -184,9 +186,9 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   }
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
-  // Not the scale of the hand, which may enlarge a small thing.
+  // The volume's own scale, not that of the hand, which may enlarge a small thing.
   touch.Measurements->SetMetersPerWorldUnit(exploration.Input.MetersPerUnit);
-  // Half a voxel: 3D Slicer can't work with a point each millisecond.
+  // Half a voxel, because 3D Slicer can't work with a point each millisecond.
   const double* const spacing = exploration.Input.Image->GetSpacing();
   touch.Measurements->SetPathSpacing(0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   touch.Measured->SetMeasurements(touch.Measurements);
@@ -205,8 +207,8 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   touch.Scene.Overlay->AddViewProp(touch.Editor);
 }
 
-/// The editor beside the display's plot and the slices, above the scale of the arrows; the marker
-/// beside the hint, or below it if the slices leave less room.
+/// Places the editor beside the display's plot and the slices, above the scale of the arrows; and
+/// the marker beside the hint, or below it if the slices leave less room.
 void PlaceParts(TouchScene& touch)
 {
   const double share = touch.Slices->GetVisibility() ? touch.Slices->GetShare() : 0.0;
@@ -217,7 +219,7 @@ void PlaceParts(TouchScene& touch)
   touch.Scene.Marker->SetViewport(0.84, top - 0.2, 1.0, top);
 }
 
-/// Slices through the tip; hidden if they have no share of the window.
+/// Adds slices through the tip; they are hidden if they have no fraction of the window.
 void AddSlices(
   TouchScene& touch, const Explore::Exploration& exploration, const Explore::SceneOptions& options)
 {
@@ -227,7 +229,7 @@ void AddSlices(
   slices->SetAnatomical(options.Anatomical);
   if (exploration.Values.Kind == Explore::VolumeKind::CT)
   {
-    // From fat to dense bone, in which soft tissues still differ.
+    // The range from fat to dense bone, in which soft tissues still differ.
     slices->SetUnit("HU");
     slices->SetColorWindow(800.0);
     slices->SetColorLevel(150.0);
@@ -287,7 +289,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
-  // The picture of a large volume crops its mapper.
+  // The picture of a large volume sets the cropping of its mapper.
   touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
     !exploration.Input.Large);
   touch.Setup->SetVolumeHaptics(filter);

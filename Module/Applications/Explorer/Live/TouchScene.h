@@ -27,8 +27,8 @@ constexpr double SLICE_SHARE = 0.3;
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware;                          // empty: from the environment
-  std::array<double, 2> Newtons{ 100.0, 100.0 }; // a stick's at full scale, along x and y
+  std::string Firmware;                          // empty: that of the environment variable
+  std::array<double, 2> Newtons{ 100.0, 100.0 }; // newtons of a stick at full scale, along x and y
 };
 
 /// A scene that can be touched: the volume, and a device with a running servo, with all displays of
@@ -57,8 +57,8 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
 struct FileChoice
 {
   std::string Path;
-  int Series = 0;        // of a DICOM folder
-  bool AsLabels = false; // a label map is shown as labels
+  int Series = 0;        // number of the series in a DICOM folder
+  bool AsLabels = false; // whether a label map is shown as labels
 };
 
 /// Options of the window; files without a name are not read. The key S saves measurements without a
@@ -73,13 +73,13 @@ struct WindowOptions
   std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // a recording of a touch to show
   FileChoice File;
-  std::string Notice;     // shown at the beginning
-  bool BringBack = false; // restore unsaved work; see KeptWork.h
+  std::string Notice;     // notice at the beginning
+  bool BringBack = false; // whether unsaved work is restored; see KeptWork.h
 };
 
 /// Shows the scene in a window and returns when it is closed, with the file to open next, or an
 /// empty path. Loads the files first, if they exist, and saves them at the end. Throws InputError
-/// if one can't be read.
+/// if a file can't be read.
 FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore

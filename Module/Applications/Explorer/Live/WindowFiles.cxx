@@ -28,7 +28,7 @@ bool IsForTouch(const std::string& name)
       [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
 }
 
-/// The lines and paths of a folder: itself, its parent, its folders, and its volumes.
+/// Lists the lines and paths of a folder: itself, its parent, its folders, and its volumes.
 void ListFolderForTouch(
   const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths)
 {
@@ -211,7 +211,7 @@ void WindowFiles::ListSeries()
 void WindowFiles::ShowList(
   const std::string& title, const std::vector<std::string>& lines, int marked)
 {
-  // A user who reads a list does not watch the hand.
+  // Ends the touch, because a user who reads a list does not watch the hand.
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
   this->List.Show(title, lines, marked);

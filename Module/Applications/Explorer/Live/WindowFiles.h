@@ -16,9 +16,9 @@
 
 namespace Explore
 {
-/// Chooses in the window what is touched next: F2 a file or folder, F3 another series of the same
-/// DICOM folder, F4 whether the volume is a label map; or a file is dropped on the window. The
-/// window then closes, and the program opens the next one.
+/// Chooses in the window what is touched next: by F2 a file or folder, by F3 another series of the
+/// same DICOM folder, by F4 whether the volume is a label map, or by a file that is dropped on the
+/// window. The window then closes, and the program opens the next one.
 class WindowFiles
 {
 public:
@@ -29,13 +29,13 @@ public:
   WindowFiles(const WindowFiles&) = delete;
   WindowFiles& operator=(const WindowFiles&) = delete;
 
-  /// As in vtkHapticHeadUpDisplay::HelpText.
+  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
   std::string ListKeys() const;
 
 private:
   void Handle(unsigned long event, void* data);
   bool PressKey(const std::string& key);
-  /// By value: the arguments may be the members that it sets.
+  /// Lists a folder. Takes copies, because the arguments may be the members that it sets.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
@@ -50,7 +50,7 @@ private:
   const bool MayBeLabels;
   ListOverlay List;
   std::string Folder;             ///< the listed folder; empty: the series are listed
-  std::vector<std::string> Paths; ///< of the listed lines
+  std::vector<std::string> Paths; ///< paths of the listed lines
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

@@ -161,7 +161,7 @@ void WindowRecorder::Film()
   const int* const size = window->GetSize();
   if (this->Filmed > 0 && !std::equal(size, size + 2, this->Size))
   {
-    this->EndMovie(); // a movie has one size
+    this->EndMovie(); // a movie has one size, so a new size ends it
     return;
   }
   std::copy_n(size, 2, this->Size);

@@ -18,9 +18,9 @@
 
 namespace Explore
 {
-/// Records the window and the touch in files, by keys: F12 a picture, F9 a movie, F10 a recording
-/// of the touch; F9 and F10 begin and end it. Files are numbered: picture-001.png, movie-001.ogv,
-/// touch-001.vtp in the current folder.
+/// Records the window and the touch in files, by keys: F12 writes a picture, F9 begins and ends a
+/// movie, F10 begins and ends a recording of the touch. Files are numbered: picture-001.png,
+/// movie-001.ogv, touch-001.vtp in the current folder.
 ///
 /// Pictures of a movie are read from the window after it was drawn, at most RATE times a second,
 /// and written by another thread; if it is behind, pictures are left out, and the time stays right.
@@ -36,7 +36,7 @@ public:
   WindowRecorder(const WindowRecorder&) = delete;
   WindowRecorder& operator=(const WindowRecorder&) = delete;
 
-  /// As in vtkHapticHeadUpDisplay::HelpText.
+  /// Returns the lines for vtkHapticHeadUpDisplay::HelpText.
   static std::string ListKeys();
 
 private:
@@ -44,7 +44,7 @@ private:
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
-  /// Reports movies whose threads have ended, or waits for all.
+  /// Reports movies whose threads have ended; waits for all of them if `waits`.
   void ReportEnded(bool waits);
   /// Adds a picture of the window to the movie, if it is due.
   void Film();
@@ -62,9 +62,9 @@ private:
   };
   std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
-  std::string TouchName;                       ///< the present recording
-  std::chrono::steady_clock::time_point Begin; ///< the movie's
-  int Filmed = 0;                              ///< pictures so far
+  std::string TouchName;                       ///< name of the present recording
+  std::chrono::steady_clock::time_point Begin; ///< when the movie began
+  int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };
   vtkNew<vtkCallbackCommand> KeyObserver;
   vtkNew<vtkCallbackCommand> TimerObserver;

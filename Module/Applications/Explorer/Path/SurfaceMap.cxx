@@ -14,7 +14,7 @@ namespace
 {
 constexpr int SMOOTHING_PASSES = 2;
 
-/// Catmull-Rom weights of the four nodes around fraction t.
+/// Computes the Catmull-Rom weights of the four nodes around a fraction t.
 void CubicWeights(double t, double weights[4])
 {
   weights[0] = 0.5 * t * (t * (2.0 - t) - 1.0);
@@ -164,9 +164,10 @@ double PolarGrid::Interpolate(const std::vector<double>& map, double right, doub
 namespace
 {
 // In metres.
-constexpr double SURE_DEPTH = 0.004;   // of a surface; a thinner layer may be noise, hair, a sinus
-constexpr double THINNEST = 0.002;     // from the outer to the deep surface
-constexpr double DEFAULT_DEEP = 0.010; // from the outer surface, if no deep surface is found
+constexpr double SURE_DEPTH = 0.004;   // least depth of a surface; a thinner layer may be noise,
+                                       // hair, or a sinus
+constexpr double THINNEST = 0.002;     // least distance from the outer to the deep surface
+constexpr double DEFAULT_DEEP = 0.010; // depth below the outer surface, if no deep surface is found
 } // namespace
 
 namespace Explore
@@ -202,8 +203,7 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   for (int node = 0; node < grid.Size(); ++node)
   {
     double& deep = this->DeepMap[node];
-    // Depth below the skin, which varies little between neighbours; a hole gets its neighbours'
-    // depth.
+    // The depth below the skin varies little between neighbours; a hole gets its neighbours' depth.
     deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
   }
   if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))
@@ -236,7 +236,7 @@ SurfaceMap::Ray SurfaceMap::Cast(
     {
       if (value > analysis.OuterThreshold)
       {
-        // The first sample inside the volume that is already body: a face that cuts the scan.
+        // If the first sample inside the volume is already body, a face cuts the scan.
         ray.Clean = run == 0 ? wasInside : ray.Clean;
         run += 1;
       }
@@ -248,7 +248,8 @@ SurfaceMap::Ray SurfaceMap::Cast(
     }
     else if (ray.Outer - distance > thinnest)
     {
-      // A rise, not a height: in T1 MRI fat is as bright as brain, and the dark skull between.
+      // A rise counts, not a height: in T1 MRI fat is as bright as brain, and the dark skull lies
+      // between.
       dipped = dipped || value < analysis.DeepThreshold;
       if (dipped && value > analysis.DeepThreshold)
       {

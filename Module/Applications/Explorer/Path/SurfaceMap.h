@@ -25,12 +25,12 @@ public:
 
   SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view);
 
-  /// Distances from the centre in world units, smooth in both angles (degrees).
+  /// Return the distances from the centre in world units, smooth in both angles (degrees).
   double Outer(double right, double up) const;
   double Deep(double right, double up) const;
 
-  /// How well a surface is known in a direction: 1 if every ray around it met both surfaces inside
-  /// the volume, 0 if none did.
+  /// Returns how well a surface is known in a direction: 1 if every ray around it met both surfaces
+  /// inside the volume, 0 if none did.
   double Quality(double right, double up) const;
 
   /// Whether no ray met the body.
@@ -41,8 +41,9 @@ private:
   {
     double Outer = -1.0;
     double Deep = -1.0;
-    bool Clean = false; // entered from the outside, not through a cut face of the volume
-    bool Solid = false; // the deep structure is thick enough to press on
+    bool Clean = false; // whether the ray entered from the outside, not through a cut face of the
+                        // volume
+    bool Solid = false; // whether the deep structure is thick enough to press on
   };
 
   Ray Cast(vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const;

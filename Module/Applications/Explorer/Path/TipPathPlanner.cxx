@@ -23,7 +23,8 @@ constexpr double SHORTEST = 0.6; // per movement
 constexpr double REST = 0.15;    // between movements
 constexpr double HALF_ARC = 28.0;
 constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
-constexpr double WANTED_UP = 20.0;     // the outer stroke, above the middle of the picture
+constexpr double WANTED_UP = 20.0;     // wanted height of the outer stroke above the middle of the
+                                       // picture
 
 /// The position of the strokes: the angles of the middle of the outer stroke.
 struct Stroke
@@ -32,7 +33,7 @@ struct Stroke
   double Up = WANTED_UP;
 };
 
-/// Grows with roughness, uncertainty, and distance from the wanted position.
+/// Returns a badness that grows with roughness, uncertainty, and distance from the wanted position.
 double Badness(const SurfaceMap& map, const Stroke& stroke)
 {
   double badness = 0.0;
@@ -73,7 +74,7 @@ Stroke ChooseStroke(const SurfaceMap& map)
   return best;
 }
 
-/// From 0 to 1, with no jerk at either end.
+/// Goes from 0 to 1, with no jerk at either end.
 double Ease(double t)
 {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
@@ -86,7 +87,7 @@ double Mix(double from, double to, double t)
 
 using Curve = std::function<vtkVector3d(double)>;
 
-/// A curve by its length: the hand's speed then follows its timing, for any parameter of the curve.
+/// A curve with its length as the parameter, so that the hand's speed follows its timing.
 class Walk
 {
 public:
@@ -103,7 +104,7 @@ public:
 
   double Length() const { return this->Lengths.back(); }
 
-  /// The position at a fraction (0 to 1) of the length.
+  /// Returns the position at a fraction (0 to 1) of the length.
   vtkVector3d Place(double fraction) const
   {
     const double length = fraction * this->Length();
@@ -130,7 +131,7 @@ public:
     : MetersPerWorldUnit(metersPerWorldUnit)
     , TicksPerSecond(ticksPerSecond)
   {
-    this->Points->SetDataTypeToDouble(); // float would make the hand jerk by micrometres
+    this->Points->SetDataTypeToDouble(); // with float, the hand would jerk by micrometres
   }
 
   void Move(const std::string& name, const Curve& curve)

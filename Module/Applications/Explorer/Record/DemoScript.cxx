@@ -22,13 +22,13 @@ namespace
 constexpr double LONGEST = 36000.0; // s
 constexpr int MOST_STEPS = 1000;
 
-/// The next number of a line; false if there is none in the range.
+/// Reads the next number of a line; false if there is none in the range.
 bool ReadNumber(std::istringstream& line, double least, double most, double& number)
 {
   return static_cast<bool>(line >> number) && number >= least && number <= most;
 }
 
-/// The fault in the words after the time, and the cure; empty if there is none.
+/// Reads the words after the time. Returns the fault and the cure; empty if there is none.
 std::string ReadEvent(std::istringstream& line, DemoEvent& event)
 {
   std::string word;
@@ -196,7 +196,7 @@ void DemoScript::Do(const DemoEvent& event)
 
 void DemoScript::MoveTo(double x, double y)
 {
-  // However seldom the timer fires, the mouse moves in steps like a hand's.
+  // The mouse moves in steps like a hand's, even if the timer fires rarely.
   constexpr double step = 2.0; // pixels
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   const double way = std::hypot((x - this->At[0]) * size[0], (y - this->At[1]) * size[1]);

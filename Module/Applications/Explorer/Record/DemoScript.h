@@ -38,7 +38,7 @@ struct DemoEvent
   double Time = 0.0;
   Kind What = Kind::Move;
   double Place[2] = { 0.0, 0.0 }; ///< for Move
-  double Duration = 0.0;          ///< for Move: 0 is at once
+  double Duration = 0.0;          ///< s, for Move; 0: at once
   int Steps = 0;                  ///< for Wheel
   std::string Name;               ///< for Key, Press and Release
 };
@@ -70,7 +70,7 @@ private:
   std::chrono::steady_clock::time_point Begin;
   const DemoEvent* Stroke = nullptr; ///< the present stroke
   double From[2] = { 0.5, 0.5 };     ///< where the stroke began
-  double At[2] = { 0.5, 0.5 };       ///< the mouse's place
+  double At[2] = { 0.5, 0.5 };       ///< the place of the mouse
   vtkNew<vtkCallbackCommand> TimerObserver;
 };
 } // namespace Explore

@@ -19,7 +19,7 @@ namespace Explore
 {
 namespace
 {
-/// The most pictures that wait for the thread: one second.
+/// The most pictures that wait for the thread: those of one second.
 constexpr std::size_t MOST_WAITING = MovieFile::RATE;
 
 class TheoraFile : public MovieFile

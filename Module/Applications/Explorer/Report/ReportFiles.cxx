@@ -33,7 +33,7 @@ void Write(Writer write, vtkPolyData* trace, const std::string& file)
   std::string error;
   if (!write(trace, file, error))
   {
-    error.pop_back(); // the full stop, which InputError adds
+    error.pop_back(); // removes the full stop, which InputError adds
     throw Explore::InputError(
       file, "cannot be written: " + error, "--pictures DIR names another folder");
   }

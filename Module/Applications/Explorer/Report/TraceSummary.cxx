@@ -20,7 +20,7 @@ using Explore::Exploration;
 constexpr double LEAST_FELT = 0.01; // N
 constexpr const char* CONTACTS[] = { "free", "sticking", "sliding", "penetrating" };
 
-/// The trace's columns, by their meaning.
+/// The columns of the trace, by their meaning.
 struct Columns
 {
   explicit Columns(vtkPolyData* trace)
@@ -69,7 +69,7 @@ bool HasSurfaces(const Exploration& e)
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/// The tissues that the values of surfaces can distinguish.
+/// Returns the tissues that the values of surfaces can distinguish.
 std::vector<Explore::Tissue> CollectTissues(const Exploration& e)
 {
   return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();

@@ -9,7 +9,7 @@
 
 namespace Explore
 {
-/// A readable page: the volume, the settings, contacts and forces, and the speed of the
+/// Returns a readable page: the volume, the settings, contacts and forces, and the speed of the
 /// computation.
 std::string Summarise(const Exploration& exploration);
 } // namespace Explore

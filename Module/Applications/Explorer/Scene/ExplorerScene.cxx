@@ -42,8 +42,8 @@ constexpr double TUBE_RADIUS = 0.0012; // m
 constexpr double SPACING = 0.0006;     // m between the points of the tube
 constexpr const char* FORCE_NAME = "Force (N)";
 
-/// A polyline with a point every SPACING: the trace stands still for many ticks, and a tube can't.
-/// Each point has the largest force since the one before.
+/// Makes a polyline with a point every SPACING, because the trace stands still for many ticks, but
+/// a tube needs distinct points. Each point has the largest force since the previous one.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
 {
   vtkDataArray* force = trace->GetPointData()->GetArray("Force");
@@ -75,7 +75,8 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
   return thinned;
 }
 
-/// From blue (free) through green and yellow to red; distinct from the colours of skin and bone.
+/// Makes colours from blue (free) through green and yellow to red, distinct from the colours of
+/// skin and bone.
 vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
 {
   const double stops[][3] = { { 0.16, 0.30, 0.85 }, { 0.10, 0.66, 0.95 }, { 0.10, 0.85, 0.62 },
@@ -139,8 +140,8 @@ namespace Explore
 namespace
 {
 /// Adds a tube along the proxy's path, coloured by the magnitude of the force, and its scalar bar.
-/// `overlay`, drawn over the renderer's picture, gets a faint copy: it shows the hidden parts of
-/// the tube.
+/// `overlay`, which is drawn over the renderer's picture, gets a faint copy that shows the hidden
+/// parts of the tube.
 
 void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
   double metersPerWorldUnit, int pictureHeight)
@@ -182,8 +183,8 @@ namespace
 using Explore::ExplorerScene;
 using Explore::MapperChoice;
 
-/// The image without its place in the world: VTK 9.1's CPU mapper ignores the direction matrix, so
-/// both mappers get the plain block of voxels, and the volume's own matrix places it.
+/// Returns the image without its place in the world. VTK 9.1's CPU mapper ignores the direction
+/// matrix, so both mappers get the plain block of voxels, and the volume's own matrix places it.
 vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
   auto plain = vtkSmartPointer<vtkImageData>::New();
@@ -202,7 +203,7 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
   return plain;
 }
 
-/// Sampled without jitter: the same picture in every run.
+/// Sampled without jitter, so that every run gives the same picture.
 vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
@@ -225,7 +226,7 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
 {
   if (window->GetNeverRendered())
   {
-    window->Render(); // only a window with a context can tell
+    window->Render(); // only a window with a context knows
   }
   auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
   const int* size = image->GetDimensions();
@@ -309,7 +310,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   scene.Marker->SetViewport(0.84, 0.80, 1.0, 1.0);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
-  // The cube itself would set its letters, and find their edges, several times in each frame.
+  // Otherwise the cube would set its letters, and find their edges, several times in each frame.
   cube->HasTranslucentPolygonalGeometry(); // sets them
   scene.Marker->AddActor(cube->GetAssembly());
   Explore::ViewFrame centred = view;
@@ -317,7 +318,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   Explore::AimCamera(scene.Marker, centred, 5.0);
 }
 
-/// A lamp from the camera's upper left, and light from all sides, so that no side is black.
+/// Adds a lamp at the camera's upper left, and light from all sides, so that no side is black.
 void AddLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> lamp, fill;

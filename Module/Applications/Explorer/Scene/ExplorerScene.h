@@ -20,8 +20,8 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  // The GPU's mapper if the window and the volume allow it, else the CPU's; in a window to touch
-  // in, the CPU's also if OpenGL runs on the CPU.
+  // The GPU's mapper if the window and the volume allow it, else the CPU's. In a window for
+  // touching, the CPU's mapper also if OpenGL runs on the CPU.
   Auto,
   GPU,
   CPU
@@ -33,15 +33,15 @@ struct SceneOptions
   int Height = 700;
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
-  bool Anatomical = true; // letters of the marker: patient's sides instead of axes
+  bool Anatomical = true; // letters of the marker: the patient's sides instead of axes
   bool OffScreen = true;
   double SliceShare = 0.0;     // fraction of the width for slices beside the scene; 0: hidden
-  CutKind Cut = CutKind::None; // the window's, at first
-  bool Interactive = false;    // to touch in: without the trail
+  CutKind Cut = CutKind::None; // the cut of the window at first
+  bool Interactive = false;    // a window for touching, without the trail
 };
 
-/// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and
-/// which way is up.
+/// A window that shows the volume, the proxy's trail coloured by force, the meaning of the colours,
+/// and which way is up.
 struct ExplorerScene
 {
   vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -50,7 +50,7 @@ struct ExplorerScene
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
-  vtkNew<vtkHapticRegionPicture> Refined; // for a large volume, around the hand
+  vtkNew<vtkHapticRegionPicture> Refined; // shows a large volume finely around the hand
   std::string MapperName;
 };
 

@@ -51,7 +51,7 @@ vtkStandardNewMacro(PlaneHandles);
 PlaneHandles::PlaneHandles()
 {
   constexpr double pixels = 9.0;
-  constexpr double line = 0.85; // the brightness of handles that are not held
+  constexpr double line = 0.85; // the brightness of handles that the mouse does not hold
   this->SetPlaceFactor(1.0);
   this->SetHandleSize(pixels);
   this->SetDrawPlane(0);
@@ -64,7 +64,7 @@ PlaneHandles::PlaneHandles()
   this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
   this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
   this->Picker->DeletePickList(this->CutActor);
-  // The outline, which has no name common to all versions of VTK.
+  // Finds the outline, whose name differs between versions of VTK.
   vtkPropCollection* const picked = this->Picker->GetPickList();
   for (int i = picked->GetNumberOfItems(); i-- > 0;)
   {
@@ -100,12 +100,12 @@ void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
   events->SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
   events->SetTranslation(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
   events->SetTranslation(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
-  widget->ManagesCursorOff(); // or each motion over a handle draws a frame
+  widget->ManagesCursorOff(); // otherwise each motion over a handle would draw a frame
   widget->KeyPressActivationOff();
   widget->SetDefaultRenderer(renderer);
 }
 
-/// The bounds of points along the axes on the other side of a matrix.
+/// Computes the bounds of points along the axes on the other side of a matrix.
 void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
 {
   vtkBoundingBox box;
@@ -119,7 +119,8 @@ void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double b
   box.GetBounds(bounds);
 }
 
-/// From the world to coordinates along the axes of an image's data, in which regions are given.
+/// Makes the map from the world to coordinates along the axes of an image's data, in which regions
+/// are given.
 void MakeWorldToData(vtkImageData* image, vtkMatrix4x4* toData)
 {
   const double* const origin = image->GetOrigin();
@@ -305,7 +306,7 @@ void VolumeCut::PlacePlane()
 
 void VolumeCut::PlaceBox()
 {
-  constexpr double margin = 0.02; // of the body, towards the viewer
+  constexpr double margin = 0.02; // as a fraction of the body, towards the viewer
   vtkNew<vtkMatrix4x4> toVolume;
   vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toVolume);
   vtkNew<vtkPoints> corners;

@@ -27,8 +27,8 @@ enum class CutKind
   Box    // a window into the volume, along the axes of its voxels
 };
 
-/// Cuts a volume open: the part that is cut away is neither seen nor felt. A plane or a box has
-/// handles, which get the mouse before the scene:
+/// Cuts a volume open: the part that is cut away is neither seen nor felt. Planes and boxes have
+/// handles, which get the mouse before the scene does:
 ///
 ///   plane      the ball pushes it, the arrow turns it
 ///   box        the balls move its faces, the one in the middle moves it
@@ -45,8 +45,8 @@ public:
   VolumeCut& operator=(const VolumeCut&) = delete;
 
   /// Sets the volume to cut. The body (world bounds) is the part of the volume that is worth
-  /// opening, and `handles` a renderer over the volume with its camera. Without regions there is
-  /// only the plane: another part of the program crops the mapper.
+  /// opening; `handles` is a renderer over the volume with the same camera. Without regions there
+  /// is only the plane, because another part of the program crops the mapper.
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
@@ -70,7 +70,7 @@ private:
   /// Updates the volume and the filter from the handles.
   void Apply();
   void ApplyBox();
-  /// Directions of the voxels' axes, world, unit.
+  /// Returns the direction of an axis of the voxels: world, a unit vector.
   void GetAxis(int axis, double direction[3]) const;
 
   vtkSmartPointer<vtkVolume> Volume;
@@ -79,7 +79,7 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   double Body[6] = { 0, 1, 0, 1, 0, 1 };
   bool HasBox = true;
-  bool IsTurned = false; // the inside of the box is kept
+  bool IsTurned = false; // whether the inside of the box is kept
   CutKind Kind = CutKind::None;
   vtkNew<vtkPlane> Plane;
   vtkNew<PlaneHandles> PlaneShape;

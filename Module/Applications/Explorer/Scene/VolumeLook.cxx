@@ -35,10 +35,10 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
 }
 
 constexpr double OPAQUE = VolumeHaptics::LookOpaque;
-/// The thickness (m) of the layer that has the opacity of a field.
+/// The thickness (m) of a layer of a field that has the opacity of the functions.
 constexpr double FIELD_LAYER = 0.004;
 
-/// Tissues, or from slow to fast.
+/// Colours of tissues; and colours of a field, from slow to fast.
 const Colour COLOURS[2][5] = {
   { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
     { 0.98, 0.90, 0.82 } },
@@ -46,7 +46,7 @@ const Colour COLOURS[2][5] = {
     { 0.98, 0.91, 0.36 } },
 };
 
-/// Opacities of the body's outer part, and of its dense parts.
+/// Sets the opacities of the body's outer part, and of its dense parts.
 void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
@@ -67,7 +67,7 @@ void LookByThresholds(
   Apply(stops, property);
 }
 
-/// The colours of CTLook with the opacity of steps: from 0 to 1 between two values.
+/// Sets the colours of CTLook, with an opacity that rises from 0 to 1 between two values.
 void LookAtCT(double from, double to, vtkVolumeProperty* property)
 {
   Apply(VolumeHaptics::CTLook, property);
@@ -77,12 +77,13 @@ void LookAtCT(double from, double to, vtkVolumeProperty* property)
   opacity->AddPoint(to, OPAQUE);
 }
 
-/// For a cut: makes tissue transparent in which values change by less than at the outer surface, or
-/// a cut face would show only the shading of noise.
+/// For a cut: makes tissue transparent where values change by less than at the outer surface;
+/// otherwise a cut face would show only the shading of noise.
 void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
-  const double edge = analysis.OuterThreshold - air; // in a voxel, of a surface two voxels wide
+  const double edge = analysis.OuterThreshold - air; // the rise in a voxel of a surface two voxels
+                                                     // wide
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.1 * edge, 0.05);
   opacity->AddPoint(0.3 * edge, 1.0);

@@ -16,25 +16,27 @@ constexpr double PITCH_STRENGTH = 1.0;    // N
 constexpr double MOST_STRENGTH = 12.0;    // N
 constexpr double LOWEST = 60.0;           // Hz
 constexpr double HIGHEST = 6000.0;        // Hz
-constexpr double GLIDE_TIME = 0.02;       // s, from one surface's pitch to the next
+constexpr double GLIDE_TIME = 0.02;       // s, the time of a glide from one surface's pitch to the
+                                          // next
 constexpr double LOUDEST_NOISE = 0.15;    // effective value
 constexpr double MIDDLE_POWER = 0.02;     // W
 constexpr double SILENT_POWER = 1e-6;     // W
 constexpr double POWER_TIME = 0.02;       // s
-constexpr double LEVEL_TIME = 0.005;      // s, in which the noise may grow from 0 to 1
+constexpr double LEVEL_TIME = 0.005;      // s in which the noise may grow from 0 to 1
 constexpr double LOUDEST_CLICK = 0.6;
 constexpr double MIDDLE_IMPACT = 0.1;        // N
 constexpr double IMPACT_TIME = 0.005;        // s
 constexpr double RING_TIME = 0.015;          // s
 constexpr double AIR_TIME = 0.05;            // s
 constexpr double PEAK_TIME = 0.05;           // s
-constexpr double LEAST_PEAK = 0.05;          // N, of a puncture
+constexpr double LEAST_PEAK = 0.05;          // N, the least peak of a puncture
 constexpr double LOUDEST_BURST = 0.25;       // effective value
 constexpr double BURST_TIME = 0.025;         // s
-constexpr double INAUDIBLE = 1e-5;           // of full scale, less than half a step of 16 bits
-constexpr double LARGEST = 1e9;              // of any number of a tick
+constexpr double INAUDIBLE = 1e-5;           // fraction of full scale, less than half a step of 16
+                                             // bits
+constexpr double LARGEST = 1e9;              // the largest accepted number of a tick
 constexpr double LONGEST_STEP = 0.1;         // s, largest step between ticks
-constexpr double WHITE_VARIANCE = 1.0 / 3.0; // of a number between -1 and 1
+constexpr double WHITE_VARIANCE = 1.0 / 3.0; // variance of a number between -1 and 1
 
 double Saturate(double x, double middle)
 {

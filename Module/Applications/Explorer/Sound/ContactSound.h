@@ -55,7 +55,7 @@ public:
 
   explicit ContactSound(double samplesPerSecond);
 
-  /// The pitch f of a material (Hz), from its stiffness (N/m) and strength (N).
+  /// Computes the pitch f of a material (Hz), from its stiffness (N/m) and strength (N).
   static double ComputePitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
@@ -82,14 +82,14 @@ private:
   double FreeTime = 0.0;          // s without contact
   double TouchTime = -1.0;        // s since the first touch, while its impact is measured
   double Impact = 0.0;            // N
-  double Peak = 0.0;              // N, while a surface is penetrated
+  double Peak = 0.0;              // N, the peak while a surface is penetrated
   SurfaceContact Contact = SurfaceContact::Free;
-  double Pitch; // Hz, of the last surface
+  double Pitch; // Hz, the pitch of the last surface
 
   // Per sample.
   double Level = 0.0;  // effective value of the noise
   double Wanted = 0.0; // its target
-  double MostStep;     // of Level, per sample
+  double MostStep;     // the largest change of Level per sample
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass
   {
@@ -100,7 +100,7 @@ private:
   double Warp = 0.0; // tan(pi f / sample rate)
   double Scale = 0.0;
   std::complex<double> Ring;
-  std::complex<double> Turn; // of Ring, per sample
+  std::complex<double> Turn; // the turn of Ring per sample
 };
 } // namespace Explore
 

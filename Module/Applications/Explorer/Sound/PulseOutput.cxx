@@ -17,7 +17,8 @@ namespace
 using Explore::SoundStream;
 
 constexpr std::uint32_t LATENCY = 25; // ms, requested from the server
-/// The longest wait for the fade at the end; a server that hangs does not hold the program.
+/// The longest wait for the fade at the end, so that a server that hangs does not delay the
+/// program.
 constexpr std::chrono::milliseconds FADE(60);
 
 class PulseOutput : public Explore::SoundOutput
@@ -39,9 +40,9 @@ private:
   pa_threaded_mainloop* Loop;
   pa_context* Context = nullptr;
   pa_stream* Stream = nullptr;
-  bool Plays = false; // under the main loop's lock
+  bool Plays = false; // guarded by the main loop's lock
   std::mutex Mutex;
-  std::string Trouble; // under the mutex
+  std::string Trouble; // guarded by the mutex
 };
 
 PulseOutput::PulseOutput(SoundStream& stream)
@@ -81,7 +82,7 @@ PulseOutput::~PulseOutput()
       std::this_thread::sleep_for(FADE);
     }
     pa_threaded_mainloop_stop(this->Loop);
-    // The thread is gone: no callbacks or waits happen below.
+    // The thread has ended: no callbacks or waits happen below.
     if (this->Stream)
     {
       pa_stream_set_state_callback(this->Stream, nullptr, nullptr);

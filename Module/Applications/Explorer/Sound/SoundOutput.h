@@ -30,7 +30,7 @@ public:
   /// output.
   static std::unique_ptr<SoundOutput> Open(SoundStream& stream);
 
-  /// Why nothing is played, in one line, once for each fault; empty if there is none.
+  /// Returns why nothing is played, in one line, once for each fault; empty if there is none.
   virtual std::string DrainTrouble() = 0;
 
 protected:

@@ -9,11 +9,12 @@
 namespace
 {
 constexpr std::size_t CAPACITY = 4096;   // ticks
-constexpr double STEP = 0.001;           // s, between polls for ticks
+constexpr double STEP = 0.001;           // s between polls for ticks
 constexpr double MOST_BACKLOG = 0.3;     // s
 constexpr double LONGEST_STARVED = 0.05; // s
 constexpr double GAIN_TIME = 0.01;       // s, from silence to the full sound
-constexpr double WINDOW = 1.0;           // s, in which at least one burst is played to its end
+constexpr double WINDOW = 1.0;           // s; within this time at least one burst is played to its
+                                         // end
 constexpr double SPARE_BACKLOG = 0.02;   // s
 constexpr double FASTER = 1.05;
 } // namespace
@@ -67,7 +68,7 @@ void SoundStream::Advance(double seconds) noexcept
   {
     this->HasBegun = true;
     this->Position = newest;
-    // The clicks of all skipped ticks would come at once.
+    // Skipped, because the clicks of all skipped ticks would come at once.
     while (this->Ticks.Pop(this->Next))
     {
       this->HasNext = true;

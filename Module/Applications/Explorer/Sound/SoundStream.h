@@ -26,14 +26,15 @@ public:
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// For the thread with the ticks, in their order. If 4096 ticks wait already, the tick is lost.
+  /// For the thread with the ticks: adds a tick, in order. If 4096 ticks wait already, the tick is
+  /// lost.
   void Push(const SoundTick& tick) noexcept;
 
   /// For any thread.
   void SetMuted(bool muted) noexcept { this->Muted.store(muted, std::memory_order_relaxed); }
   bool IsMuted() const noexcept { return this->Muted.load(std::memory_order_relaxed); }
 
-  /// For the thread that plays: the next samples, each in -0.9 ... 0.9.
+  /// For the thread that plays: writes the next samples, each in -0.9 ... 0.9.
   void Render(float* samples, std::size_t count) noexcept;
   double GetSampleRate() const noexcept { return this->SampleRate; }
 

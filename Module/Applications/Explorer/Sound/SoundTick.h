@@ -22,7 +22,7 @@ struct SoundTick
   double Time = 0.0;          // s
   double NormalForce = 0.0;   // N, on the hand
   double FrictionForce = 0.0; // N, on the hand
-  double Speed = 0.0;         // m/s, the proxy's
+  double Speed = 0.0;         // m/s, the speed of the proxy
   double Stiffness = 0.0;     // k of the surface's material, N/m
   double Strength = 0.0;      // T_N of the surface's material, N
   SurfaceContact Contact = SurfaceContact::Free;

@@ -11,7 +11,7 @@
 
 namespace
 {
-/// The lowest byte first, on any computer.
+/// Appends a number, lowest byte first, on any computer.
 void Append(std::string& bytes, std::uint32_t number, int count)
 {
   for (int i = 0; i < count; ++i, number >>= 8)
@@ -32,7 +32,7 @@ void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const st
   std::string bytes = "RIFF";
   Append(bytes, restOfHead + size, 4);
   bytes += "WAVEfmt ";
-  Append(bytes, 16, 4); // bytes of the format
+  Append(bytes, 16, 4); // size of the format (bytes)
   Append(bytes, 1, 2);  // PCM
   Append(bytes, 1, 2);  // channel
   Append(bytes, rate, 4);

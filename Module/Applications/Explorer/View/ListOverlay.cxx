@@ -15,9 +15,9 @@ constexpr int MOST_LINES = 16;          // visible lines
 constexpr std::size_t WIDEST_LINE = 68; // characters in a line
 constexpr int LINES_BEFORE = 2;         // the title, and an empty line
 constexpr int LINES_AFTER = 2;          // an empty line, and the keys
-constexpr double LIST_OPACITY = 0.85;   // of the background behind the text
+constexpr double LIST_OPACITY = 0.85;   // opacity of the background behind the text
 
-/// Keeps the end of a long name, which says more than its middle.
+/// Shortens a long name to its end, which says more than its middle.
 std::string Shorten(const std::string& line)
 {
   if (line.size() <= WIDEST_LINE)

@@ -12,9 +12,9 @@ namespace Explore
 /// Looks along the view frame at its centre, upright, from `distance`.
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
-/// As AimCamera, from a distance from the middle of the box at which the whole box is just visible
-/// in a picture of this aspect (width / height). If the box itself is not drawn, its content may be
-/// a little smaller.
+/// Aims like AimCamera, from the distance at which the whole box is just visible in a picture of
+/// this aspect (width / height). If the box itself is not drawn, the distance is a little smaller,
+/// because the content of the box is smaller than the box.
 void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
   bool isBoxSeen);
 } // namespace Explore

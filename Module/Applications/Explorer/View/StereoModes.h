@@ -9,7 +9,8 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// VTK's number of a stereo mode ("anaglyph"). Throws InputError with the names for any other.
+/// Returns VTK's number of a stereo mode ("anaglyph"). Throws InputError, with the names, for any
+/// other name.
 int FindStereoMode(const std::string& name);
 
 /// Prepares a window that has not been shown yet; an empty name means no stereo.

@@ -23,12 +23,13 @@ struct ViewFrame
   vtkVector3d Right;  // unit, to the right of the picture
   vtkVector3d Up;     // unit, to the top of the picture
 
-  /// The unit direction `right` and `up` degrees away from the camera.
+  /// Returns the unit direction `right` and `up` degrees away from the camera.
   vtkVector3d Direction(double right, double up) const;
 };
 
-/// A camera in front, a little above and to the left of an object that looks along `front` ("-y")
-/// with its top at `up` ("+z"). Throws InputError unless they name two different axes.
+/// Makes the view of a camera in front, a little above and to the left of an object that looks
+/// along `front` ("-y") with its top at `up` ("+z"). Throws InputError unless both name different
+/// axes.
 ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up);
 } // namespace Explore
 

@@ -34,7 +34,7 @@ std::string NameOf(const DicomHeader& slice)
   return vtksys::SystemTools::GetFilenameName(slice.File);
 }
 
-/// One line per series.
+/// Lists the series, one line each.
 std::string ListSeries(const std::vector<DicomSeries>& all)
 {
   std::string list;
@@ -96,7 +96,7 @@ void CheckSlices(
   }
 }
 
-/// The median distance (mm) between slices.
+/// Returns the median distance (mm) between slices.
 double ComputeStep(const std::vector<DicomHeader>& slices)
 {
   std::vector<double> steps;
@@ -109,8 +109,8 @@ double ComputeStep(const std::vector<DicomHeader>& slices)
   return *middle;
 }
 
-/// The slices without those that lie far from most of them, such as a topogram with the number of
-/// the series.
+/// Returns the slices without those that lie far from the others, such as a topogram with the
+/// number of the series.
 std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
 {
   if (slices.size() < 3)
@@ -118,7 +118,8 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     return slices;
   }
   constexpr double farSteps = 8.0;
-  constexpr std::size_t fewest = 5;                                  // slices of a volume
+  constexpr std::size_t fewest = 5;                                  // the fewest slices of a
+                                                                     // volume
   const double far = std::max(farSteps * ComputeStep(slices), 10.0); // mm
   std::size_t first = 0, best = 0, size = 0;
   for (std::size_t i = 1; i <= slices.size(); ++i)
@@ -153,8 +154,8 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     "put the slices of one volume into a folder of their own; if it moves, each phase");
 }
 
-/// The positions (mm) of slices along their normal, from the first one on: even if they are so
-/// within the rounding of files. Throws if two slices are at the same place.
+/// Returns the positions (mm) of slices along their normal, from the first one on; made even if
+/// they are even within the rounding of files. Throws if two slices are at the same place.
 std::vector<double> FindPlaces(
   const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
@@ -180,7 +181,8 @@ std::vector<double> FindPlaces(
   {
     off = std::max(off, std::abs(along[i] - static_cast<double>(i) * even));
   }
-  constexpr double rounding = 0.11; // mm: positions with one digit, and so the ends of the line
+  constexpr double rounding = 0.11; // mm, the rounding of positions with one digit, and so of both
+                                    // ends of the line
   constexpr double smallPart = 0.05;
   constexpr double finest = 0.25; // of a step
   if (off <= std::max(std::min(rounding, finest * even), smallPart * even))
@@ -211,7 +213,7 @@ std::vector<double> FindPlaces(
   std::ostringstream note;
   if (missing > 0 && rest < 2.0 * smallPart)
   {
-    // Within the rounding of files, the others are at whole steps.
+    // The other slices are at whole steps, within the rounding of files.
     const double length = along.back();
     const double steps = static_cast<double>(count - 1) + missing;
     for (double& place : along)
@@ -282,7 +284,7 @@ void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImage
 
 namespace
 {
-/// What the files of a folder are that are DICOM, but no slices, such as "an RT plan (plan.dcm)",
+/// Says what the DICOM files of a folder are that are no slices, such as "an RT plan (plan.dcm)",
 /// and the cure.
 Explore::DicomObject FindObjects(const std::string& folder)
 {
@@ -304,7 +306,7 @@ Explore::DicomObject FindObjects(const std::string& folder)
   return found;
 }
 
-/// Throws if there is no such series.
+/// Chooses a series. Throws if there is no such series.
 std::size_t ChooseSeries(
   const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
 {
@@ -349,7 +351,7 @@ vtkSmartPointer<vtkImageData> ReadPlaced(const std::string& path,
   return image;
 }
 
-/// What was assumed of a series, and what its values are.
+/// Adds notes on what was assumed of a series, and on what its values are.
 void AddNotes(const DicomSeries& series, Volume& volume)
 {
   const DicomHeader& first = series.Slices.front();
@@ -389,7 +391,7 @@ void AddNotes(const DicomSeries& series, Volume& volume)
 void ReadPhases(const std::string& path, const DicomSeries& series,
   const std::vector<double>& along, Volume& volume)
 {
-  constexpr double perSecond = 10.0; // of those without times
+  constexpr double perSecond = 10.0; // for phases without times
   const std::vector<std::string> notes = volume.Notes;
   for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
   {
@@ -398,7 +400,7 @@ void ReadPhases(const std::string& path, const DicomSeries& series,
     const double time = series.Times[i + 1] / (series.HaveTimes ? 1.0 : perSecond);
     volume.Phases.push_back({ time, ReadPlaced(path, slices, along, volume) });
   }
-  volume.Notes = notes; // each phase would tell the same
+  volume.Notes = notes; // each phase would add the same notes
 }
 
 Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
@@ -477,7 +479,7 @@ Volume ReadDicomFile(const std::string& path, int series)
   }
   if (header.Frames > 1 || header.IsSegmentation())
   {
-    // A whole volume by itself, whatever lies beside it.
+    // Such a file is a whole volume by itself, whatever lies beside it.
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     Volume volume = LoadSeries(path, own, FindLargest(own));
     constexpr unsigned long alone = 3; // with the folder itself, and the one above

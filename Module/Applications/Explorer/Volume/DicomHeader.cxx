@@ -29,7 +29,7 @@ using Explore::UNKNOWN_LENGTH;
 constexpr std::uint32_t PIXELS = 0x7fe00010;
 constexpr std::uint32_t FLOAT_PIXELS = 0x7fe00008;
 constexpr std::uint32_t DOUBLE_PIXELS = 0x7fe00009;
-constexpr std::uint32_t OFFSETS = 0x3004000c; // of the frames of a dose
+constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of the offsets of a dose's frames
 constexpr std::uint32_t SEGMENTS = 0x00620002;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
@@ -43,12 +43,12 @@ constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
 /// The places of the frames in a file with several.
 struct FramePlaces
 {
-  std::vector<DicomHeader> Groups; // per frame: differences from the file's header
-  std::vector<double> Offsets;     // along the normal, or z in the patient, mm
+  std::vector<DicomHeader> Groups; // for each frame: the differences from the file's header
+  std::vector<double> Offsets;     // position along the normal, or z in the patient, mm
   std::vector<DicomSegment> Segments;
 };
 
-/// Kinds of objects without pixels of a volume, by the begin of their class.
+/// A kind of objects without pixels of a volume, by the beginning of its class.
 struct ObjectKind
 {
   const char* Class;
@@ -90,7 +90,7 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Decimal numbers between backslashes; false if there are too few.
+/// Reads decimal numbers between backslashes; false if there are too few.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -116,7 +116,7 @@ int ReadWhole(const std::string& text, int unknown)
                                                                   : unknown;
 }
 
-/// Seconds of a time of day, HHMMSS.F.
+/// Converts a time of day, HHMMSS.F, to seconds.
 double ReadTimeOfDay(const std::string& text)
 {
   double number = 0.0;
@@ -242,7 +242,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
     case 0x00181164: // ImagerPixelSpacing, before PixelSpacing
     case 0x00280030:
     {
-      double spacing[2]; // from row to row first
+      double spacing[2]; // distance from row to row first
       if (ReadDecimals(value, spacing, 2))
       {
         header.IsDetectorSpacing = tag == 0x00181164;
@@ -288,7 +288,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
   }
 }
 
-/// Decimal numbers between backslashes, as many as there are.
+/// Reads all decimal numbers between backslashes.
 std::vector<double> ReadAllDecimals(const std::string& text)
 {
   std::vector<double> numbers(
@@ -298,17 +298,17 @@ std::vector<double> ReadAllDecimals(const std::string& text)
     : std::vector<double>();
 }
 
-/// The functional groups of an item, which are sequences of one item each.
+/// Whether a tag belongs to a functional group of an item; such groups are sequences of one item.
 bool IsGroup(std::uint32_t tag)
 {
-  // The spacing of pixels, the place, the orientation, slope and intercept; the number of the frame
-  // in time, its segment, echo, diffusion and heart phase.
+  // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
+  // number of the frame in time, its segment, echo, diffusion and heart phase.
   constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
     0x0062000a, 0x00189114, 0x00189117, 0x00189118 };
   return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
 }
 
-/// PS3.3, section C.10.7.1.1: CIELab in whole numbers to red, green and blue.
+/// Converts CIELab in whole numbers to red, green and blue: PS3.3, section C.10.7.1.1.
 std::vector<double> ReadColor(const DicomStream& stream, const std::string& value)
 {
   const auto part = [&](std::size_t i) { return stream.Number(value, 2 * i, 2) / 65535.0; };
@@ -402,7 +402,7 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
 {
   double normal[3];
   vtkMath::Cross(orientation, orientation + 3, normal);
-  // Else the header has no orientation: an axial slice, as scanners make them by default.
+  // Otherwise the header has no orientation: an axial slice, which scanners make by default.
   if (vtkMath::Normalize(normal) > 0.5)
   {
     std::copy_n(orientation, 3, header.Row);
@@ -560,7 +560,7 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
   {
     return false;
   }
-  // What deflate packed is told as damaged, if it is, not as something else.
+  // If the part that deflate packed is damaged, say so, rather than something else.
   return header.Deflated > 0 && !stream.Inflate() ? true : ReadDataSet(stream, header, places);
 }
 } // namespace
@@ -645,7 +645,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
   {
     return {};
   }
-  // Of a file that is cut off, a few are enough to tell that.
+  // A few frames are enough to tell that a file is cut off.
   const int count = std::min(header.Frames, header.IsWhole ? MOST_FRAMES : 1000);
   const auto frames = static_cast<std::size_t>(count);
   std::vector<DicomHeader> slices(frames, header);

@@ -24,10 +24,10 @@ struct DicomFact
   std::uint32_t Tag;
   const char* Name;
   Encoding Kind;
-  double Seconds; // that one unit has, in a time; 0: a number in time; -1: no time
+  double Seconds; // seconds of one unit of a time; 0: numbers in the order of time; -1: no time
 };
 
-/// Of two that differ, the first one decides.
+/// If two facts differ, the one that comes first here decides.
 constexpr DicomFact DICOM_FACTS[] = {
   { 0x00181060, "TriggerTime", DicomFact::Decimal, 1e-3 },
   { 0x00209153, "NominalCardiacTriggerDelayTime", DicomFact::Real, 1e-3 },
@@ -45,7 +45,7 @@ constexpr DicomFact DICOM_FACTS[] = {
   { 0x00200013, "InstanceNumber", DicomFact::Decimal, 0.0 },
 };
 
-/// The fact of a tag; null if it is none.
+/// Returns the fact that a tag stands for; null if it is none.
 const DicomFact* FindDicomFact(std::uint32_t tag);
 
 /// The header of a DICOM slice: its series, its place, and the meaning of its samples. VTK's reader
@@ -60,26 +60,26 @@ struct DicomHeader
   std::string ImageType;
   std::string Series; // the series' unique identifier
   int SeriesNumber = 0;
-  std::string Description; // the series'
+  std::string Description; // the series' description
   std::string Modality;
   int Width = 0, Height = 0;
-  int Samples = 1;          // per pixel: 3 in RGB
+  int Samples = 1;          // samples per pixel: 3 in RGB
   bool ArePlanes = false;   // samples are stored by colour
   bool IsYbr = false;       // colours are luminance and two differences (YBR_FULL) instead of RGB
   int Bits = 0, Stored = 0; // bits of a sample in the file, and how many of them count
   bool IsSigned = false;
   bool IsFloat = false;
-  bool IsBig = false; // the most significant byte comes first
-  int Frames = 1;     // in the file
+  bool IsBig = false; // whether the most significant byte comes first
+  int Frames = 1;     // number of frames in the file
   int Frame = 0;      // this slice's number among the frames
   ///@{
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
-  std::optional<double> DoseScale; // the slope of a dose
-  std::string Units;               // of the values of a dose or of PET, as the file names them
-  std::optional<double> Padding;   // the sample of pixels that were not measured
-  std::map<std::uint32_t, double> Facts; // by which slices at one place differ: see DicomSeries
+  std::optional<double> DoseScale;       // the slope of a dose
+  std::string Units;                     // units of a dose or of PET, as the file names them
+  std::optional<double> Padding;         // the sample of pixels that were not measured
+  std::map<std::uint32_t, double> Facts; // which slices at one place may differ in
   // Position of the first pixel, and directions along rows and columns; axial at 0 if the file does
   // not give them.
   double Position[3] = { 0.0, 0.0, 0.0 };
@@ -87,28 +87,28 @@ struct DicomHeader
   double Column[3] = { 0.0, 1.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Along = 0.0;               // position along the normal, mm
-  double Spacing[2] = { 0.0, 0.0 }; // of pixels along a row and along a column, mm; 0: not known
-  bool IsDetectorSpacing = false;   // the spacing is known at the detector only
-  double Step = 0.0;                // from slice to slice, mm, as the file says; 0: not known
+  double Spacing[2] = { 0.0, 0.0 }; // between pixels along a row and along a column, mm; 0: unknown
+  bool IsDetectorSpacing = false;   // whether Spacing is that at the detector
+  double Step = 0.0;                // distance of slices in the file, mm; 0: not known
   double Thickness = 0.0;           // mm; 0: not known
   std::optional<double> Location;   // SliceLocation, mm
-  bool HasPosition = false;         // the file gives the position
+  bool HasPosition = false;         // whether the file gives the position
   std::uint64_t Pixels = 0;         // where the pixels begin in the file, or in what is inflated
-  std::uint64_t Deflated = 0;       // where the part begins that deflate packed; 0: none
-  bool IsWhole = false;             // the file is long enough for its pixels
-  bool HasPlaces = true;            // the file has the place of each frame
-  // Of a segmentation: the frame's segment, and the sample that means all of a voxel.
+  std::uint64_t Deflated = 0;       // where the part packed by deflate begins; 0: none
+  bool IsWhole = false;             // whether the file is long enough for its pixels
+  bool HasPlaces = true;            // whether the file has the place of each frame
+  // For a segmentation: the frame's segment, and the sample of a voxel that is wholly inside.
   int Segment = 1;
   double Whole = 1.0;
   std::string SegmentationType;
 
-  /// Uncompressed little endian, implicit and explicit, and explicit big endian, with samples of
-  /// 1, 8, 16 or 32 bits, or floating-point numbers.
+  /// Whether the slice is uncompressed little endian, implicit or explicit, or explicit big endian,
+  /// with samples of 1, 8, 16 or 32 bits, or floating-point numbers.
   bool IsPlain() const;
-  /// The size of this slice's pixels in bytes, if they are not compressed; samples of one bit are
-  /// rounded up.
+  /// Returns the size of this slice's pixels in bytes, if they are not compressed. Samples of one
+  /// bit are rounded up to whole bytes.
   std::uint64_t GetSize() const;
-  /// The same, of all frames.
+  /// Returns the size of the pixels of all frames in bytes.
   std::uint64_t GetSizeOfAll() const;
   bool IsSegmentation() const;
 };
@@ -121,11 +121,11 @@ struct DicomSegment
   std::vector<double> Color; // red, green and blue, 0 to 1; empty if it has none
 };
 
-/// The segments of a segmentation file, PS3.3, section C.8.20.2.
+/// Reads the segments of a segmentation file: PS3.3, section C.8.20.2.
 std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
 
-/// What a DICOM file without pixels of a volume is, such as "an RT plan", and the cure; empty if it
-/// is no DICOM file, or is a slice.
+/// Says what a DICOM file is that has no pixels of a volume, such as "an RT plan", and the cure.
+/// Empty if it is no DICOM file, or is a slice.
 struct DicomObject
 {
   std::string Name;
@@ -133,11 +133,11 @@ struct DicomObject
 };
 DicomObject FindDicomObject(const std::string& path);
 
-/// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and
-/// A.
+/// Reads a header. False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard,
+/// sections 7 and A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
 
-/// A header for each frame of a file, with its own place and meaning of samples: from the
+/// Reads a header for each frame of a file, with its own place and meaning of samples: from the
 /// functional groups of PS3.3, section C.7.6.16, from the offsets of a dose, or from the spacing
 /// between slices. Empty if this is not a DICOM file with pixels.
 std::vector<DicomHeader> ReadDicomSlices(const std::string& path);

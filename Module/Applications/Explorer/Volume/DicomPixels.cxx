@@ -32,7 +32,7 @@ InputError Unreadable(const std::string& path, const DicomHeader& slice, const s
       vtksys::SystemTools::GetFilenameName(slice.File) + ")",
     "make it readable, or copy or export the series again");
 }
-/// From luminance and differences to RGB: the inverse of PS3.3, section C.7.6.3.1.2, YBR_FULL.
+/// Converts luminance and differences to RGB: the inverse of PS3.3, section C.7.6.3.1.2, YBR_FULL.
 void MakeRgb(const DicomHeader& slice, std::string& bytes)
 {
   const auto frame = static_cast<std::size_t>(slice.GetSize());
@@ -65,7 +65,7 @@ struct ValueRange
   int Bits = 0; // of samples that are floating-point numbers
 };
 
-/// The possible values of the samples of all slices.
+/// Returns the possible values of the samples of all slices.
 ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
 {
   ValueRange range;
@@ -86,7 +86,7 @@ ValueRange ComputeValues(const std::vector<DicomHeader>& slices)
   return range;
 }
 
-/// The smallest type that holds all values of a range.
+/// Returns the smallest type that holds all values of a range.
 int ChooseType(const ValueRange& range)
 {
   if (range.Bits > 0)
@@ -104,7 +104,7 @@ int ChooseType(const ValueRange& range)
   return VTK_FLOAT;
 }
 
-/// The floating-point number that 32 or 64 bits are.
+/// Converts 32 or 64 bits to the floating-point number that they stand for.
 double ToReal(std::uint64_t bits, int count)
 {
   double real;
@@ -119,7 +119,7 @@ double ToReal(std::uint64_t bits, int count)
   return real;
 }
 
-/// Sample number `at` of a slice. Bits above the stored ones may belong to an overlay.
+/// Returns sample number `at` of a slice. Bits above the stored ones may belong to an overlay.
 double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
 {
   const auto size = static_cast<std::size_t>(slice.Bits / 8);
@@ -151,8 +151,8 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
-/// The value of pixels that were not measured, if the file gives it. Its two bytes may or may not
-/// have a sign, independent of the pixels'.
+/// Returns the value of pixels that were not measured, if the file gives it. Its two bytes may or
+/// may not have a sign, whatever the pixels have.
 std::optional<double> ReadPadding(const DicomHeader& slice)
 {
   if (!slice.Padding)
@@ -197,9 +197,9 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
   return replaced;
 }
 
-/// Sets what scanners write outside of their field of view, and tell only by its value, to the
-/// least value that is measured: one and the same value below all that a CT measures, in more than
-/// a thousandth of the voxels. Returns the number of pixels.
+/// Sets pixels outside of the scanner's field of view to the least measured value. The file marks
+/// them only by a value: the same one below all that a CT measures, in more than a thousandth of
+/// the voxels. Returns the number of pixels.
 template <typename Value>
 vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
 {
@@ -233,7 +233,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
   this->Unpacked = slice;
   if (slice.Deflated > 0)
   {
-    // No more than the header promises, which the file has: see DicomHeader::IsWhole.
+    // Read no more than the header promises. The file has as much: see DicomHeader::IsWhole.
     const std::uint64_t first = slice.Pixels -
       (slice.Bits == 1 ? 0 : slice.GetSize() * static_cast<std::uint64_t>(slice.Frame));
     const std::uint64_t size = slice.GetSizeOfAll();

@@ -13,13 +13,13 @@
 
 namespace Explore
 {
-/// Reads the samples of slices. It stores those of the last compressed file, whose frames follow
+/// Reads the samples of slices. Stores the samples of the last compressed file, whose frames follow
 /// each other.
 class DicomPixels
 {
 public:
-  /// The samples of a slice in a series at `path`, which is used in errors. Changes the header to
-  /// describe the unpacked samples. Throws an InputError.
+  /// Reads the samples of a slice in a series at `path`, which is used in errors. Changes the
+  /// header to describe the unpacked samples. Throws an InputError.
   std::string Read(const std::string& path, DicomHeader& slice);
 
 private:
@@ -27,14 +27,16 @@ private:
 
   std::string File; // the unpacked file
   std::string Bytes;
-  DicomHeader Unpacked; // describes its samples
+  DicomHeader Unpacked; // describes the samples of that file
 };
 
-/// The bytes of a slice in memory, before they are taken: compressed files can promise any number.
+/// Returns the bytes that a slice will take in memory, to be checked before: compressed files can
+/// promise any number.
 double MeasureSlices(const std::vector<DicomHeader>& slices);
 
-/// The values of slices in this order, of the smallest type that holds all, without a place. What
-/// was not measured gets the least value, with a note. Throws an InputError.
+/// Reads the values of slices in this order into an image without a place, of the smallest type
+/// that holds all values. Pixels that were not measured get the least value, with a note. Throws an
+/// InputError.
 vtkSmartPointer<vtkImageData> ReadSlices(
   const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes);
 } // namespace Explore

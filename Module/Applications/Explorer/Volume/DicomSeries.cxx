@@ -36,12 +36,13 @@ bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.Position, b.Position)) < SAME_PLACE;
 }
 
-/// Files that exports hold twice have one unique identifier, and all else alike.
+/// Removes slices that an export holds twice: they have the same identifier, place and facts.
+/// Returns their number.
 std::size_t RemoveCopies(std::vector<DicomHeader>& slices)
 {
   std::map<std::pair<std::string, int>, const DicomHeader*> known;
   std::vector<DicomHeader> left;
-  left.reserve(slices.size()); // the addresses stay
+  left.reserve(slices.size()); // keeps addresses valid
   for (const DicomHeader& slice : slices)
   {
     const auto [found, isNew] = known.insert({ { slice.Instance, slice.Frame }, nullptr });
@@ -65,7 +66,7 @@ void SortByPlace(std::vector<DicomHeader>& slices)
     [](const DicomHeader& a, const DicomHeader& b) { return a.Along < b.Along; });
 }
 
-/// Slices without a position lie where SliceLocation says, if that tells them apart.
+/// Places slices without a position where SliceLocation says, if that tells them apart.
 bool PlaceByLocation(std::vector<DicomHeader>& slices)
 {
   std::set<double> places;
@@ -92,7 +93,7 @@ bool PlaceByLocation(std::vector<DicomHeader>& slices)
   return true;
 }
 
-/// How many slices are at each place; 0 if not the same number everywhere.
+/// Returns how many slices are at each place; 0 if the numbers differ.
 std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
 {
   std::size_t count = 0, here = 0;
@@ -112,8 +113,8 @@ std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
   return count;
 }
 
-/// The volumes in a series whose slices differ in a fact that is no time, such as the time of an
-/// echo; empty if they don't.
+/// Returns the volumes in a series whose slices differ in a fact that does not follow time, such
+/// as the echo; empty if they don't differ.
 template <typename Fact>
 std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& name, Fact&& fact)
 {
@@ -176,8 +177,8 @@ bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact
   return true;
 }
 
-/// Several volumes in one series: images of several kinds, or the phases of one that moves. A
-/// series that can't be parted stays as it is.
+/// Splits a series of several volumes: images of several kinds, or the phases of a volume that
+/// moves. A series that can't be split stays as it is.
 std::vector<DicomSeries> Part(const DicomSeries& series)
 {
   const std::size_t count = CountAtPlace(series.Slices);
@@ -245,7 +246,7 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
     if (Files::FileIsDirectory(path))
     {
       hasFolders = true;
-      // A link may lead back to its own folder, or to another one of these.
+      // A link may lead back to its own folder, or to another visited folder.
       if (depth < DEEPEST_FOLDER && visited.insert(Files::GetRealPath(path)).second)
       {
         AddFolder(path, depth + 1, visited, all, hasFolders);
@@ -259,8 +260,8 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
   }
 }
 
-/// Counts the pixels of what can be a volume before all others: a localizer, or a capture of the
-/// screen, may have more pixels than a scan, and so may what was made of the scan.
+/// Counts the pixels of a series that can be a volume, so that it precedes others: a localizer, a
+/// capture of the screen, or images made from a scan may have more pixels than the scan.
 double CountPixels(const DicomSeries& series)
 {
   const DicomHeader& first = series.Slices.front();

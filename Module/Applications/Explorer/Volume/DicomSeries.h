@@ -14,35 +14,34 @@ namespace Explore
 struct DicomSeries
 {
   std::vector<DicomHeader> Slices; // in the order of their positions along the normal
-  // If it moves: the slices of the later phases, the times (s, or numbers from 0 on if the files
-  // have no time) of all, and the fact that tells them apart.
+  // If the volume moves: the slices of the later phases, the times of all phases (s, or numbers
+  // from 0 on if the files have no time), and the fact that tells the phases apart.
   std::vector<std::vector<DicomHeader>> MorePhases = {};
   std::vector<double> Times = {};
   std::string PhasesBy = {};
   bool HaveTimes = false;
-  std::string Kind = {};           // of several in one series, such as "EchoTime 4.6"
+  std::string Kind = {};           // which of several volumes in a series, such as "EchoTime 4.6"
   std::size_t Copies = 0;          // slices that were found twice
-  bool IsPlacedByLocation = false; // by SliceLocation, for want of a position
+  bool IsPlacedByLocation = false; // whether places are from SliceLocation
 
-  /// Whether a file is one of these.
+  /// Whether a file belongs to the series.
   bool Holds(const std::string& file) const;
-  /// Such as `4 "Thorax", CT, 133 slices of 512 x 512`, with its number in a list.
+  /// Returns a text such as `4 "Thorax", CT, 133 slices of 512 x 512`, with the number in a list.
   std::string Describe(std::size_t number) const;
 };
 
-/// All series in a folder and the folders below it, in the order of the numbers that the scanner
-/// has given them. `hasFolders` is set if there were folders.
+/// Lists all series in a folder and the folders below it, in the order of the numbers that the
+/// scanner has given them. `hasFolders` is set if there were folders.
 std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders);
 
-/// The series of slices in any order: sorted, without copies, and apart if they are several
-/// volumes.
+/// Sorts slices into series, without copies. Slices of several volumes become several series.
 std::vector<DicomSeries> SortDicomSlices(const std::vector<DicomHeader>& slices);
 
-/// The series with most pixels, of those with enough slices for a volume.
+/// Returns the series with most pixels, among those with enough slices for a volume.
 std::size_t FindLargest(const std::vector<DicomSeries>& series);
 
-/// Whether each of the folders holds one series, with slices of the same size at the same places:
-/// the phases of a moving volume.
+/// Whether each folder holds one series, with slices of the same size at the same places: the
+/// phases of a moving volume.
 bool ArePhases(const std::vector<std::string>& folders);
 } // namespace Explore
 

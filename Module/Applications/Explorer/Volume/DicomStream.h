@@ -17,9 +17,9 @@ constexpr std::uint32_t ITEM_END = 0xfffee00d;
 constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
 constexpr int DEEPEST = 16; // nesting of sequences
 
-/// Unpacks a file from a byte on that deflate packed (PS3.5, section A.5), and keeps the first
-/// `most` bytes. Returns how many there are; 0 if they are damaged or cut off. Takes no more memory
-/// than `most`, whatever the file promises.
+/// Unpacks the part of a file that deflate packed (PS3.5, section A.5), from a byte on, and keeps
+/// the first `most` bytes. Returns how many bytes there are; 0 if they are damaged or cut off.
+/// Takes no more memory than `most`, whatever the file promises.
 std::uint64_t InflateDicom(
   const std::string& path, std::uint64_t from, std::uint64_t most, std::string& kept);
 
@@ -29,8 +29,8 @@ class DicomStream
 public:
   explicit DicomStream(const std::string& path);
 
-  /// Continues with what deflate packed from here on; places then count from its begin. False if it
-  /// is damaged.
+  /// Unpacks what follows, which deflate packed, and continues there; places then count from its
+  /// beginning. False if it is damaged.
   bool Inflate();
 
   bool IsExplicit = true;
@@ -48,7 +48,7 @@ public:
   void GoTo(std::uint64_t place);
   std::string Read(std::size_t count);
   std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const;
-  /// A floating-point number of 4 or 8 bytes; 0 of any other.
+  /// Reads a floating-point number of 4 or 8 bytes; 0 for any other size.
   double Real(const std::string& bytes) const;
   bool Next(Element& element);
   /// Skips the value of an element, whose items may have any length.

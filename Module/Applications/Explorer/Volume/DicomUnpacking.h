@@ -12,8 +12,8 @@ namespace Explore
 /// Whether this build has GDCM, which unpacks JPEG, JPEG-LS, JPEG 2000 and RLE.
 bool CanUnpackDicom();
 
-/// The samples of all frames of a compressed file, least significant byte first. Changes the header
-/// to describe them. False if they can't be unpacked.
+/// Unpacks the samples of all frames of a compressed file, least significant byte first. Changes
+/// the header to describe them. False if they can't be unpacked.
 bool UnpackDicom(DicomHeader& slice, std::string& bytes);
 } // namespace Explore
 

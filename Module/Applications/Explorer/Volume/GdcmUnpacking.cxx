@@ -14,9 +14,9 @@ namespace Explore
 {
 namespace
 {
-/// Whether the colours of a JPEG stream are luminance and differences. The header of the file may
-/// still say RGB, as GDCM's own writer does. Decided by the markers of JFIF and Adobe, else by the
-/// names of the components, as in decoders. Empty if the stream does not show it.
+/// Whether the colours of a JPEG stream are luminance and differences, even if the header of the
+/// file says RGB, as GDCM's own writer does. The markers of JFIF and Adobe decide, else the names
+/// of the components, as in decoders. Empty if the stream does not show it.
 std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
 {
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes);

@@ -61,8 +61,8 @@ namespace Explore
 {
 namespace
 {
-/// Lines that show where the cells of a grid are: the sharp edges and the open ends of the surfaces
-/// of its parts or, if there are no such lines, the box around all parts.
+/// Makes lines that show where the cells of a grid are: the sharp edges and the open ends of the
+/// surfaces of its parts or, if there are no such lines, the box around all parts.
 
 vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts)
 {
@@ -93,7 +93,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// Samples of the image: more would take minutes.
+/// The most samples of the image: more would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
 struct Format
@@ -101,7 +101,7 @@ struct Format
   const char* Ending;
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
-  double MetersPerUnit = 0.001; // OpenFOAM uses metres, others don't say
+  double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats don't say
 };
 
 template <typename Reader>
@@ -187,7 +187,7 @@ double ComputeFinestSpacing(const vtkBoundingBox& box)
   return std::cbrt(edges[0] * edges[1] * edges[2] / MOST_SAMPLES);
 }
 
-/// The image over the bounds of all parts, without arrays.
+/// Makes the image over the bounds of all parts, without arrays.
 vtkSmartPointer<vtkImageData> MakeFrame(
   const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
 {
@@ -262,7 +262,7 @@ void FillOutside(vtkImageData* image)
   }
 }
 
-/// The active array of a kind, from the part that has one.
+/// Returns the active array of a kind, from the part that has one.
 std::string FindActive(const std::vector<vtkDataSet*>& parts)
 {
   for (vtkDataSet* const part : parts)

@@ -12,7 +12,7 @@ namespace Explore
 /// The endings of grid files, for messages.
 extern const char* const GRID_ENDINGS;
 
-/// Whether a file has, by its name, a data set that is not an image: a rectilinear, structured or
+/// Whether a file, by its name, holds a data set that is not an image: a rectilinear, structured or
 /// unstructured grid, or several of them.
 bool IsGrid(const std::string& path);
 

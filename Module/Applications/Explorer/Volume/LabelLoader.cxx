@@ -113,7 +113,7 @@ std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
   return labels;
 }
 
-/// Spreads hues by the golden section.
+/// Chooses colours whose hues are spread by the golden section.
 void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 {
   const double hue = std::fmod(0.08 + 0.618034 * static_cast<double>(number), 1.0);
@@ -135,10 +135,10 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
     volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
   }
   vtkHapticLabelTable* const table = volume.LabelTable;
-  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // they are, without a doubt
+  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // names say that they are labels
   if (!hasNames && !vtksys::SystemTools::FileIsDirectory(path))
   {
-    const MessageCapture capture; // without names there are numbers
+    const MessageCapture capture; // files without names are allowed: the labels then have numbers
     table->ReadFile(path.c_str());
   }
   std::size_t number = 0;

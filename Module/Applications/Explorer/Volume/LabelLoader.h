@@ -10,15 +10,15 @@
 
 namespace Explore
 {
-/// Gives a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm,
+/// Adds to a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm,
 /// with the file's names, and tables of labels, which add up: see vtkHapticLabelTable::ReadFile.
 /// Throws InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
 /// Uses the volume itself as a label image: its values are numbers of labels, with the names and
-/// colours from the file at `path`, and others for the rest. Throws InputError if the values can't
-/// be labels.
+/// colours from the file at `path`, and generated ones for other labels. Throws InputError if the
+/// values can't be labels.
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 

@@ -14,8 +14,10 @@ namespace
 {
 constexpr std::size_t MOST_LABELS = 512;
 constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer's labels go beyond 10000
-constexpr double LEAST_ALIKE = 0.75;      // of neighbours along rows
-constexpr double MOST_BETWEEN = 0.05;     // of the voxels at a step: with a value within it
+constexpr double LEAST_ALIKE = 0.75;      // least fraction of neighbours along rows with the same
+                                          // value
+constexpr double MOST_BETWEEN = 0.05;     // largest fraction of the voxels at a step that have a
+                                          // value within it
 constexpr vtkIdType MOST_ROWS = 20000;
 } // namespace
 

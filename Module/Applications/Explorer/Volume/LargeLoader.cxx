@@ -55,7 +55,7 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
   }
 }
 
-/// The size (bytes) of the samples of a file; 0 if it can't be read region by region.
+/// Computes the size (bytes) of the samples of a file; 0 if it can't be read region by region.
 double ComputeSize(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;

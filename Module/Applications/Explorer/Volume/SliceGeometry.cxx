@@ -20,7 +20,7 @@
 
 namespace
 {
-/// Column c of the direction matrix, of length 1.
+/// Returns column c of the direction matrix, normalised.
 void GetAxis(vtkImageData* image, int c, double axis[3])
 {
   const double* const stored = image->GetDirectionMatrix()->GetData();
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkImageData> SpaceSlicesEvenly(
   {
     step = std::min(step, along[i] - along[i - 1]);
   }
-  // The last slice stays the last one: the step shrinks by less than one part in the number.
+  // Keeps the last slice the last one: the step shrinks by less than one part in the number.
   const double length = along.back() - along.front();
   const int count = static_cast<int>(std::ceil(length / step - 1e-3)) + 1;
   step = length / (count - 1);
@@ -151,7 +151,7 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   spacing[1] *= std::abs(vtkMath::Dot(second, axes[1]));
   spacing[2] *= std::abs(vtkMath::Dot(z, axes[2]));
 
-  // The box of all corners along the new axes.
+  // The box that contains all corners, along the new axes.
   int extent[6];
   image->GetExtent(extent);
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
@@ -196,7 +196,8 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   straight->SetOrigin(origin);
   straight->SetDirectionMatrix(direction);
 
-  // From the new image's indices to the old one's: VTK's reslicing knows nothing of directions.
+  // The map from the new image's indices to the old one's, because VTK's reslicing ignores
+  // directions.
   vtkNew<vtkMatrix4x4> map;
   vtkMatrix4x4::Multiply4x4(
     image->GetPhysicalToIndexMatrix(), straight->GetIndexToPhysicalMatrix(), map);

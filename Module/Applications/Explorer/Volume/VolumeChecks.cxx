@@ -31,7 +31,7 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-// The smallest edge on which a kernel of the default radius, 2 voxels, has room on both sides.
+// The smallest edge at which a kernel of the default radius, 2 voxels, has room on both sides.
 constexpr int MINIMUM_SIZE = 5;
 
 std::string SizeText(const int size[3])
@@ -108,7 +108,7 @@ void ChooseScalars(const std::string& path, Volume& volume)
   }
 }
 
-/// Bytes of red, green and blue, and perhaps opacity: the brightness is felt.
+/// Uses the brightness of red, green and blue bytes (perhaps with opacity): the brightness is felt.
 void UseBrightness(Volume& volume)
 {
   vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
@@ -166,8 +166,8 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Sets samples outside to the value with which the filter would feel them: for the picture, the
-/// thresholds and the kind of the volume, too.
+/// Sets samples outside to the value with which the filter would feel them, also for the picture,
+/// the thresholds and the kind of the volume.
 void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -189,8 +189,8 @@ void UseOutside(Volume& volume)
   volume.Image = image; // the scalars may end with the image before
 }
 
-/// Corrects Hounsfield units that are stored higher, as by scanners: for the picture, the
-/// thresholds and the kind of the volume, too.
+/// Corrects Hounsfield units that are stored higher, as scanners do, also for the picture, the
+/// thresholds and the kind of the volume.
 void UseHounsfieldUnits(Volume& volume)
 {
   if (volume.IsField || !Explore::MayBeHounsfield(volume.Modality))

@@ -10,10 +10,10 @@ namespace Explore
 {
 struct Volume;
 
-/// Throws InputError unless as many frames of some bytes each fit into the free memory.
+/// Throws InputError unless so many frames, of so many bytes each, fit into the free memory.
 void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 
-/// Whether the values of a DICOM modality may be Hounsfield units; of an unknown one they may.
+/// Whether the values of a DICOM modality may be Hounsfield units; those of an unknown one may.
 bool MayBeHounsfield(const std::string& modality);
 
 /// Throws InputError unless the volume can be touched; makes the first point array (or cell array)

@@ -20,19 +20,20 @@ public:
   /// If an image has no active scalars, but a field, sets the scalars to the magnitude of its first
   /// field, so that something is visible. Returns whether it did.
   bool Use(vtkImageData* image);
-  /// As Take, with the values of a point array, or the magnitude of a field, as scalars. Returns
-  /// whether it is a field. Throws InputError, with the existing arrays, if it does not exist.
+  /// Does the same with a named point array: its values, or the magnitude of a field, become the
+  /// scalars. Returns whether it is a field. Throws InputError, with the existing arrays, if it
+  /// does not exist.
   bool UseWith(const std::string& name, const std::string& path, vtkImageData* image);
-  /// The first vectors, or those with this name if it is given; empty if there are none.
+  /// Returns the first vectors, or those with this name if it is given; empty if there are none.
   static std::string FindFlow(vtkImageData* image, const std::string& name);
   /// Copies the fields to the image that was made from the other one, along the axes of the world.
-  /// Vectors stay as they are: their components are along the axes of the world.
+  /// Vectors do not change, because their components are along the axes of the world.
   void GiveTo(vtkImageData* aligned) const;
 
 private:
   void Collect(vtkImageData* image);
 
-  vtkSmartPointer<vtkImageData> Source; // has the geometry
+  vtkSmartPointer<vtkImageData> Source; // the image with the geometry
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };
 } // namespace Explore

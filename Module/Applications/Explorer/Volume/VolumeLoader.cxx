@@ -105,14 +105,15 @@ bool IsNifti(const std::string& lower)
   return false;
 }
 
-/// Whether a file begins as gzip's files do, whatever its name says.
+/// Whether a file begins like gzip's files, whatever its name says.
 bool IsPacked(const std::string& path)
 {
   vtksys::ifstream file(path.c_str(), std::ios::binary);
   return file.get() == 0x1f && file.get() == 0x8b;
 }
 
-/// The file with the samples of a header, or the file itself; empty if they are in several.
+/// Returns the file with the samples of a header, or the file itself; empty if they are in several
+/// files.
 std::string FindSamples(const std::string& path)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -146,7 +147,8 @@ std::string FindSamples(const std::string& path)
     data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
 }
 
-/// The largest number of bytes of samples in the file that has them; -1 if it is damaged.
+/// Returns how many bytes of samples the file that has them can hold at most; -1 if the file is
+/// damaged.
 double CountHeld(const std::string& path, const std::string& samples)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -172,8 +174,8 @@ double CountHeld(const std::string& path, const std::string& samples)
   return isRaw && !isPacked ? length : smallest * length;
 }
 
-/// Why a reader's information can't be true for its file; empty if it can. Readers allocate memory
-/// for all that a header promises before they read the samples.
+/// Returns why a reader's information can't be true for its file; empty if it can. Readers allocate
+/// memory for all that a header promises before they read the samples.
 std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
 {
   vtkInformation* const information = reader->GetOutputInformation(0);
@@ -268,7 +270,7 @@ Volume ReadVti(const std::string& path)
   return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
-/// Whether vtkMetaImageReader supports the file's type, with MetaIO's size of it, and its
+/// Whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it, and its
 /// dimensions.
 bool IsKnownToVTK(const std::string& path)
 {
@@ -298,7 +300,8 @@ Volume ReadAsRegions(const std::string& path, const std::string& format, const c
   return volume;
 }
 
-/// Reads also what VTK's reader can't: samples of 64 bits, MetaIO's long, and more than three axes.
+/// Also reads what VTK's reader can't read: samples of 64 bits, MetaIO's long, and more than three
+/// axes.
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
@@ -505,7 +508,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
     }
-    // An OpenFOAM case's file is empty, and only names its folder.
+    // The file of an OpenFOAM case is empty, and only names its folder.
     const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
     if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
     {
@@ -557,7 +560,7 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
 namespace
 {
 /// Loads a volume and aligns it to the axes. Before the alignment, calls `judge` with the volume,
-/// whose samples are still ordered as in the file.
+/// while its samples are still in the order of the file.
 template <typename Judge>
 Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
 {
@@ -566,7 +569,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
   if (!array.empty() || !volume.Flow.empty())
   {
-    // Show what is felt.
+    // Shows what is felt.
     const std::string& shown = array.empty() ? volume.Flow : array;
     volume.IsField = fields.UseWith(shown, path, volume.Image) || volume.IsField;
   }

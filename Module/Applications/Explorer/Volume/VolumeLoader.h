@@ -31,7 +31,7 @@ struct Volume
   // A segmentation, if there is one, with the geometry of its own file.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
-  // If the volume moves: all time steps, at times in seconds; the first one is the image.
+  // If the volume moves: all time steps, with times in seconds; the image is the first one.
   vtkSmartPointer<vtkHapticTimeStepSource> TimeSteps = nullptr;
   std::string Displacements = {}; // array with the time steps' material motion; empty if none
   // If the volume is read around the hand only: its source. The image is a coarse level of it.
@@ -45,23 +45,24 @@ struct Volume
     vtkSmartPointer<vtkImageData> Image;
   };
   std::vector<Phase> Phases = {};
-  std::string Modality = {}; // of DICOM, such as "CT"; empty if not known
-  bool IsGrid = false;       // resampled from cells
+  std::string Modality = {}; // DICOM's modality, such as "CT"; empty if not known
+  bool IsGrid = false;       // whether the volume was resampled from cells
   bool IsField = false; // its values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   // For a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this
   // is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
-  bool MayBeLabels = false; // its values look like the numbers of labels
-  bool AreLabels = false;   // they are used as labels
+  bool MayBeLabels = false; // whether its values look like the numbers of labels
+  bool AreLabels = false;   // whether its values are used as labels
   std::string Flow = {};    // the vectors of a grid, followed by default
   std::string Padding = {}; // what was taken for outside; empty if nothing was
 };
 
-/// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
-/// axes of any direction. The times of a NIfTI file become components on request, else the first
-/// one is read. From a DICOM folder, the series with a number is read, or for 0 the largest one.
+/// Reads a file or a folder like LoadVolume, but does not change the voxels: they may have any
+/// type, and axes of any direction. The times of a NIfTI file become components on request, else
+/// the first time is read. From a DICOM folder, the series with a number is read, or for 0 the
+/// largest series.
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
 /// The volumes along the fourth axis of a NIfTI file.
@@ -71,25 +72,25 @@ struct NiftiTimes
   double Spacing = 0.0; // s; 0 if there is one volume
 };
 
-/// Reads them from the header. `unknown` is the spacing if it does not give it. One volume for any
-/// other file.
+/// Reads them from the header. `unknown` is the spacing if the header does not give it. Any other
+/// file has one volume.
 NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
 
 /// Places the image along the axes of the world, straightened if its axes are sheared, with a note.
 void AlignVolume(Volume& volume);
 
-/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or one
-/// of them. If an array is named, its values, or the magnitude of its vectors, are shown and felt.
-/// Throws InputError for anything else, with the fault and the cure.
+/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or a
+/// single slice. If an array is named, its values, or the magnitude of its vectors, are shown and
+/// felt. Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
 /// All samples of a volume that can be read in boxes; null, with the reason, if that fails.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
-/// Adds what the source assumed when it opened its file.
+/// Adds notes on what the source assumed when it opened its file.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
-/// Only the image, of a further time step of a moving volume.
+/// Loads only the image, of a further time step of a moving volume.
 vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array);
 } // namespace Explore
 

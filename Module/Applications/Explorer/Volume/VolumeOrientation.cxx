@@ -32,7 +32,7 @@ void TurnAboutZ(double axes[9], double origin[3])
   }
 }
 
-/// For every world axis the index axis that runs along it best, each used once.
+/// Finds, for every world axis, the index axis that runs along it best; each is used once.
 std::array<int, 3> BestPermutation(const double axes[9])
 {
   std::array<int, 3> order{ 0, 1, 2 }, best = order;
@@ -44,7 +44,7 @@ std::array<int, 3> BestPermutation(const double axes[9])
     {
       sum += std::abs(axes[3 * axis + order[axis]]);
     }
-    // The margin keeps the first, natural order on ties.
+    // The margin keeps the natural order, which comes first, on ties.
     if (sum > bestSum + 1e-9)
     {
       bestSum = sum;
@@ -89,7 +89,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
   }
   if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
   {
-    return; // the header is nonsense: the plain axes are better than none
+    return; // the header is nonsense: plain axes are better than none
   }
   image->SetDirectionMatrix(unit);
   image->SetOrigin(origin);

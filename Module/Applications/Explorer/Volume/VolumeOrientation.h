@@ -19,7 +19,8 @@ enum class WorldAxes
   Other
 };
 
-/// From the `space` of a NRRD file; from the `AnatomicalOrientation` of a MetaImage.
+/// Read the axes from the `space` of a NRRD file, and from the `AnatomicalOrientation` of a
+/// MetaImage.
 WorldAxes ReadNrrdAxes(const std::string& path);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
@@ -38,11 +39,11 @@ std::string DescribeNrrdTurn(const std::string& path);
 /// without one, and turns the result to left-posterior-superior.
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
 
-/// Multiplies every length of the image.
+/// Multiplies all lengths of the image by a factor.
 void ScaleLengths(vtkImageData* image, double factor);
 
-/// The same voxels at the same positions, reordered so that index axis c runs along world axis c as
-/// nearly as possible. Nothing is interpolated; if nothing has to change, the input is returned.
+/// Reorders the voxels, at the same positions, so that index axis c runs along world axis c as
+/// nearly as possible. Nothing is interpolated; if nothing has to change, returns the input.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
 } // namespace Explore
 

@@ -32,7 +32,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// For files without times: this many make a second.
+/// The number of time steps in a second, for files without times.
 constexpr double FRAMES_PER_SECOND = 10.0;
 
 struct TimeStepPath
@@ -64,8 +64,8 @@ std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
   return timeSteps;
 }
 
-/// The volumes in a folder, or the folders in it if it has no files and they hold the slices of
-/// phases; none if there are fewer than two.
+/// Lists the volumes in a folder, or the folders in it if it has no files and they hold the slices
+/// of phases; none if there are fewer than two.
 std::vector<TimeStepPath> ListFolder(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -98,7 +98,7 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder)
   return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
 }
 
-/// The files and times of ParaView's collections.
+/// Reads the files and times of a collection of ParaView.
 std::vector<TimeStepPath> ReadCollection(const std::string& path)
 {
   const auto root =
@@ -212,7 +212,7 @@ Volume LoadTimeSteps(
   return volume;
 }
 
-/// A volume whose file or folder may have several phases.
+/// Loads a volume whose file or folder may have several phases.
 Volume LoadPhases(const std::string& path, int series, const std::string& array)
 {
   Volume volume = Explore::LoadVolume(path, series, array);
@@ -243,13 +243,13 @@ vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component
   return timeStep;
 }
 
-/// One of the volumes along the fourth axis of a NIfTI file, or all of them as time steps. `chosen`
-/// is the number of the one, from 1 on; 0 for all.
+/// Loads one of the volumes along the fourth axis of a NIfTI file, or all of them as time steps.
+/// `chosen` is the number of the volume, from 1 on; 0 stands for all.
 Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
-  // Each time has all of its values, such as colours, of which the first is felt.
+  // Each time has several values, such as colours, of which the first is felt.
   const int count = times.Count;
   const int step = std::max(1, all->GetNumberOfScalarComponents() / count);
   if (chosen > count)

@@ -13,8 +13,9 @@ namespace Explore
 /// Reads a volume as LoadVolume does, or one that moves: several files, a folder of volumes or of
 /// folders of DICOM slices, in the order of their names and the numbers in them; a .pvd file; or a
 /// NIfTI file with several times. All time steps are in memory. Its image is the first time step. A
-/// volume that is large, or requested as large, is read as by LoadLargeVolume. With a number of a
-/// DICOM series, a folder holds no time steps. The array is as in LoadVolume. Throws InputError.
+/// volume that is large, or requested as large, is read as by LoadLargeVolume. If a number of a
+/// DICOM series is given, a folder holds no time steps. For the array, see LoadVolume. Throws
+/// InputError.
 Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
   const std::string& array = "");
 

@@ -13,7 +13,7 @@
 namespace
 {
 constexpr std::size_t PART_SIZE = 1 << 18; // bytes unpacked at once
-constexpr int ANY_HEADER = 15 + 32;        // zlib's or gzip's
+constexpr int ANY_HEADER = 15 + 32;        // accepts the head of zlib or of gzip
 constexpr std::size_t LONGEST_END = 1024;  // bytes in which an XML file has its end
 
 std::string ReadPart(std::ifstream& in, std::size_t from, std::size_t size)
@@ -51,7 +51,8 @@ double CountUnpacked(const std::string& file, std::size_t offset)
     {
       if (state == Z_STREAM_END && stream.avail_in > 0)
       {
-        // gzip files may follow each other; other data after them are no part of them.
+        // Several gzip streams may follow each other; other data after them are not part of the
+        // contents.
         const bool isGzip = *stream.next_in == 0x1f;
         if (hasAny && !isGzip)
         {

@@ -11,29 +11,33 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * There are a background and a solid part if this fraction of the variance of all values is between
- * the two. The halves of a normal distribution have 0.637.
+ * A background and a solid part exist if the difference between them accounts for this fraction of
+ * the variance of all values. For the halves of a normal distribution it is 0.637.
  */
 constexpr double ApartFraction = 0.65;
-/** The values of an even block differ by at most this fraction of the rise between the two. */
+/**
+ * The values of an even block differ by at most this fraction of the rise from background to solid.
+ */
 constexpr double EvenFraction = 0.15;
 ///@{
 /**
- * A darker material stands out if this fraction of the variance of even places is between the two.
+ * A darker material stands out if the difference accounts for this fraction of the variance of the
+ * even places.
  */
 constexpr double DarkFraction = 0.88;
 /**
- * Its least rise, as a fraction of the brighter one's, and its least fraction of the even places.
+ * The least rise of the darker material, as a fraction of the brighter one's, and its least
+ * fraction of the even places.
  */
 constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
-/** From the threshold to Full, as a fraction of the way to the solid's median. */
+/** The distance from the threshold to Full, as a fraction of the way to the solid's median. */
 constexpr double FullFraction = 0.15;
 constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
 
-/** The means in a block, and how much they differ. */
+/** The means in a block, and the differences between them. */
 struct BlockMeans
 {
   double Mean;
@@ -78,7 +82,8 @@ public:
     level.IsThere = true;
     level.Threshold = 0.5 * (this->All[split.Below - 1] + this->All[split.Below]);
     const double rise = solid - background;
-    // Values between the two may belong to an edge: only even blocks show a darker material.
+    // Values between background and solid may belong to an edge: only even blocks show a darker
+    // material.
     std::vector<double> even;
     for (const BlockMeans& block : this->Blocks)
     {
@@ -112,7 +117,10 @@ public:
   }
 
 private:
-  /** The number of ascending values below a threshold, and the fraction of the variance between. */
+  /**
+   * The number of ascending values below a threshold, and the fraction of the variance that the
+   * split accounts for.
+   */
   struct Split
   {
     std::size_t Below = 0;
@@ -139,7 +147,8 @@ private:
   /** Otsu's split. */
   static Split ComputeSplit(const std::vector<double>& values)
   {
-    const double first = values.empty() ? 0.0 : values.front(); // so that no digits are lost
+    const double first = values.empty() ? 0.0 : values.front(); // subtracted, so that no digits are
+                                                                // lost
     double sum = 0.0;
     double squares = 0.0;
     for (const double value : values)

@@ -23,15 +23,15 @@ struct BackgroundLevel
   double Threshold = 0.0; ///< between the two
   double Full = 0.0;      ///< a little above: values from here on are solid
   double Dark = 0.0;      ///< the median of the background
-  double Bright = 0.0;    ///< the median of what is brighter than the threshold
+  double Bright = 0.0;    ///< the median of the values above the threshold
 
   /**
-   * Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless the
-   * values are one heap. As long as a darker material stands out of the background in places where
-   * values are even, the threshold becomes the one between these, and so on.
+   * Computes Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless
+   * the histogram has a single peak. As long as a darker material stands out from the background in
+   * even places, the threshold moves down between this material and the background.
    */
   static BackgroundLevel Estimate(const NoiseSamples& samples);
-  /** As above, to the bit, for a volume that is not a piece. */
+  /** Computes the same, to the bit, for a volume that is not a piece. */
   static BackgroundLevel Estimate(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 

@@ -17,21 +17,22 @@ using LatticePlace = std::array<std::int64_t, 3>;
 
 constexpr double MostPlaces = 8000.0;
 constexpr std::size_t MostEdges = 256;
-/** Samples on either side. */
+/** The number of samples to either side. */
 constexpr std::int64_t EdgeReach = 64;
 /**
- * An edge rises at least by these fractions of the values' range: within a sample, and as a whole.
+ * An edge rises at least by these fractions of the range of values: from one sample to the next,
+ * and in all.
  */
 constexpr double LeastEdgeSlope = 0.03;
 constexpr double LeastEdgeRise = 0.1;
-/** And at least by these multiples of the noise. */
+/** An edge also rises by at least these multiples of the noise. */
 constexpr double SlopeOverNoise = 4.0;
 constexpr double RiseOverNoise = 10.0;
 /** A plateau begins where the rest of the rise is less than this fraction of the range. */
 constexpr double EdgeTail = 1e-3;
 /**
- * Tolerance of a plateau in another time step (fraction of the rise), and its distance from the
- * middle (widths).
+ * The tolerance of a plateau in another time step (fraction of the rise), and its distance from the
+ * middle of the edge (widths).
  */
 constexpr double SamePlateau = 0.3;
 constexpr double PlateauDistance = 3.0;
@@ -110,7 +111,7 @@ struct SteepPlace
   LatticePlace At;
   std::size_t Axis; ///< the axis of the steepest slope
   double Rising;    ///< 1 or -1
-  double Cosine;    ///< of the angle between axis and gradient
+  double Cosine;    ///< the cosine of the angle between axis and gradient
 };
 
 /** Walks from a steep place to the beginning of a plateau; false if there is none within reach. */
@@ -136,7 +137,7 @@ bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward
   }
 }
 
-/** The index between i and i + 1 at which a line has a value. */
+/** Returns the index between i and i + 1 at which a line has a value. */
 double FindCrossing(const SampleLine& line, std::int64_t i, double value)
 {
   const double a = line(i);
@@ -183,7 +184,7 @@ bool FindEdge(const SampleLine& line, const SteepPlace& steep, double tolerance,
   return false;
 }
 
-/** Whether a crossing leads from the edge's one plateau to the other. */
+/** Whether a crossing leads from one plateau of the edge to the other. */
 bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 {
   const auto distance = static_cast<std::int64_t>(std::ceil(PlateauDistance * edge.Width));
@@ -194,7 +195,10 @@ bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
     std::abs(line(behind) - edge.High) < most;
 }
 
-/** The motion (samples) of an edge to the nearest place on a line that has it; -1 without one. */
+/**
+ * Returns the motion (samples) of an edge to the nearest place on a line that has the edge; -1 if
+ * there is none.
+ */
 double MeasureMotion(const SampleLine& line, const FoundEdge& edge)
 {
   const double value = 0.5 * (edge.Low + edge.High);
@@ -226,7 +230,7 @@ double Median(std::vector<double>& values)
   return *middle;
 }
 
-/** The places where a lattice over the samples meets steep gradients. */
+/** Collects the places of a lattice over the samples where gradients are steep. */
 std::vector<SteepPlace> CollectSteepPlaces(
   const EdgeSamples& samples, const Vector3& spacing, double noise, double& range)
 {

@@ -41,8 +41,8 @@ struct EdgeMotion
  * Measures up to 256 edges on a lattice of some 8000 places, within 64 samples of each: a few
  * milliseconds. For two time steps of the same geometry.
  * @param indexToWorld the linear part of the map
- * @param blur of the kernel that widens edges before they are felt (samples)
- * @param noise of the samples, their standard deviation
+ * @param blur the width of the kernel that blurs edges before they are felt (samples)
+ * @param noise the standard deviation of the samples' noise
  */
 EdgeMotion MeasureEdgeMotion(const VolumeView& first, const VolumeView& second,
   const Matrix3& indexToWorld, double blur, double noise);

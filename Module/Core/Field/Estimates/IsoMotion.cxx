@@ -18,8 +18,8 @@ constexpr int Blends = 8;
 constexpr int MostSteps = 4;
 ///@{
 /**
- * Voxels: the longest step, the step after which the level is reached, and the step after which it
- * is lost.
+ * In voxels: the longest step, the step after which the level is reached, and the step after which
+ * it is lost.
  */
 constexpr double LongestStep = 0.5;
 constexpr double ShortStep = 1e-4;

@@ -26,12 +26,14 @@ struct IsoTimeSteps
 {
   VolumeView First;
   VolumeView Second;
-  /** On the points of First, to Second; without Data, the motion is not known. */
+  /** Displacements on the points of First, to Second; without Data, the motion is not known. */
   DisplacementView Displacements;
   Affine3 IndexToWorld;
 };
 
-/** The motions of points of the isosurface in the first time step (both in world units). */
+/**
+ * Computes the motions of points of the isosurface in the first time step (both in world units).
+ */
 std::vector<Vector3> MeasureIsoMotions(
   const std::vector<Vector3>& points, double value, const IsoTimeSteps& timeSteps);
 

@@ -27,11 +27,13 @@ constexpr double FractionAtFlattest = 0.916;
 constexpr double NoiseRounding = 1e-9;
 constexpr double NoiseThreshold = 3.4;
 
-/** Orthogonal on -2 ... 2: constant, line and parabola, with the sums of their squares. */
+/**
+ * Orthogonal functions on -2 ... 2 (constant, line and parabola), and the sums of their squares.
+ */
 constexpr double Basis[3][BlockSide] = { { 1, 1, 1, 1, 1 }, { -2, -1, 0, 1, 2 },
   { 2, -1, -2, -1, 2 } };
 constexpr double Squares[3] = { 5, 10, 14 };
-/** The products of degree at most 2. */
+/** The products of these functions with a degree of at most 2. */
 constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
 
@@ -89,7 +91,7 @@ constexpr TermTable TermValues;
 /** The sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
 {
-  // Around the middle, so that no digits are lost.
+  // Relative to the middle, so that no digits are lost.
   const double middle = block[BlockSamples / 2];
   double left = 0.0;
   double sums[Quadratic] = {};
@@ -155,7 +157,7 @@ public:
   }
 
 private:
-  std::vector<double> Left; // of blocks that are not flat
+  std::vector<double> Left; // remainders of blocks that are not flat
   std::vector<double> Flat; // values of flat blocks
 };
 
@@ -191,7 +193,7 @@ double NoiseGain(const GradientKernel& kernel)
     }
     else
     {
-      // At the middle of an interval of the table: its polynomials are read at 1/2.
+      // Read at the middle of an interval of the table, where the polynomials' argument is 1/2.
       const int count = 2 * kernel.Taps;
       const double* const c =
         &kernel.Table[static_cast<std::size_t>(p) * GradientKernel::Coefficients * count];
@@ -273,8 +275,8 @@ std::vector<std::array<int, 6>> ComputeNoiseBoxes(const int whole[6])
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
 {
-  std::int64_t n[3];    // of the piece
-  std::int64_t from[3]; // the piece's first sample, in the whole
+  std::int64_t n[3];    // size of the piece
+  std::int64_t from[3]; // index of the piece's first sample in the whole
   struct Wanted
   {
     std::int64_t Index; // in the piece
@@ -304,7 +306,7 @@ void CollectNoiseSamples(
   }
   if (samples.Indices.empty())
   {
-    // Megabytes, which would be moved again and again.
+    // Reserved at once: megabytes would otherwise be moved again and again.
     std::size_t most = 1;
     for (const std::vector<Wanted>& along : wanted)
     {
@@ -360,12 +362,12 @@ void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
-  std::vector<std::int64_t> alongX; // the block at each index: divisions take long
+  std::vector<std::int64_t> alongX; // the block at each index, stored because divisions take long
   for (std::int64_t i = 0; i < samples.Dimensions[0]; ++i)
   {
     alongX.push_back(axes[0].Find(i));
   }
-  // The row along x of the last sample: the next sample is mostly in the same row.
+  // The row along x of the last sample, which mostly contains the next one.
   std::array<std::int64_t, 3> at{};
   std::int64_t row = -samples.Dimensions[0];
   std::int64_t y = BlockAxis::None;
@@ -431,7 +433,7 @@ double EstimateNoise(const NoiseSamples& samples)
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
 {
   const std::int64_t* const n = dimensions;
-  NoiseSamples seen; // their range only
+  NoiseSamples seen; // only their range
   Remainders remainders;
   VisitNoiseBlocks(read, n,
     [&](const double* block)

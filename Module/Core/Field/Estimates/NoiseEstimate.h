@@ -29,7 +29,7 @@ constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 /** Whether a volume is large: it has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
 
-/** As above, for an extent. */
+/** Whether the volume of an extent is large. */
 bool IsLargeVolume(const int extent[6]);
 
 /**
@@ -75,7 +75,8 @@ void VisitNoiseBlocks(
 ///@}
 
 /**
- * The result of a finder for the noise blocks of a volume, which the first arguments above give.
+ * The result of a finder for the noise blocks of the volume that the first arguments give, as
+ * above.
  */
 template <typename Finder, typename... Volume>
 auto EstimateInNoiseBlocks(const Volume&... volume)
@@ -95,10 +96,10 @@ auto EstimateInNoiseBlocks(const Volume&... volume)
 double EstimateNoise(const NoiseSamples& samples);
 
 /**
- * As above, to the bit, for a volume that is not a piece, block by block: without copying its
- * samples, whose pages would take longer than the estimate. `range` is the range of all samples or,
- * unless HasRangeOfAll(), becomes that of the noise samples; the first number is the larger if
- * there are none.
+ * Computes the same, to the bit, for a volume that is not a piece, block by block and without a
+ * copy of the samples: allocating its pages would take longer than the estimate. `range` is the
+ * range of all samples or, unless HasRangeOfAll(), becomes that of the noise samples; the first
+ * number is the larger if there are none.
  */
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2]);
 

@@ -15,12 +15,12 @@ namespace
 constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -2147483648.0,
   -2147483647.0, -33792.0, -31744.0, 63536.0 };
 /**
- * With either sign: the numbers of NetCDF, Ferret and others, and the largest of both
- * floating-point types.
+ * Numbers for missing values, with either sign: those of NetCDF, Ferret and others, and the largest
+ * numbers of both floating-point types.
  */
 constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
   std::numeric_limits<float>::max() };
-/** Fraction of the range of all other values. */
+/** The least gap to the other values, as a fraction of their range. */
 constexpr double LeastGap = 0.1;
 
 bool IsEnormous(double value)
@@ -88,8 +88,8 @@ OutsideSamples DetectOutside(const NoiseSamples& samples)
     {
       outside.AreNonFinite = true;
     }
-    // The least of several, in any order of the pieces. If there are only two values, both are
-    // measured.
+    // The least of several numbers counts, so that the order of the pieces does not matter. If
+    // there are only two values, both are measured.
     else if (!isOneValue && gap > LeastGap * (inside[1] - inside[0]) && !(outside.Missing <= value))
     {
       outside.Missing = value;

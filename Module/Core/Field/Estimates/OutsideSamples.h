@@ -27,8 +27,8 @@ struct OutsideSamples
   /** The number that stands for missing values; NaN if there is none. */
   double Missing = std::numeric_limits<double>::quiet_NaN();
   /**
-   * The least value inside. If all values inside are equal, a value below them: 0 if that is below,
-   * else one less.
+   * The value with which samples outside are felt: the least value inside. If all values inside are
+   * equal, a lower value: 0 if that is lower, else one less.
    */
   double Fill = 0.0;
   /** If NaN and infinity are holes: the fraction of such samples among those read. */
@@ -42,19 +42,20 @@ struct OutsideSamples
 };
 
 /**
- * Whether programs write this number for missing values: -9999 and -99999, the least number of 16
- * or 32 bits and the one above it, the least of 16 bits with a CT's offset, -2000 of a CT without
- * its sign (63536), 1e20 and numbers as large.
+ * Whether programs write this number for missing values: -9999 and -99999; the least number of 16
+ * or 32 bits and the one above it; the least number of 16 bits with a CT's offset; 63536, which is
+ * a CT's -2000 read without sign; 1e20 and numbers as large.
  */
 bool MayBeMissing(double value);
 
 /**
  * Decides for a whole volume. Numbers in a corner stand for missing values if MayBeMissing says so,
- * and if they lie apart from all other values by a tenth of the range of those, which is not 0.
+ * and if the distance to all other values is at least a tenth of the other values' range, which is
+ * not 0.
  */
 OutsideSamples DetectOutside(const NoiseSamples& samples);
 
-/** Sets the samples outside to their value, and corrects the range. */
+/** Sets the samples outside to the value with which they are felt, and corrects the range. */
 void FillOutside(const OutsideSamples& outside, NoiseSamples& samples);
 
 } // namespace VolumeHaptics

@@ -22,19 +22,20 @@ constexpr double AirValues[2] = { -1030.0, -850.0 };
 constexpr double BrightestAir = -940.0; // without lung
 constexpr double BetweenValues[2] = { -700.0, -400.0 };
 constexpr double TissueValues[2] = { -150.0, 150.0 };
-/** A heap is this much larger than the values in between. */
+/** A peak is this much larger than the values between the peaks. */
 constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
-/** Shifted data has hardly any value at or below this, since the shift makes values positive. */
+/** Shifted data have hardly any value at or below this, because the shift makes values positive. */
 constexpr double Negative = -0.5;
 /** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
 constexpr double LeastSpread = 0.5;
-/** Only padding is this much darker than air, which is this near to its place (HU). */
+/** Only padding is this much darker than air, and air this close to its place (HU). */
 constexpr double DarkerThanAir = -1100.0;
 constexpr double NearAir = 20.0;
 /**
- * The second offset near the first one: if air fits this one better, the data was stored with it.
+ * The distance to the second usual offset: if air fits that offset better, the data were stored
+ * with it.
  */
 constexpr double OtherOffset = 1000.0;
 /**
@@ -142,8 +143,8 @@ private:
   }
 
   /**
-   * The middle of the shortest half of the values from `low` to `high`; without the most frequent
-   * one, to which values may have been clipped, if others remain.
+   * Returns the middle of the shortest interval with half of the values from `low` to `high`.
+   * Leaves out the most frequent value, to which others may have been clipped, if others remain.
    */
   double EstimateAir(double low, double high) const
   {

@@ -124,7 +124,7 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
     foot, gradient);
 }
 
-/** The sum over copies of the taps, see CopyTaps. */
+/** The sum over copies of the taps: see CopyTaps. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -228,7 +228,7 @@ VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   return nullptr;
 }
 
-/** Gives the older memory to a blend. */
+/** Prepares the older of the two memories for a blend. */
 VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   const TimeStepBlend& blend, const std::int64_t* first, TickMemory& tick)
 {
@@ -240,7 +240,10 @@ VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   return memory;
 }
 
-/** From the memories: from the blend, or from both time steps, whose blend is then stored. */
+/**
+ * Computes the gradient from the memories: from the blend, or from both time steps, whose blend is
+ * then stored.
+ */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
   const TimeStepBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)

@@ -37,7 +37,7 @@ VOLUME_HAPTICS_INLINE double Spline(const TimeStepBlend& blend, double x, double
   return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
 }
 
-/** For a field, or for a blend of two. */
+/** Reads a field, or a blend of two. */
 template <typename T, typename Source>
 double SplineValue(const Source& from, double x, double y, double z) noexcept
 {
@@ -87,7 +87,7 @@ FieldSample BlendedSpline(
   return SumBlendedGradient<T, 4>(blend, foot, memories);
 }
 
-/** The gradient from the taps of a memory, which are read anew if they are of another place. */
+/** The gradient from the taps of a memory, which are read again if they belong to another place. */
 template <int N>
 VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<N>& foot,
   FillFunction fill, TapMemory& memory, FieldSample& sample)
@@ -170,7 +170,7 @@ template <int N>
 VOLUME_HAPTICS_INLINE void LocateGaussian(
   const FieldView& view, double x, double y, double z, Footprint<N>& foot)
 {
-  // In the order in which the sum needs them.
+  // Finds the taps in the order in which the sum needs them.
   LocateGaussian<N>(view, 1, y, foot);
   LocateGaussian<N>(view, 2, z, foot);
   LocateGaussian<N>(view, 0, x, foot);
@@ -202,7 +202,7 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   return SumRemembered<N>(view, foot, fill, memory, sample);
 }
 
-/** As above, for any number of taps, in plain loops. */
+/** The same for any number of taps, in plain loops. */
 template <typename T>
 FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
 {

@@ -56,7 +56,7 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
   }
 }
 
-/** All labels after the first one, one by one. */
+/** Compares all labels after the first one, one by one. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
@@ -128,7 +128,7 @@ VOLUME_HAPTICS_INLINE void CollectFrom(
   }
 }
 
-/** As above, at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
+/** The same at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFromCopy(
   const VolumeView& view, const std::int64_t* first, LabelBlock& block, LabelsFound<U>& found)
@@ -225,7 +225,7 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-/** The factors of rows and planes; of LabelWeights or StepWeights. */
+/** The factors of rows and planes, from LabelWeights or StepWeights. */
 template <typename Weights>
 VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
 {

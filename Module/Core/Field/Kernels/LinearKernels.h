@@ -34,7 +34,10 @@ VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
   return { static_cast<std::int64_t>(inside), inside - Floor(inside) };
 }
 
-/** As Locate, with a sample behind the cell: the last sample is the end of the cell before it. */
+/**
+ * The same as Locate, with a sample behind the cell: the last sample is the end of the cell before
+ * it.
+ */
 VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
@@ -141,7 +144,7 @@ VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& pla
   return near + place.Z.Fraction * (LoadPlane(cell, 1) - near);
 }
 
-/** A sample that is not a number does not count without a weight. */
+/** Skips a sample without a weight, so that one that is not a number does not count. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
 {
@@ -171,7 +174,7 @@ VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const C
   return value;
 }
 
-/** All samples count. */
+/** Counts all samples. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
 {
@@ -181,7 +184,7 @@ VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
   return a + place.X.Fraction * (b - a);
 }
 
-/** Two at once: the same to the bit. */
+/** Computes two values at once, each the same to the bit. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE ValuePair BlendCells(
   const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
@@ -196,7 +199,7 @@ VOLUME_HAPTICS_INLINE ValuePair BlendCells(
 }
 
 ///@{
-/** From samples, or from a blend. */
+/** Reads from samples, or from a blend. */
 template <typename T, typename Cell>
 VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
 {
@@ -237,7 +240,7 @@ VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const TimeStepBlend& blend)
 }
 ///@}
 
-/** For a field, or for a blend of two. */
+/** Reads a field, or a blend of two. */
 template <typename T, typename Source>
 double TrilinearValue(const Source& from, double x, double y, double z) noexcept
 {

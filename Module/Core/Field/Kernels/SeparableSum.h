@@ -63,7 +63,10 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
 }
 
 ///@{
-/** Both rows as numbers to compute with. By fours: the compiler splits up a copy of the whole. */
+/**
+ * Both rows as numbers to compute with, copied by fours: the compiler splits up a copy of the
+ * whole.
+ */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
 {
@@ -395,7 +398,7 @@ VOLUME_HAPTICS_INLINE void SpreadWeights(const double* from, PlaneWeights<N>& we
   }
 }
 
-/** The weighted rows of a plane: as AddRows adds them, to the bit. `load` gives a pair of rows. */
+/** Weights and adds the rows of a plane like AddRows, to the bit. `load` gives a pair of rows. */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWeights<N>& weights)
 {
@@ -420,9 +423,9 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWei
 }
 
 /**
- * The sum over taps, and the gradient's, to the bit as by SumPlanes. The rows are read twice, so
- * that the weights of all of them stay in registers: `load` gives a pair of rows of a plane and, if
- * the rows are not there yet, stores them for the second pass.
+ * Computes the sum over taps, and the gradient's, with the result of SumPlanes to the bit. The rows
+ * are read twice, so that the weights of all of them stay in registers: `load` gives a pair of rows
+ * of a plane and, if the rows are not there yet, stores them for the second pass.
  */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumTwice(
@@ -452,7 +455,7 @@ VOLUME_HAPTICS_INLINE double SumTwice(
   return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
 }
 
-/** The sum over the taps of a memory, and the gradient's. */
+/** Computes the sum over the taps of a memory, and its gradient. */
 template <int N>
 VOLUME_HAPTICS_INLINE double SumTaps(
   const double* taps, const Footprint<N>& foot, Vector3* gradient)

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Trilinear values of two time steps, blended, from the samples that the last gradient has left in
- * a memory: samples around a proxy are hardly farther away than the gradient's taps. As from the
- * time steps, to the bit. NaN if the memory lacks the samples. The rules of FieldKernels.h hold
- * here too.
+ * @file Trilinear values of two time steps, blended, from the samples that the last gradient has
+ * left in a memory: samples around a proxy are hardly farther away than the gradient's taps. The
+ * values equal those read from the time steps, to the bit. NaN if the memory lacks the samples. The
+ * rules of FieldKernels.h hold here too.
  */
 #ifndef TapValues_h
 #define TapValues_h

@@ -86,7 +86,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   }
 }
 
-/** As above, over a copy of the taps, for the reasons of SumCopy. */
+/** The same over a copy of the taps, for the reasons given at SumCopy. */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   const VectorView& view, const Footprint<4>& foot, VectorSample& sample)

@@ -21,8 +21,9 @@ Vector3 ComputeFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
 
 /**
- * The present place of the material at the last tick's tip: damping acts against the motion
- * relative to it. The last tip itself if displacements are not known (CarriedProxy.h).
+ * Returns where the material at the last tick's tip is now: damping acts against the motion
+ * relative to the material. Returns the last tip itself if displacements are not known
+ * (CarriedProxy.h).
  */
 Vector3 ComputeFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 

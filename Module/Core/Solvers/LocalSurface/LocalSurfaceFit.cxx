@@ -14,12 +14,12 @@ constexpr double RayStep = 0.5;
 /** Feet closer together than this (voxels) count as one; so do the ends of a crossing. */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
-/** The step to either side of a foot that shows in which direction V rises (voxels). */
+/** The step (voxels) to either side of a foot that shows in which direction V rises. */
 constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
 
-/** a b' + b a', times a factor. */
+/** Returns a b' + b a', times a factor. */
 Symmetric3 Product(const Vector3& a, const Vector3& b, double factor) noexcept
 {
   return { (2.0 * factor) * Vector3{ a.X * b.X, a.Y * b.Y, a.Z * b.Z },
@@ -91,7 +91,7 @@ private:
     return this->Field.Value(this->WorldToIndex(x)) - this->Model.Baked->Settings.IsoValue;
   }
 
-  /** Unit, into the structure; false without a gradient. */
+  /** Computes the unit normal into the structure; false without a gradient. */
   bool ComputeNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
@@ -110,7 +110,7 @@ private:
     return true;
   }
 
-  /** The increase of V across a position. */
+  /** Returns the increase of V across a position. */
   double Rise(const Vector3& x, const Vector3& normal) const noexcept
   {
     const Vector3 step = (RiseStep * this->Voxel) * normal;
@@ -129,7 +129,7 @@ private:
     return 0.5 * (a + b);
   }
 
-  /** Takes the first crossing along a ray from Position, if it is the nearest so far. */
+  /** Uses the first crossing along a ray from Position, if it is the nearest so far. */
   void LookAlong(const Vector3& ray, int steps, double& nearest, Vector3& crossing) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -211,7 +211,9 @@ private:
     }
   }
 
-  /** The change of the normal across the foot; 0 if there is no normal a kernel radius away. */
+  /**
+   * Returns the change of the normal across the foot; 0 if there is no normal a kernel radius away.
+   */
   Symmetric3 ComputeCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
     const double step = this->Model.Baked->Kernel.Radius * this->Model.Baked->LargestSpacing;
@@ -259,7 +261,7 @@ private:
   const Matrix3 GradientToWorld;
   const double Voxel; ///< the smallest spacing
   const bool IsKnown;
-  double Sign = 1.0; ///< turns the gradient into the structure
+  double Sign = 1.0; ///< 1 or -1: turns the gradient into the structure
 };
 
 } // namespace

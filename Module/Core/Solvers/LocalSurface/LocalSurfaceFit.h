@@ -12,9 +12,9 @@
  *
  *   depth(x) = N.u + u.S u / 2,   u = x - c,   S N = 0.
  *
- * A surface holds from outside only: a hand in the structure that has not come through a surface
- * nearby gets none. N is the normal of the gradient kernel, turned to the side on which V rises or
- * falls.
+ * A surface holds from outside only: a hand that is in the structure without having come through a
+ * nearby surface gets no surface. N is the normal of the gradient kernel, turned to the side on
+ * which V rises or falls.
  *
  * Everything is in world units, so that surfaces stay in place when the device is placed again.
  */

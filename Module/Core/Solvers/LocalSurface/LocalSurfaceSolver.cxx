@@ -16,7 +16,7 @@ namespace
 constexpr double LeastSlope = 0.1;
 /**
  * The fraction of the depth below which the proxy has arrived, and the fraction of friction that
- * counts as all of it.
+ * counts as the whole.
  */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
@@ -29,9 +29,9 @@ constexpr int MostSlips = 16;
 /** A step turns the normal by at most this (radian), and is at most 4 Newton steps long. */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
-/** The largest change of a lag that is no jump, in units of the tip's motion. */
+/** A change of the lag by at most this many times the tip's motion is no jump. */
 constexpr double MostFollowing = 2.0;
-/** The fraction from which on a period counts as whole, because of rounding. */
+/** A period counts as whole from this fraction on, because of rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
 /** Moves a point back to the surface, along the slope; false if that is not possible. */
@@ -78,7 +78,7 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
   return true;
 }
 
-/** The point at which the tip came through the surface. */
+/** Returns the point at which the tip came through the surface. */
 Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
 {
   const double before = shape.Depth(from);
@@ -86,7 +86,9 @@ Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& t
   return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
 }
 
-/** The excess of a surface proxy's tangential lag over friction (world units). */
+/**
+ * Returns by how much the tangential lag of a proxy on the surface exceeds friction (world units).
+ */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
   const Vector3 slope = shape.Slope(x);
@@ -125,8 +127,8 @@ bool HoldWhole(
   }
   local.Position = goal;
   contact = ContactState::Sliding;
-  // As far from the goal as friction holds it (Illinois); the last point that friction holds
-  // counts.
+  // Moves to the farthest point from the goal at which friction holds (Illinois method), and uses
+  // the last point that friction holds.
   double low = 0.0;
   double atLow = Slip(shape, tip, goal, friction);
   const double near = -CloseToCone * atLow;
@@ -151,7 +153,7 @@ bool HoldWhole(
   return true;
 }
 
-/** As HoldWhole, but cut-away parts hold nothing. */
+/** The same as HoldWhole, but cut-away parts hold nothing. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -205,7 +207,7 @@ Vector3 ComputeCarry(
   const double change = now.Value(there) - baked.At(from).Value(index);
   const ValuePair sides = now.Values(there, step);
   const double carry = -2.0 * CarryStep * change / (sides.Ahead - sides.Behind);
-  // Also for a slope of 0.
+  // Also chosen if the slope is 0.
   const double length =
     std::isfinite(carry) ? std::clamp(carry, -LongestFollow, LongestFollow) : 0.0;
   return baked.IndexToWorld.Linear * (there - index) + (length / voxels) * normal;
@@ -264,7 +266,7 @@ void Solve(const HapticModel& model, const Vector3& tip, double carried, double 
   }
 }
 
-/** Takes another surface, without a change of the felt force. */
+/** Adopts another surface, without a change of the felt force. */
 void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -320,7 +322,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   ++local.Number;
 }
 
-/** The reach (world units) of the search for a surface, except for the ray ahead. */
+/** Returns the reach (world units) of the search for a surface, without the ray ahead. */
 double FindSearchReach(const HapticModel& model) noexcept
 {
   return LocalCornerReach * model.Baked->LargestSpacing;

@@ -36,11 +36,15 @@ struct LocalState;
 /** The result of the slow loop for a tick. */
 struct LocalSurfaceResult
 {
-  /** The tick computes the surface itself, as late as a slow loop of LocalSurfaceRate would. */
+  /**
+   * The tick computes the surface itself, as late as a slow loop of LocalSurfaceRate would deliver
+   * it.
+   */
   static LocalSurfaceResult Simulated() noexcept { return { true, nullptr }; }
 
   bool IsSimulated = false;
-  const LocalSurface* Surface = nullptr; ///< for state.Local.Request; null until it has come
+  const LocalSurface* Surface = nullptr; ///< the answer to state.Local.Request; null until it has
+                                         ///< come
 };
 
 /** One tick from record.Tip; writes all of the record. */

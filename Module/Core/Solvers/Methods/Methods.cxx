@@ -19,7 +19,7 @@ namespace
 
 constexpr Method PaperRow = { &StepPaper, &FindPaperReach };
 
-/** In the order of HapticMethod; that of PROXY is its default solver, PRECISE. */
+/** The methods in the order of HapticMethod. The row of PROXY has its default solver, PRECISE. */
 constexpr Method Rows[] = {
   { &StepPrecise, &FindPreciseReach, &IncludePrecise },
   { &StepForceField, &FindFieldReach, nullptr, &FindFieldDrag, false },

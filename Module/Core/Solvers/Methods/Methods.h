@@ -13,7 +13,7 @@ namespace VolumeHaptics
 {
 struct HapticSettings;
 
-/** The method, and the solver if it has several, that settings choose. */
+/** Returns the method that settings choose, and its solver if it has several. */
 const Method& GetMethod(const HapticSettings& settings) noexcept;
 
 } // namespace VolumeHaptics

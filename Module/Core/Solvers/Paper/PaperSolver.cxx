@@ -47,7 +47,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   return proxy;
 }
 
-/** A tick from the proxy on; the surface through the proxy is null if it is not known yet. */
+/** Makes a tick from the proxy on. `found` is the surface through the proxy; null: not known. */
 void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
 {
@@ -57,16 +57,16 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = found ? *found : Law::ComputeSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
-  // Before the materials, so that the processor has the result by the time they are there.
+  // Computed before the materials, so that the processor has the result when they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance<true>(model, position, split, record) : tip;
 }
 
 /**
- * The rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. As Step, to the
- * bit, but without a Surface and a FieldAtTime: they lie in memory, where numbers wait for one
- * another.
+ * The rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. Gives the
+ * result of Step, to the bit, but without a Surface and a FieldAtTime, whose numbers in memory
+ * would have to wait for one another.
  * @param slope at the proxy; turned towards the structure
  * @param fade of the surface
  */
@@ -110,8 +110,8 @@ void StepPlain(
 }
 
 /**
- * A tick in a plain volume that moves, with an enabled state: as with CarryProxy, to the bit. False
- * if CarryProxy has to do it.
+ * Makes a tick in a plain volume that moves, with an enabled state; the result equals that with
+ * CarryProxy, to the bit. False if CarryProxy has to make the tick.
  */
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept

@@ -13,7 +13,7 @@ namespace
 /** A smaller rise counts as zero: its reciprocal would not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
-/** From 0 at `low` to 1 at `high`, without a kink. */
+/** Rises from 0 at `low` to 1 at `high`, without a kink. */
 double SmoothStep(double low, double high, double x) noexcept
 {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -26,14 +26,16 @@ struct Walk
   double Far;    ///< the value so far
   double Last;   ///< V at the last sample
   double Valley; ///< Far at the smallest rise since the largest
-  double Rise;   ///< of V along the gradient in this step; before the first step, the gradient's
+  double Rise;   ///< the rise of V along the gradient in this step; before the first step, that of
+                 ///< the gradient
   double Weight = 1.0;
-  double Change = 0.0; ///< of V in this step
+  double Change = 0.0; ///< the change of V in this step
   double Largest = 0.0;
   double LargestBefore = 0.0; ///< the largest rise, without this step
   double First = 0.0;         ///< the rise of the first step
   int Steps = 0;
-  double Smallest = std::numeric_limits<double>::infinity(); ///< smallest since the largest
+  double Smallest = std::numeric_limits<double>::infinity(); ///< the smallest rise since the
+                                                             ///< largest one
   double Pair = 0.0; ///< the rise of the current pair of steps
   double LeastPair = std::numeric_limits<double>::infinity();
   double LargestPair = 0.0;
@@ -76,8 +78,8 @@ struct Walk
     const bool isLargest = this->Rise >= this->Largest;
     const bool isValley = isLargest || this->Rise <= this->Smallest;
     this->Smallest = std::min(this->Smallest, this->Rise);
-    // Between two edges the position belongs to the edge on whose flank it is, unless it is on a
-    // plateau.
+    // Between two edges, the position belongs to the edge on whose flank it lies, unless it lies on
+    // a plateau.
     const double flank = SmoothStep(FarSide::Flat, FarSide::Steep, this->First * inverseOfMost);
     const double hill =
       std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
@@ -91,7 +93,7 @@ struct Walk
   }
 };
 
-/** @param rise of a pair of steps, by the gradient */
+/** @param rise the rise of a pair of steps, by the gradient */
 double ComputeEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 {
   const double found = std::min(ahead.LeastPair, behind.LeastPair);

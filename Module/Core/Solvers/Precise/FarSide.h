@@ -47,14 +47,14 @@
  *
  *   dV/ds = (F - V)/L,   L = FarSide::PathLength ahead, FarSide::MediumPathLength behind.
  *
- * A walk is valid for FarSide::WalkInterval voxels of the path. So no material steps along a
+ * A walk is valid for FarSide::WalkInterval voxels of the path. So the material never jumps along a
  * surface, whatever the walk reads: noise, or an edge that forks. The medium follows more slowly,
  * because its drag is a force by itself: on bone, where a layer of a few millimetres drags, it is
- * often more than the surface takes. It also goes on to follow when the proxy leaves the surface
- * and the drag alone takes a force, so that the drag does not step there.
+ * often more than the surface takes. It goes on following when the proxy has left the surface and
+ * only the drag takes a force, so that the drag does not jump there.
  *
- * A new contact begins with the values of its own place; and so does a walk that has met another
- * edge, or none, as after a proxy has gone through a surface.
+ * A new contact begins with the values of its own place. So does a walk that has met another edge,
+ * or no edge, for example after a proxy has gone through a surface.
  */
 #ifndef FarSide_h
 #define FarSide_h
@@ -109,8 +109,8 @@ FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const V
   double radius, double rise, bool isDescending) noexcept;
 
 /**
- * Whether a walk has met the edge of a touched surface, not the plateau behind it, or the next
- * edge: the same edge shares a part of its values.
+ * Whether a walk has met the edge of the touched surface again, and not the plateau behind it or
+ * the next edge: a walk on the same edge has a part of its values.
  */
 inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
 {
@@ -119,7 +119,7 @@ inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexc
   return std::min(high, farHigh) - std::max(low, farLow) >= FarSide::SharedHeight * (high - low);
 }
 
-/** The values of a surface after a path of some voxels, on which a walk has given `far`. */
+/** Returns the values of a surface after a path of some voxels, on which a walk has given `far`. */
 inline ValuePair ComputeFarSide(
   const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
 {

@@ -28,7 +28,7 @@ constexpr double LongestRest = 2e-3;
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
-/** As the first length, for walls between labels, which have bumps of a tenth of a voxel anyhow. */
+/** LongestSampleDistance at walls of labels, which have bumps of a tenth of a voxel anyhow. */
 constexpr double LongestWallDistance = 4e-3;
 
 /** Predictions beyond these do not save the sample that judges them. */
@@ -37,7 +37,7 @@ constexpr double MostPrediction = 1.5;
 /** The learned part of a tick's prediction: the remainder appears in the next tick. */
 constexpr double LearnedFraction = 0.5;
 
-/** N: a smaller change of the force is no leap. */
+/** A smaller change of the force (N) is no leap. */
 constexpr double LeastLeap = 0.02;
 
 /** Tolerance of a quotient: rounding on another machine must not add a step. */
@@ -118,13 +118,13 @@ void PreciseFollower::WriteLeap(
 {
   record.MayLeap = true;
   record.ForceBefore = before.Force;
-  // Without a leap, a force changes as much as its spring, and friction with it.
+  // Without a leap, the force changes by as much as its spring, and friction changes with it.
   const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(record.Tip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  // It is no leap if another model has come. A change of the tissue at the proxy in the same one
-  // is due to a motion, in the last tick, of whose end no sample was taken.
+  // A change by another model is no leap. In the same model, the tissue at the proxy can only
+  // change because of a motion in the last tick at whose end no sample was taken.
   const Vector3 change = record.Force -
     (before.IsOfAnotherModel ? this->Refreshed.value_or(before.Force) : before.Force);
   const double square = Dot(change, change);
@@ -164,8 +164,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // Makes the spring all slack except for the tip's step: a proxy that follows the tip carries no
-    // force along.
+    // Makes the whole spring slack except for the tip's step: a proxy that follows the tip carries
+    // no force along.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -200,7 +200,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Record(voxels);
-    // Motions at one tip shrink at a rate, which gives the sum of this motion and all that follow.
+    // Motions at one tip shrink at a constant rate, which gives the sum of this motion and all
+    // later ones.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)

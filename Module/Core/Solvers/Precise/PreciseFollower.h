@@ -30,7 +30,7 @@ struct SpringBefore
   }
 
   bool IsOfAnotherModel;
-  Vector3 Tip;      ///< the hand's, also where the solver has not reached it
+  Vector3 Tip;      ///< the hand's tip, even where the solver has not reached it
   Vector3 Force;    ///< N
   double Stiffness; ///< N/m, without slack
   double Friction;
@@ -51,7 +51,7 @@ public:
 
   /** For a moving volume: takes over the surface to which the proxy was carried by a motion (m). */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
-  /** Moves the tip straight to a position, and the proxy after it. */
+  /** Moves the tip straight to a position, and lets the proxy follow. */
   void Solve(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
@@ -73,11 +73,14 @@ private:
   void Refresh(double lag) noexcept;
   /** Moves the proxy until the law leaves it in place; false if the budget does not suffice. */
   bool Settle(const Vector3& tip) noexcept;
-  /** The motion by the law at the proxy's point. `tipBefore` is null if the tip stays. */
+  /**
+   * Returns the motion that the law demands at the proxy's point. `tipBefore` is null if the tip
+   * stays.
+   */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
   /** Records the kind of contact. */
   void Record(double voxels) noexcept;
-  /** Makes a motion longer, if the material still holds the spring. */
+  /** Lengthens a motion, if the material at its end still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
   /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */
   void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
@@ -94,7 +97,7 @@ private:
   bool WentThrough = false;
   bool Slid = false;
   bool LooksAreSpent = false;
-  std::optional<Vector3> Refreshed; ///< N, before the tip's motion, if something is felt
+  std::optional<Vector3> Refreshed; ///< N, the force before the tip's motion, if something is felt
 };
 
 } // namespace VolumeHaptics

@@ -59,7 +59,7 @@ namespace VolumeHaptics
 /** The largest number of samples in a tick. */
 constexpr int MaximumLooks = 256;
 
-/** One tick from record.Tip; writes the record and all of the state except its proxy. */
+/** Computes one tick from record.Tip; writes the record and all of the state except its proxy. */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 

@@ -21,9 +21,9 @@ constexpr int MostTrials = 10;
 constexpr double EdgeTolerance = 1e-3;
 /** The fraction of the edge's height over which a graded edge gains its strength. */
 constexpr double EdgeWidth = 0.5;
-/** N; the initial gain of strength, per EdgeWidth. */
+/** The initial growth (N) of the strength, per EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
-/** The channel of MaterialTable that says what is seen. */
+/** The channel of MaterialTable with the visibility. */
 constexpr int VisibilityChannel = 4;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
@@ -57,10 +57,11 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
  * h is less than the `rise` that the gradient predicts, then the edge is elsewhere, and s falls to
  * 0.
  *
- * V is V(x_p) or the estimator's own value, whichever is farther inside: the estimator's has less
- * noise, but in a sheet that is thinner than the kernel it does not reach the middle. It leads by
- * at most OwnLead h: at the foot of an edge, which the walk meets in part only, the mean of a wide
- * kernel is past that part's middle, though the proxy has the whole edge before it.
+ * V is V(x_p) or the estimator's own value, whichever is farther inside. The estimator's value has
+ * less noise, but does not reach the middle in a sheet that is thinner than the kernel. It may lead
+ * by at most OwnLead h: at the foot of an edge, of which the walk meets only a part, the mean of a
+ * wide kernel is past the middle of that part, although the whole edge still lies ahead of the
+ * proxy.
  */
 double GradedStrength(const ValuePair& sides, double strength, double own, double value,
   double rise, bool isDescending) noexcept
@@ -118,8 +119,8 @@ PrecisePoint PreciseSurroundings::Look(
   {
     return this->LookAt(index, Law::MakeNoSurface(this->Model), lag, touched, voxels);
   }
-  // As LookAt, to the bit, but without a Surface: it lies in memory, where numbers wait for one
-  // another.
+  // Gives the result of LookAt, to the bit, but without a Surface, whose numbers in memory would
+  // have to wait for one another.
   ++this->Looks;
   const BakedVolume& baked = *this->Model.Baked;
   const bool isDescending = Law::IsDescending(this->Model, lag, slope.Normal);
@@ -169,7 +170,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   if (this->HasWalks && this->Model.Baked->Walls && !(surface.GradientMagnitude > 0.0))
   {
-    surface.Reach = Vector3{}; // there is no wall: the labels around the proxy count
+    surface.Reach = Vector3{}; // there is no wall, so the labels around the proxy count
   }
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
   // Look up first: the sampling of the values then hides the lookup's latency.
@@ -407,7 +408,7 @@ Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
 {
   const Vector3 proxy = Law::StopAtCut(this->Model, start.Proxy, start.Proxy + displacement);
   const Vector3 lag = tip - proxy;
-  // The point is made in place: copies of it would have to wait until it is in the cache.
+  // The point is made in place: a copy of it would have to wait until it is in the cache.
   const double voxels = this->HasWalks ? this->Voxels(displacement) : 0.0;
   Arrival end{ proxy, this->Look(proxy, lag, start.Touched, voxels), 0.0, start.Spring };
   const double length = Norm(lag);
@@ -438,8 +439,8 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // The rest of the spring after surface and friction. There is no surface outward. The part of the
-  // spring perpendicular to the motion is held in the same way.
+  // The rest of the spring after surface and friction. There is no surface outward. The
+  // perpendicular part of the spring is held in the same way.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
@@ -462,7 +463,7 @@ Arrival PreciseSurroundings::DrawBack(const Departure& start, const Motion& moti
   const Vector3 normalPart =
     rest.IsWhole ? displacement : Dot(displacement, first.There.Normal) * first.There.Normal;
   const Vector3 tangentPart = displacement - normalPart;
-  // With the law at its beginning, a motion ends with a remainder of 0.
+  // Computed with the law at its beginning, a motion ends with a remainder of 0.
   const auto along = [&](const Remainder& r)
   { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
   RootBracket normal(Norm(normalPart), along(rest), this->Voxels(normalPart));

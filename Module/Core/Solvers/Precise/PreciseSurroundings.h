@@ -23,14 +23,16 @@ struct Motion
 {
   Vector3 Displacement; ///< m
   bool IsHeld = false;  ///< held by a surface: the proxy keeps its level
-  bool IsFree = false;  ///< no material holds the proxy
+  bool IsFree = false;  ///< whether no material holds the proxy
 };
 
 /** The material in contact before a motion, for MaterialPlacement::FarSide. */
 struct TouchedMaterial
 {
   const PrecisePoint* Point = nullptr; ///< null without a touched material
-  /** Whether the surface takes a force; if not, it did before, and now only its medium drags. */
+  /**
+   * Whether the surface takes a force. If not, it did so earlier, and now only its medium drags.
+   */
   bool IsSurface = false;
 };
 
@@ -39,7 +41,7 @@ struct Departure
 {
   Vector3 Proxy;
   PassiveSpring Spring;
-  double Level; ///< the surface's, if the motion is held
+  double Level; ///< the level of the surface, if the motion is held
   TouchedMaterial Touched;
 };
 
@@ -48,7 +50,7 @@ struct Arrival
 {
   Vector3 Proxy;
   PrecisePoint There;
-  double CachedSampleDistance; ///< voxels, an upper bound of the distance from the sampled point
+  double CachedSampleDistance; ///< an upper bound (voxels) of the distance from the sampled point
   PassiveSpring Spring;
 };
 
@@ -71,12 +73,12 @@ public:
   }
 
   /**
-   * The material at a proxy. With two-sided surfaces the normal follows the lag. `touched` was the
-   * material in contact this many voxels before: see FarSide.h.
+   * Returns the material at a proxy. With two-sided surfaces the normal follows the lag. `touched`
+   * is the material that was in contact some voxels of path earlier: see FarSide.h.
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
-  /** As above, if the surface through the proxy is known. */
+  /** The same, if the surface through the proxy is known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /** Limits the drag of a point, for a proxy with this spring to a tip `lag` (m) away. */
@@ -87,7 +89,7 @@ public:
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
-  /** The longest spring with a mean direction, in radii; the kernel's materials have no limit. */
+  /** Returns ProxyDisplacement::LongestMean, or no limit for materials of the kernel. */
   double GetLongestMean() const noexcept
   {
     return this->HasWalks ? ProxyDisplacement::LongestMean
@@ -118,7 +120,8 @@ public:
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
   /**
-   * The displacement (m) along the normal from a point to a level, limited by the spring's balance.
+   * Returns the displacement (m) along the normal from a point to a level, limited by the spring's
+   * balance.
    */
   double ToLevel(
     const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
@@ -126,7 +129,7 @@ public:
     const double most = FarthestLevel / this->Model.MostStepsPerMeter;
     const double push = Dot(lag, here.Normal);
     const double displacement = (level - here.Value) / here.Slope;
-    // At most to the tip, and only so far out that the surface can still hold the spring.
+    // At most to the tip, and outwards only as far as the surface can still hold the spring.
     const double in = std::clamp(push, 0.0, most);
     const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
     return std::clamp(displacement, -out, in);
@@ -153,7 +156,7 @@ private:
   {
     double Normal;
     double Tangent;
-    bool IsWhole; ///< both belong to the motion as a whole
+    bool IsWhole; ///< whether both belong to the motion as a whole
   };
 
   Arrival Try(const Departure& start, const Motion& motion, const Vector3& displacement,
@@ -166,18 +169,20 @@ private:
   PrecisePoint LookAt(const Vector3& index, Surface surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /**
-   * The strength of a surface with alignment Edge; `join` gives the material between two values.
+   * Returns the strength of a surface with alignment Edge; `join` gives the material between two
+   * values.
    */
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
-  /** As LeaveMedium, at a wall between labels. */
+  /** The same as LeaveMedium, at a wall between labels. */
   void LeaveWall(const Vector3& index, const Surface& surface,
     const DistinctnessTable::Values& distinct, const ValuePair& values,
     PrecisePoint& point) const noexcept;
   /**
-   * Ends the drag of a medium behind an edge that the proxy has passed, if there is less drag where
-   * it is: a proxy that comes out of a body has the body behind the edge, and air around it.
+   * Ends the drag of a medium behind an edge that the proxy has passed, if there is less drag at
+   * the proxy. When a proxy comes out of a body, the body is behind the edge, and air is around the
+   * proxy.
    */
   template <typename Join>
   void LeaveMedium(
@@ -192,13 +197,13 @@ private:
   /** The change of V over the kernel radius, by the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
-   * The rise that the gradient predicts for an edge: over the kernel radius or, if the estimator is
-   * a spline, over one voxel: a spline is as wide as the Gaussian of radius 1, for any radius.
+   * Returns the rise that the gradient predicts for an edge, over the kernel radius. For a spline
+   * it is over one voxel, because a spline is always as wide as the Gaussian of radius 1.
    */
   double ComputePromise(const Law::Slope& slope) const noexcept;
   /**
-   * The values that give the material of a surface, by MaterialPlacement; the kernel's for a
-   * fraction of 0. Writes the walk of a point if there is one.
+   * Returns the values that give the material of a surface, by MaterialPlacement; with a fraction
+   * of 0, the kernel's values. Writes the walk of a point if there is one.
    */
   ValuePair ComputeValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
     double fraction, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
@@ -206,8 +211,8 @@ private:
   const HapticModel& Model;
   const FieldAtTime Field;
   const bool IsPlain;      ///< as BakedVolume, and stands still
-  const bool HasWalks;     ///< for MaterialPlacement::FarSide: the values need the proxy's path
-  const bool LeavesMedium; ///< with surfaces that are felt from both sides
+  const bool HasWalks;     ///< whether values need the proxy's path: for MaterialPlacement::FarSide
+  const bool LeavesMedium; ///< whether surfaces are felt from both sides
   LabelMemory& Labels;
   int Looks = 0;
 };

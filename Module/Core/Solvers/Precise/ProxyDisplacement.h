@@ -44,8 +44,8 @@ struct UnheldSpring
 {
   Vector3 Lag;   ///< m
   double Length; ///< of Lag
-  double Radius; ///< the circle's, m
-  bool IsCircle; ///< false if friction and drag hold some directions more than others
+  double Radius; ///< m, of the circle in which friction and drag hold the tip
+  bool IsCircle; ///< false if they hold more in some directions
 };
 
 VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
@@ -64,7 +64,7 @@ VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
   return spring;
 }
 
-/** One part of a step: in the mean direction if there is one, else `plain()`. */
+/** Returns one part of a step: in the mean direction if there is one, else `plain()`. */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compliance,
   double longest, const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag,
@@ -84,7 +84,7 @@ VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compl
   const double square = Dot(sum, sum);
   if (square < 1.0)
   {
-    return plain(); // the mean of two directions more than a right angle apart is useless
+    return plain(); // the mean of two directions that are more than a right angle apart is useless
   }
   const Vector3 direction = (1.0 / std::sqrt(square)) * sum;
   const double along = Dot(now.Lag, direction);
@@ -111,7 +111,7 @@ VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double
 {
   const SplitLag before = Law::Split(lagBefore, here.Normal);
   const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
-  // No circle either if the tip leaves or meets the surface.
+  // No circle if the tip leaves or meets the surface.
   const bool isCircle =
     here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
   const double fraction = isCircle ? CirclePart : FreePart;

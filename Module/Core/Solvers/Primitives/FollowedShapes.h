@@ -59,8 +59,8 @@ public:
   FollowedShapes& operator=(const FollowedShapes&) = delete;
 
   /**
-   * The shapes at a place (m). None for modes that hold nothing there, and for other methods than
-   * Primitives.
+   * Returns the shapes at a place (m). None for modes that hold nothing there, and for methods
+   * other than Primitives.
    */
   std::vector<FollowedShape> Collect(const Vector3& place);
 
@@ -81,14 +81,14 @@ private:
   ModeKind KindOf(int mode) const;
   /** Reads the primitives of a mode; false if no primitive holds. */
   bool Read(int mode, const Vector3& place);
-  /** The front among the primitives read; null if there is none. */
+  /** Returns the front among the primitives that were read; null if there is none. */
   const Primitive* FindFront(ModeKind kind) const;
   /**
-   * The line among the primitives read. For a vortex it is the core, whether the hand is there or
-   * not.
+   * Returns the line among the primitives that were read. For a vortex it is the core, wherever the
+   * hand is.
    */
   const Primitive* FindLine(ModeKind kind) const;
-  /** The first primitive of a kind with more than a strength. */
+  /** Returns the first primitive of a kind whose strength is larger than a number. */
   const Primitive* FindPrimitive(PrimitiveKind kind, double strength) const;
   /** Moves a place to a mode's line; false if there is none. */
   bool FindStart(int mode, Vector3& place);

@@ -101,8 +101,8 @@ private:
   }
 
   /**
-   * Writes the displacement (world) to the core; returns the fraction of the strength with which
-   * the core holds: 0 if it is far.
+   * Computes the displacement (world) to the core. Returns the fraction of the strength with which
+   * the core holds; 0 if it is far away.
    */
   double ComputeCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
@@ -128,7 +128,7 @@ private:
     const double ba = Dot(b, ja);
     const double bb = Dot(b, jb);
     const double determinant = aa * bb - ab * ba;
-    // Not where the flow is a shear rather than a rotation.
+    // No core where the flow is a shear rather than a rotation.
     if (!(determinant > 0.0))
     {
       return 0.0;
@@ -177,7 +177,7 @@ private:
   void ReadRidge() noexcept
   {
     const FieldSampler& scalars = this->Modes.Model->Baked->Field;
-    // The differences need some more samples.
+    // The differences need some samples more.
     this->SetFade(scalars.DistanceToBorder(this->Index) - 1.0);
     Vector3 toRidge;
     Vector3 along{ 1.0, 0.0, 0.0 };
@@ -207,7 +207,7 @@ private:
     const Vector3 gradient = sign * (turned * scalars.Gradient(this->Index).Gradient);
     const SymmetricEigen eigen =
       ComputeEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
-    // For a bright line: two negative eigenvalues, and one of smaller magnitude.
+    // A bright line has two negative eigenvalues, and one of smaller magnitude.
     const double h1 = eigen.Value[0];
     const double h2 = eigen.Value[1];
     const double h3 = eigen.Value[2];
@@ -304,7 +304,10 @@ private:
   }
 
   ///@{
-  /** Takes a direction in the world, and an anchor (device), or this place. */
+  /**
+   * Adds a primitive with a direction in the world, and with an anchor (device) or this place as
+   * its anchor.
+   */
   void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
   {
     this->Add(kind, direction, strength, this->Place);

@@ -82,9 +82,9 @@ public:
   PrimitiveField GetField() const noexcept { return { &ModeField::Collect, this }; }
 
   int GetCount() const noexcept { return this->Count; }
-  /** Adds the primitives of one mode at a place (m); none if it is not felt. */
+  /** Adds the primitives of one mode at a place (m); none if the mode is not felt. */
   void Read(int mode, const Vector3& place, PrimitiveSet& set) const noexcept;
-  /** The force of one mode (N, on the hand), given the forces of all primitives. */
+  /** Returns the force of one mode (N, on the hand), given the forces of all primitives. */
   Vector3 ForceOf(int mode, const PrimitiveForces& forces) const noexcept;
 
 private:

@@ -9,18 +9,18 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The strength that counts: 0 for an invalid one. */
+/** Returns the usable strength: 0 for an invalid one. */
 double UsableStrength(const Primitive& primitive) noexcept
 {
   const double s = primitive.Strength;
   if (!(s > 0.0) || (primitive.Kind == PrimitiveKind::Force && std::isinf(s)))
   {
-    return 0.0; // NaN, too; and a push must have a limit
+    return 0.0; // also for NaN; and a push must have a limit
   }
   return std::fmin(s, PrimitiveSet::MostStrength);
 }
 
-/** The direction with unit length; false if it has none. */
+/** Gives a direction unit length. False if its length is 0, too large or not finite. */
 bool Normalise(Vector3& direction) noexcept
 {
   constexpr double safe = 1e100;
@@ -36,7 +36,7 @@ bool Normalise(Vector3& direction) noexcept
   {
     return false;
   }
-  // Squares overflow, or vanish. A tiny number's reciprocal may be infinite.
+  // Squares overflow or vanish, and the reciprocal of a tiny number may be infinite.
   direction = { direction.X / largest, direction.Y / largest, direction.Z / largest };
   direction = (1.0 / Norm(direction)) * direction;
   return true;

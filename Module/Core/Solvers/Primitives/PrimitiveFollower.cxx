@@ -11,14 +11,14 @@ namespace
 {
 
 /**
- * The largest correction of a step's end, as a fraction of the step, to where the stages show that
- * the way ends: their weights lose an order away from the end of the step.
+ * The largest correction of a step's end (fraction of the step) towards where the stages show that
+ * the way ends. Away from the end of the step, the weights of the stages lose an order.
  */
 constexpr double Farthest = 0.1;
 
 /**
- * The end of the way, as a fraction of a step: the zero of the quadratic through the remaining
- * lengths at 0, 1/2 and 3/4 of it.
+ * Returns the end of the way, as a fraction of a step: the zero of the quadratic through the
+ * remaining lengths at 0, 1/2 and 3/4 of the step.
  */
 double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
 {
@@ -31,7 +31,7 @@ double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
 }
 
 constexpr double LeastRate = 0.25;
-constexpr double MostRate = 1e12; // a picometre from the axis of a vortex
+constexpr double MostRate = 1e12; // the largest rate: a picometre from the axis of a vortex
 /** A step whose middle shows a rate larger by this factor begins again. */
 constexpr double RateExcess = 1.01;
 
@@ -105,9 +105,9 @@ private:
 
   /**
    * The rate at which the rest of a long step ends, across its way, as the stages show it; 0 if
-   * they do not. With m the ratio of this rate to the way's, the weights of the stages leave the
-   * fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic through the stages
-   * shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both gives m.
+   * they do not. With m the ratio of this rate to the rate along the way, the weights of the stages
+   * leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic through
+   * the stages shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both gives m.
    */
   double ComputeRateAcross() const noexcept
   {
@@ -124,7 +124,10 @@ private:
     return root > 0.0 ? this->EndRate * 0.75 * (half - std::sqrt(root)) : 0.0;
   }
 
-  /** Goes to the end of a step's rest, or a little less far: a hold would keep the part beyond. */
+  /**
+   * Goes to the end of the rest of a step, or a little less far, because a hold would keep an
+   * excess.
+   */
   double StepAcross(double rate) noexcept
   {
     const double before = this->Length;
@@ -134,7 +137,7 @@ private:
     return Rate((before - Dot(this->Rest, first)) / length);
   }
 
-  /** Uses the midpoint method, to where D ends at the rate of the middle. */
+  /** Makes a step by the midpoint method, to where D ends at the rate of the middle. */
   double StepShortly(double rate) noexcept
   {
     const Vector3 from = this->Place;
@@ -143,7 +146,8 @@ private:
     double length = before / rate;
     const Vector3 middle = this->ComputeMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
-    // At most as far as the middle is valid: a hold would keep the proxy where it went too far.
+    // Goes at most as far as the middle is valid, because a hold would keep the proxy where it went
+    // too far.
     const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
     length = std::min(end, (1.0 + Farthest) * length);
     this->Arrive(from + length * second, second);
@@ -151,7 +155,7 @@ private:
     return Rate((before - Dot(this->Rest, second)) / length);
   }
 
-  /** The rest in the middle of a step from the place. Shortens a step that is too long. */
+  /** Computes the rest in the middle of a step from the place. Shortens a step that is too long. */
   Vector3 ComputeMiddle(const Vector3& first, double rate, double& length) noexcept
   {
     const double before = this->Length;
@@ -167,7 +171,7 @@ private:
     return middle;
   }
 
-  /** A measured rate, within its bounds. */
+  /** Limits a measured rate to its bounds. */
   static double Rate(double met) noexcept
   {
     return met > LeastRate ? std::min(met, MostRate) : LeastRate;
@@ -222,12 +226,12 @@ PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double lo
     memory = {};
     return { tip, {}, 0, false };
   }
-  // May come from a file.
+  // The memory may come from a file.
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedFraction * longestStep;
-  // The next tick goes about the same way as this one, not as its last corrections.
+  // The next tick takes about the same way as this one; the corrections at its end do not count.
   const double told = PrimitiveFollower::ShortFraction * way.GetLength();
   double rate = memory.Rate;
   while (

@@ -61,11 +61,11 @@ constexpr double ShortFraction = 0.1;
 constexpr double FinishedFraction = 1e-3;
 } // namespace PrimitiveFollower
 
-/** How far (voxels) a mode's push, or a line that bends, leads out of the box of proxy and tip. */
+/** How far (voxels) a mode's push, or a bent line, can lead out of the box around proxy and tip. */
 constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**
- * The proxy's motion from a place to the balance with a tip (m).
+ * Computes the proxy's motion from a place to the balance with a tip (m).
  *
  * @param longestStep m; a quarter voxel
  * If the tip is not finite, or k or the step is not a positive number, the proxy is the tip.

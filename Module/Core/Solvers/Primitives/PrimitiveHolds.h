@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of a primitive in a balance, judged from forces that are nearly those of the balance.
+ * Finds the state that a primitive has in a balance, from forces that are close to the balance.
  */
 #ifndef PrimitiveHolds_h
 #define PrimitiveHolds_h

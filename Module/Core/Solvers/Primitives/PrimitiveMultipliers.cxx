@@ -13,13 +13,13 @@ namespace
 {
 
 /**
- * m. A larger penalty increases the rounding of primitives that hold; a smaller one, the number of
- * rounds.
+ * The penalty m. A larger penalty increases the rounding of primitives that hold; a smaller one
+ * increases the number of rounds.
  */
 constexpr double Penalty = 1000.0;
 /**
- * N. A round that changes no force by more than this is settled: places are then off by at most the
- * fraction 1/m of it.
+ * A round that changes no force by more than this (N) is settled: places are then off by at most
+ * 1/m of it.
  */
 constexpr double SettledRound = 1e-10;
 constexpr int MostHalvings = 30;
@@ -61,8 +61,8 @@ public:
     {
       return false;
     }
-    // The function is convex: where it falls along the step, its value is lower. Its slope rounds
-    // by less than its value.
+    // The function is convex, so its value is lower wherever it falls along the step. The slope has
+    // a smaller rounding error than the value.
     double least = 0.0;
     double most = 1.0;
     double fraction = 1.0;
@@ -88,7 +88,7 @@ public:
     return false;
   }
 
-  /** Takes the forces of this place; returns the largest change of one. */
+  /** Adopts the forces of this place; returns the largest change of a force. */
   double Apply() noexcept
   {
     double square = 0.0;

@@ -28,8 +28,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Starts from forces that are within the strengths. They stay so, and come nearer to those of a
- * balance.
+ * Starts from forces that are within the strengths. They stay within them, and approach the forces
+ * of a balance.
  *
  * @param isSettled whether they are the forces of a balance, apart from rounding
  * @return the number of evaluated places, each of which takes about as long as a sweep

@@ -134,9 +134,10 @@ private:
   }
 
   /**
-   * The forces of primitives that do not hold, as far as they do not turn, and the slope of w and
-   * of these forces. The force of a line or point that yields turns with its place. Both are
-   * unknowns: so steps are good even if it yields by little, where its force turns fast.
+   * Computes the forces of primitives that do not hold, as far as these forces do not turn, and the
+   * slope of w and of these forces. The force of a yielding line or point turns with its place.
+   * Direction and place are both unknowns, so that steps are good even if the primitive yields by
+   * little, where its force turns fast.
    */
   void ComputeYielding(Matrix3& slope) noexcept
   {
@@ -177,8 +178,8 @@ private:
   }
 
   /**
-   * The part of a vector in which the force of a yielding line or point turns, given the force's
-   * direction.
+   * Returns the part of a vector in which the force of a yielding line or point turns, given the
+   * direction of the force.
    */
   static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
   {
@@ -216,8 +217,8 @@ private:
       }
       this->Turn(change);
       this->Sum += change;
-      // Without yielding lines and points, one step is exact; with them, the next step would be
-      // about the square of this one, as a fraction of the nearest anchor's distance.
+      // Without yielding lines and points, one step is exact. With them, the next step would be
+      // about the square of this one, both as fractions of the nearest anchor's distance.
       const double square = Dot(change, change);
       if (!this->IsCurved || square * this->Curvature <= this->Settled)
       {
@@ -342,8 +343,8 @@ private:
       {
         return false;
       }
-      // There, a line or point with a force of any size holds; but planes may be left, or push with
-      // all their strength.
+      // At the anchor, a line or point holds with a force of any size; but planes may be left, or
+      // push with all their strength.
       if (p.Kind != PrimitiveKind::Plane)
       {
         this->State[at] = HoldState::Holds;
@@ -408,7 +409,7 @@ private:
   double Wanted[MostConditions] = {};
   int Conditions = 0;
   int Contradictions = 0;
-  bool IsOff = false; ///< the force of a yielding primitive is not along its place
+  bool IsOff = false; ///< whether the force of a yielding primitive is not along its place
   ///@{
   /** For yielding lines and points: the direction of the force, and how fast it turns. */
   bool IsCurved = false;

@@ -43,7 +43,7 @@ struct HeldPrimitives
 /**
  * Computes the exact balance, if forces that are within the strengths and nearly those of the
  * balance show which primitives hold and which yield. If so, the forces and their sum become exact;
- * else nothing is written.
+ * otherwise nothing is written.
  *
  * @param isOld the forces are those of another tick: almost a whole strength counts as one
  */

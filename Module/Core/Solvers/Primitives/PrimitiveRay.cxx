@@ -14,7 +14,9 @@ namespace
 
 constexpr int MostRayTurns = 8;
 constexpr int MostRayRounds = 5;
-/** A sine. A line that is this near to the ray turns its force too fast for Newton's method. */
+/**
+ * A line whose angle to the ray has a smaller sine turns its force too fast for Newton's method.
+ */
 constexpr double LeastRaySine = 1e-6;
 constexpr double MostRayAngle = 0.5;
 
@@ -129,7 +131,7 @@ private:
     return true;
   }
 
-  /** One of the two directions of a line. */
+  /** Sets the ray to one of the two directions of a line. */
   bool SetLine(const Vector3& line) noexcept
   {
     return Norm(line) > LeastRaySine &&
@@ -148,7 +150,7 @@ private:
       turns[0] = Cross(this->At(this->Slide[0]).Direction, this->Ray);
       return 1;
     }
-    // The reflection that takes an axis to the ray takes the other axes to these.
+    // The reflection that maps an axis to the ray maps the other axes to these directions.
     const Vector3& d = this->Ray;
     const double sign = std::copysign(1.0, d.Z);
     const double share = -1.0 / (sign + d.Z);
@@ -206,7 +208,10 @@ private:
     double BB = 0.0;
   };
 
-  /** The forces of primitives that yield on the ray, how they turn with it, and where it ends. */
+  /**
+   * Computes the forces of primitives that yield on the ray, how they turn with it, and where the
+   * ray ends.
+   */
   bool ComputeYielding(const Vector3 turns[2], Slope& slope) noexcept
   {
     this->Yielding = {};
@@ -250,8 +255,8 @@ private:
     const double distance = ofSpring + ofForces;
     this->Distance = std::max(distance, 0.0);
     this->Fraction = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
-    // All hold if the spring pulls along the ray, but less strongly than they can. Also false for
-    // NaN.
+    // All primitives hold if the spring pulls along the ray, but less strongly than they can hold.
+    // Also false for NaN.
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
   }
 
@@ -323,7 +328,7 @@ private:
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
   Vector3 Ray;
-  double Distance = 0.0; ///< the proxy's, on the ray (N)
+  double Distance = 0.0; ///< the place of the proxy on the ray (N)
   double Fraction = 1.0; ///< the used fraction of the yielding forces; less than 1 if all hold
   Vector3 Yielding;      ///< the sum of the yielding forces
   Vector3 Sum;

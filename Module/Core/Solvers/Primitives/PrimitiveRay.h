@@ -6,19 +6,20 @@
  * one place.
  *
  * Their potentials are homogeneous about the anchor, so only the direction d in which the proxy
- * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the yielding
- * forces, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and
- * d is the direction in which b + F has no part across it. Newton's method on the sphere computes
- * it, in two or three steps from the direction in which the proxy was last.
+ * leaves the anchor is unknown. With b the spring's force at the anchor and F(d) the sum of the
+ * yielding forces, which does not depend on the distance, the best place on a ray is at rho = d.(b
+ * + F), and d is the direction in which b + F has no part across it. Newton's method on the sphere
+ * computes it, in two or three steps from the direction in which the proxy was last.
  *
  * - A plane on which the proxy slides restricts d to a circle; the plane's force is the missing
  *   part along its normal. A line that holds, or two such planes, leave no choice of d.
  * - If rho is negative, all primitives hold at the anchor. Their forces are not unique then: the
  *   forces that yield together on a ray are taken, times the needed fraction d.b / (-d.F) < 1.
  *
- * Unlike the steps of PrimitiveNewton.h, these are as good near the anchor as away from it: there
- * the forces turn fast with the place, but not with the direction. And the proxy of a tick ends
- * where its primitives are read, so that it may come arbitrarily near.
+ * Unlike the steps of PrimitiveNewton.h, these steps are as good near the anchor as far from it:
+ * near the anchor the forces change fast with the place, but not with the direction. This matters,
+ * because the proxy of a tick ends where its primitives are read, and so may come arbitrarily near
+ * to the anchor.
  */
 #ifndef PrimitiveRay_h
 #define PrimitiveRay_h
@@ -29,8 +30,8 @@ namespace VolumeHaptics
 {
 
 /**
- * As SolveExactBalance, which it does not replace: also false if the anchors differ or if more
- * holds than a plane or two or a line.
+ * Does the same as SolveExactBalance in the usual case. Also returns false if the anchors differ,
+ * or if more than two planes or one line hold.
  *
  * @param towards the expected direction of the proxy, seen from the anchor, of any length; 0 if
  * unknown

@@ -16,21 +16,21 @@ namespace
 {
 
 /**
- * N. A sweep that changes no force by more has converged; and the same as a fraction of the largest
- * force.
+ * A sweep that changes no force by more than this has converged: in newtons, and as a fraction of
+ * the largest force.
  */
 constexpr double SettledChange = 1e-11;
 constexpr double SettledFraction = 4e-16;
 /** N/m. */
 constexpr double StiffestSpring = 1e9;
 ///@{
-/** After each of the first sweeps, and then at intervals, an exact balance is tried. */
+/** An exact balance is tried after each of the first sweeps, and then at intervals. */
 constexpr int FirstLooks = 2;
 constexpr int SweepsOfALook = 4;
 ///@}
 /**
- * Mostly enough if directions do not depend on each other; after these sweeps the multipliers are
- * tried.
+ * The number of sweeps that mostly suffices if directions do not depend on each other; after them,
+ * the multipliers are tried.
  */
 constexpr int SweepsAlone = 16;
 
@@ -121,7 +121,7 @@ public:
         this->Number[at] = i;
         this->Spring[at] = k * (tip - set[i].Anchor) + push;
         square = std::max(square, Dot(this->Spring[at], this->Spring[at]));
-        // May come from another set, or from a file.
+        // The forces may come from another set, or from a file.
         forces[i] = IsFinite(forces[i]) ? Nearest(set[i], forces[i]) : Vector3{};
       }
     }
@@ -220,7 +220,7 @@ public:
     {
       return;
     }
-    // The mixture whose changes are smallest: the newest record and its differences to others.
+    // The mixture whose changes are smallest: the newest record, plus its differences to others.
     const Record* other[Kept - 1];
     for (int i = 0; i < Kept - 1; ++i)
     {

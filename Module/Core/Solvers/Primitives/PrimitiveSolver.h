@@ -67,8 +67,8 @@ constexpr double DirectionTolerance = 4e-15;
 constexpr int MostSweeps = 256;
 
 /**
- * The closed composition; if the set does not allow it, returns false and writes nothing. For
- * numbers that Minimise has checked.
+ * Computes the closed composition; if the set does not allow it, returns false and writes nothing.
+ * For numbers that Minimise has checked.
  */
 bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance) noexcept;
@@ -79,7 +79,7 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
 } // namespace PrimitiveSolver
 
 /**
- * The balance at a tip (m), with a spring of stiffness k (N/m).
+ * Computes the balance at a tip (m), with a spring of stiffness k (N/m).
  *
  * @param forces in: the last tick's, with which descent begins; out: this tick's. Forces that are
  * not finite are ignored.

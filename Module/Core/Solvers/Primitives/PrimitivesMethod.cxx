@@ -58,7 +58,7 @@ ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) 
 
 Vector3 FindPrimitivesReach(const HapticModel& model) noexcept
 {
-  // A derivative's step.
+  // The step of a derivative.
   const Vector3 around = GetKernelReach(model) + Vector3{ 1.0, 1.0, 1.0 };
   return FindValueReach(model, model.KernelLength, around) + Vector3{ ModeWay, ModeWay, ModeWay };
 }

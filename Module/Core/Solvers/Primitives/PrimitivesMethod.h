@@ -33,7 +33,7 @@ Vector3 FindPrimitivesReach(const HapticModel& model) noexcept;
 /** The forces (N, device, on the hand) of a model's modes, in their order. */
 using ModeForces = std::array<Vector3, ModeField::Most>;
 
-/** The forces of the last tick, by the state after it. Zero for other methods. */
+/** Computes the forces of the last tick from the state after it. Zero for other methods. */
 ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) noexcept;
 
 } // namespace VolumeHaptics

@@ -16,8 +16,8 @@ namespace
 {
 
 /**
- * Fractions of the radius: the sphere touches within the first, keeps the second free, and is at
- * rest below the third.
+ * Fractions of the radius: closer than the first, the sphere touches; it keeps the second free;
+ * moves below the third count as rest.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
@@ -30,7 +30,7 @@ constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
 /** The smallest fraction of the radius, even if a triangle is deeper in the sphere. */
 constexpr double LeastLeft = 1e-3;
-/** The longest move (radii): its triangles must fit into the budget. */
+/** The longest move (radii), limited because its triangles must fit into the budget. */
 constexpr double LongestMove = 64.0;
 /** The largest angle between a triangle and its shading, by its cosine. */
 constexpr double LeastCosine = 0.8;
@@ -69,7 +69,7 @@ public:
   /** Whether there are more triangles than a tick has time for. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
-  /** The point nearest to a goal that the touched triangles allow. */
+  /** Returns the point nearest to a goal that the touched triangles allow. */
   Vector3 ComputeSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
@@ -162,7 +162,10 @@ private:
   HalfSpaces Shaded;
 };
 
-/** Where triangles carry a sphere that would rest otherwise, and push it if they approach. */
+/**
+ * Returns the place to which triangles carry a sphere that would otherwise rest, and push it if
+ * they approach.
+ */
 Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
 {
   Vector3 centre = from;
@@ -265,7 +268,7 @@ void StepSurfaceProxy(
     held = goal - subgoal;
     rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
-    // While the sphere touches; otherwise it may fall towards the tip.
+    // While the sphere touches; without contact it may fall towards the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
     const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
     if (excess <= still * radius)
@@ -273,7 +276,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // Not with friction: a move that went too far is not undone.
+    // Not with friction, because a move that went too far is not undone.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();

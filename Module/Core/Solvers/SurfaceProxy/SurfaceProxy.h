@@ -70,12 +70,12 @@ Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept;
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
 /**
- * Whether a position (device) is outside the isosurface at a data time, by the value there; true
- * without an isosurface.
+ * Whether a position (device) is outside the isosurface at a data time, by the value there. True if
+ * there is no isosurface.
  */
 bool IsOutsideSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
-/** In kernel lengths. */
+/** in kernel lengths */
 constexpr double EntryDepth = 3.0;
 
 } // namespace VolumeHaptics

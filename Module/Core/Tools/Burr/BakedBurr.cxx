@@ -25,7 +25,7 @@ double ComputeFrequency(double speed)
   return frequency < HUGE_VAL ? frequency : 0.0;
 }
 
-/** The memory of the head, and what the carver works with. */
+/** The memory of the head, and of the carver. */
 class BurrToolMemory final : public ShapedMemory
 {
 public:
@@ -127,7 +127,7 @@ bool BakedBurr::Spins(std::uint32_t buttons, bool isOrdered) const noexcept
 
 std::vector<ShellPoint> BakedBurr::MakeHead(double radius, std::size_t count)
 {
-  // Points along a spiral by the golden angle.
+  // Places points along a spiral by the golden angle.
   std::vector<ShellPoint> points;
   points.reserve(count);
   const auto number = static_cast<double>(count);

@@ -24,7 +24,8 @@ struct BurrSettings
   double Speed = 1000.0;  ///< n, revolutions a second
   double Friction = 0.3;  ///< mu, between burr and tissue
   double Vibration = 0.0; ///< fraction of the force, 0 to 1
-  /// Bit of the device's button, 0 to 31: the burr spins while it is pressed; -1: none.
+  /// The number of the device's button, 0 to 31, that makes the burr spin while it is pressed; -1:
+  /// none.
   int SpinButton = 0;
 };
 
@@ -48,13 +49,13 @@ public:
   /** The array RemovedVolume. */
   static const ToolColumns& Columns();
 
-  /** Points of equal areas on a sphere around the origin. */
+  /** Makes points of equal areas on a sphere around the origin. */
   static std::vector<ShellPoint> MakeHead(double radius, std::size_t points = 1000);
 
   bool IsSame(const BakedTool& other) const override;
   /** One tick, HapticSettings::TickPeriod long. The proxy is the centre of the head. */
   bool Step(const ToolTick& tick) const noexcept override;
-  /** Carries the head; removal begins anew. */
+  /** Carries the head to another model; removal begins anew. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   std::shared_ptr<ToolMemory> MakeMemory(const std::shared_ptr<ToolMemory>& last) const override;
@@ -67,7 +68,7 @@ public:
   const Polyline SpecificEnergyLine; ///< as described
   const SpecificEnergyTable SpecificEnergy;
   const double RimSpeed;  ///< v, world units a second
-  const double Frequency; ///< Hz, of the vibration: at most MostFrequency
+  const double Frequency; ///< the frequency (Hz) of the vibration, at most MostFrequency
 
   static constexpr double MostFrequency = 250.0;
 };

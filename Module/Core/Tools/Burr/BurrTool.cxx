@@ -15,15 +15,15 @@ namespace
 /** The most steps in a tick, and the most trials of a step at half its length. */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
-/** Voxels: a shorter step is not felt. */
+/** A shorter step (voxels) is not felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
-/** Voxels: the step of the burr's room, which is at most a voxel. */
+/** The step (voxels) of the burr's room, which is at most a voxel. */
 constexpr double RoomStep = 1.0 / 16.0;
-/** s: the longest tick. */
+/** The longest tick (s). */
 constexpr double LongestTick = 0.1;
-/** s without removal, after which a stroke ends. */
+/** A stroke ends after this time (s) without removal. */
 constexpr double StrokeEnd = 0.5;
-/** J: the most that the vibration gives back at a time. */
+/** The most energy (J) that the vibration gives back at a time. */
 constexpr double MostGivenBack = 1e-3;
 
 /** The tool of a model whose tool is a burr. */
@@ -32,7 +32,7 @@ const BakedBurr& GetBurr(const HapticModel& model) noexcept
   return static_cast<const BakedBurr&>(*model.Baked->Tool);
 }
 
-/** A wave from -1 to 1, made of parabolas, nearly a sine, with mean zero. */
+/** Returns a wave from -1 to 1 of parabolas, nearly a sine, with mean zero. */
 double Wave(double phase) noexcept
 {
   const double x = 2.0 * phase - 1.0;
@@ -77,12 +77,12 @@ public:
       const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
-      // A little less than the energy pays for, since the cost differs from step to step.
+      // A little less than the energy pays for, because the cost differs from step to step.
       constexpr double careful = 0.8;
       const double way = isPaid ? longest : careful * s.Unspent / slope;
       if (!isPaid && way < std::min(longest, ShortestStep * this->Carver.GetVoxel()))
       {
-        // Save the energy: a trial costs more time than so little tissue is worth.
+        // Saves the energy: a trial would cost more time than so little tissue is worth.
         return;
       }
       if (!this->Step(goal, lag, distance, way) || !isPaid)
@@ -120,13 +120,13 @@ private:
     }
     if (cost.Energy > s.Unspent)
     {
-      // The energy may suffice for a shorter step, or for one to the present head. Removed tissue
-      // stays removed.
+      // The energy may suffice for a shorter step, or for a step to the present head. Removed
+      // tissue stays removed.
       s.Part = 0;
       s.LastCost += cost.Energy;
       if (!(cost.Energy < HUGE_VAL))
       {
-        // The first part was paid, so that the next step would be as long again.
+        // The first part was paid, so the next step would be as long again.
         const double half = 0.5 * Norm(s.Next - s.Carved);
         s.Shorter = half > ShortestStep * this->Carver.GetVoxel() ? half : 0.0;
       }
@@ -189,8 +189,8 @@ private:
   }
 
   /**
-   * Takes a step, or a shorter one; false if the energy does not suffice for that, or if the step
-   * takes more ticks.
+   * Makes a step, or a shorter one; false if the energy does not suffice even for a shorter one, or
+   * if the step takes more ticks.
    */
   bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
   {
@@ -238,7 +238,7 @@ private:
     s.Unspent -= cost.Energy;
     if (s.Room == 0.0)
     {
-      // Shares are whole numbers: a single step may cost nothing, or more than its neighbours.
+      // Fractions are whole numbers: a single step may cost nothing, or more than its neighbours.
       const double kept = s.Part == 0 ? 0.9 : 1.0;
       s.LastCost = kept * s.LastCost + cost.Energy;
       s.LastWay = kept * s.LastWay + way;
@@ -303,7 +303,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   memory.Carver.SetTissue(model, { touch.Level, touch.IsBelow, &burr.SpecificEnergy });
   if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
-    // Start where the burr touches nothing yet.
+    // Starts where the burr touches nothing yet.
     const double away = ComputeDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
     state.IsCarving = true;
     state.IsRemoved = false;
@@ -348,7 +348,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   state.Phase += burr.Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
-  // The way of the hand until the next tick.
+  // The least way of the hand until the next tick.
   constexpr double leastWay = 1e-5; // m
   const double way = 2.0 * Norm(moved) + leastWay;
   const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);

@@ -49,7 +49,7 @@ struct BurrHand
 {
   Vector3 Position; ///< m
   bool IsSpinning = false;
-  double Step = 0.0; ///< s, since the last tick; with 0, nothing is removed
+  double Step = 0.0; ///< s, the time since the last tick; with 0, nothing is removed
 };
 
 /** The working memory of a burr, kept between ticks. Larger tools need more of it. */

@@ -16,14 +16,14 @@ namespace
 constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
 /**
- * Work (CarvingCost), as measured: of a brick, and of a row in addition to 1 each. It depends only
+ * The measured work (CarvingCost) for a brick and for a row, in addition to 1 each. It depends only
  * on the fractions and the sphere, not on remembered values, so that a replay ends its parts where
  * the recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
 constexpr std::size_t WorkOfSolid = 40;  ///< for a brick that is not in use
-constexpr std::size_t WorkOfEmpty = 100; ///< for such a brick without solid samples
-constexpr std::size_t KnownPart = 5;     ///< for both: they count a fifth after the first sphere
+constexpr std::size_t WorkOfEmpty = 100; ///< for such a brick, if it has no solid samples
+constexpr std::size_t KnownPart = 5;     ///< for both: after the first sphere they count a fifth
 constexpr std::size_t WorkOfFractions = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
@@ -31,16 +31,18 @@ static_assert(SphereCarver::MostWorkOfBrick ==
     WorkOfPlace + WorkOfSolid + CarvedBricks::Rows * (1 + WorkOfFractions + WorkOfChange),
   "the sum of all");
 
-/** The reach in index steps along an axis, on either side, of a sphere and its bounding box. */
+/**
+ * Returns the reach in index steps along an axis, on either side, of a sphere and its bounding box.
+ */
 double ReachAlong(const Vector3& row, double radius) noexcept
 {
   return radius * Norm(row);
 }
 
-/** Half a step of the fractions, as a fraction of the whole. */
+/** Half a step of the fractions (1 is all of the tissue). */
 constexpr double HalfFraction = 0.5 / CarvedBricks::Whole;
 /**
- * The fraction of a voxel's volume that a fraction leaves, if `edge` is the fraction at the
+ * Returns the part of a voxel's volume that a fraction leaves, if `edge` is the fraction at the
  * surface.
  */
 double ComputeLeft(std::int32_t fraction, double edge) noexcept
@@ -60,11 +62,11 @@ struct SphereCarver::Sphere
   Vector3 Index;  ///< the centre's
   double Radius;
   double Width;
-  double Outer;       ///< m^2: samples beyond keep everything
-  double Ramp;        ///< m^2: samples whose level share r is at least 1/2 remain beyond
+  double Outer;       ///< m^2: samples farther away keep everything
+  double Ramp;        ///< m^2: samples farther away whose level fraction r is at least 1/2 remain
   bool HasFrom;       ///< samples that are no nearer to Centre than to From keep their fractions
   Vector3 Way;        ///< m, from From to Centre
-  double Middle;      ///< m^2, of the middle between both along Way, from Centre
+  double Middle;      ///< m^2, from Centre to the middle between From and Centre, along Way
   double BrickRadius; ///< m, from a brick's middle to its farthest corner
   CarvedBox Box;      ///< the resident samples
   CarvedBox Bricks;   ///< the sphere's whole reach, resident or not
@@ -272,7 +274,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
-      // From the centre to the row's sample i: begin + i Step[0], i from 0.
+      // The vector from the centre to sample i of the row is begin + i Step[0], with i from 0.
       const Vector3 begin = (static_cast<double>(bases[0]) - sphere.Index.X) * this->Step[0] +
         (static_cast<double>(j) - sphere.Index.Y) * this->Step[1] +
         (static_cast<double>(k) - sphere.Index.Z) * this->Step[2];
@@ -365,7 +367,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 double SphereCarver::ComputeEdge(double value) const noexcept
 {
   const double fraction = (this->Tissue.Level - this->Air) / (value - this->Air);
-  // A sample that is not solid has the level with no share: it keeps all but half a step.
+  // A sample that is not solid has the level at no fraction: it keeps all but half a step.
   return fraction >= 0.0 && fraction < 1.0 - HalfFraction ? std::max(fraction, HalfFraction)
                                                           : 1.0 - HalfFraction;
 }

@@ -9,20 +9,20 @@
  *   rho = r + (|x - c| - a)/w,   from 0 to 1,   r = (V_c - V_air)/(V - V_air),
  *
  * with w three voxels, or the length of three where they are longest. With the fraction r a sample
- * of value V has the level V_c. So the remaining surface lies at |x - c| = a to a small part of a
- * voxel, in any tissue, and has smooth normals.
+ * of value V has the level V_c. So the remaining surface lies at |x - c| = a, to a small fraction
+ * of a voxel, in any tissue, and has smooth normals.
  *
- * The removed volume is the one that the surface, at rho = r, passes: the rest of each voxel falls
- * from 1 to 0 between rho = r + 1/12 and r - 1/12, as far as shares reach. (The sum of rho itself
- * belongs to a sphere whose surface is three voxels wide: for a cap that is h deep, it has pi w^2
- * (a + h)/12 more, in a CT several times the cap's volume.) It costs the energy U of the label at
- * its samples, or U(V) if the label has none; samples that are not solid cost nothing. Bricks
- * without solid samples in and around them stay as they are.
+ * The removed volume is the volume that the surface (rho = r) sweeps over: the remainder of each
+ * voxel falls from 1 to 0 between rho = r + 1/12 and r - 1/12, as far as fractions reach. (The sum
+ * of rho itself belongs to a sphere whose surface is three voxels wide: for a cap that is h deep,
+ * it has pi w^2 (a + h)/12 more, in a CT several times the cap's volume.) It costs the energy U of
+ * the label at its samples, or U(V) if the label has none; samples that are not solid cost nothing.
+ * Bricks without solid samples in and around them stay as they are.
  *
- * If a brick is needed and none is left, the sphere, or the part of it, is not removed at all.
+ * If a brick is needed and none is left, the sphere, or its part, is not removed at all.
  *
  * A sphere that takes longer than a tick is removed in parts: bricks in the order of their places.
- * Each sample's fraction depends on the sphere alone, so that the parts leave the same shares as
+ * Each sample's fraction depends on the sphere alone, so that the parts leave the same fractions as
  * the whole.
  */
 #ifndef SphereCarver_h
@@ -52,8 +52,9 @@ struct CarvedTissue
 /** The part of a sphere to remove: all of it, if there is time. */
 struct CarvingPart
 {
-  std::uint32_t First = 0; ///< among the sphere's places of bricks; where the last part has ended
-  std::size_t MostWork = ~std::size_t{ 0 }; ///< after this work, no further brick is begun
+  std::uint32_t First = 0; ///< an index into the sphere's places of bricks: where the last part has
+                           ///< ended
+  std::size_t MostWork = ~std::size_t{ 0 }; ///< after this much work, no further brick is begun
 };
 
 /** The cost of a sphere, or of a part of one, and how much it removes. */
@@ -67,7 +68,7 @@ struct CarvingCost
   bool IsUsedUp = false;   ///< needs more bricks than there are
 };
 
-/** Its memory never grows. For the volume of one model at a time. */
+/** Removes spheres from the volume of one model at a time. Its memory never grows. */
 class SphereCarver
 {
 public:
@@ -80,9 +81,9 @@ public:
 
   SphereCarver();
 
-  /** Call it first in each tick. Reads the samples of the model as if nothing was removed. */
+  /** Call this first in each tick. Reads the samples of the model as if nothing was removed. */
   void SetTissue(const HapticModel& model, const CarvedTissue& tissue) noexcept;
-  /** m: the side of a cube with the volume of a voxel. */
+  /** Returns the side (m) of a cube with the volume of a voxel. */
   double GetVoxel() const noexcept { return this->Voxel; }
   /** m */
   double GetRampWidth() const noexcept { return RampWidth * this->Longest; }
@@ -100,7 +101,7 @@ public:
   void Carve(TissueRemoval& removal) const noexcept;
 
 private:
-  /** A row of new shares. */
+  /** A row of new fractions. */
   struct Change
   {
     std::uint64_t Key;
@@ -119,7 +120,7 @@ private:
     CarvingCost& cost) noexcept;
   template <typename T>
   bool IsAnySolid(const BrickPlace& place) noexcept;
-  /** The share with which a sample has the level: its rest at the sphere's surface. */
+  /** Returns the fraction with which a sample has the level, as at the sphere's surface. */
   double ComputeEdge(double value) const noexcept;
   /** U, J/mm^3, at the sample of an index. */
   double ComputeEnergy(double value, const Vector3& index) const noexcept;

@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** How a needle feels by the value of the scalars, where no label gives a material. */
+/** What a needle feels, as functions of the scalar, where no label gives a material. */
 struct NeedleDescription
 {
   Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau, N per metre of the shaft

@@ -14,21 +14,21 @@ namespace VolumeHaptics
 namespace
 {
 
-/** If the needle breaks through a surface, the lag falls at least by this fraction. */
+/** If the needle breaks through a surface, the lag falls by at least this fraction. */
 constexpr double BreakFraction = 1e-3;
-/** Kernel lengths: a surface that still holds is punctured when the proxy was pushed this far. */
+/** A surface that still holds is punctured when the proxy was pushed this far (kernel lengths). */
 constexpr double MostPushed = 2.0;
 constexpr double SmallestLag = 1e-9; // m
-/** A surface gives way at this fraction of its strength at least. */
+/** A surface gives way at no less than this fraction of its strength. */
 constexpr double WholeFraction = 0.99;
-/** The hand's direction is averaged over this way of its motion (m). */
+/** The hand's direction is averaged over this length of its motion (m). */
 constexpr double MotionLength = 1e-3;
 /**
  * A motion whose cosine to the normal is smaller runs along the surface, and does not give the
  * axis.
  */
 constexpr double LeastPush = 0.2;
-/** Steps: the farthest beginning of a track behind the tip. */
+/** The farthest beginning of a track behind the tip (steps). */
 constexpr double MostBack = 64.0;
 
 /** Adds a step to the hand's motion (m): older motions count less. */
@@ -45,7 +45,7 @@ Vector3 HeadingOf(const Vector3& v) noexcept
 }
 
 /**
- * The unit direction of a needle that is inserted now; 0 if there is none.
+ * Returns the unit direction of a needle that is inserted now; 0 if there is none.
  * @param normal of the surface that holds it; 0 if there is none
  */
 Vector3 FindAxis(const ServoState& state, const Vector3& lag, const Vector3& normal) noexcept
@@ -81,7 +81,7 @@ struct HeldAt
   double Strength = 0.0; ///< T W_d, N
   bool IsWhole() const noexcept
   {
-    // With all the strength of the label behind it, independent of W_d.
+    // Holds with all the strength of the label behind it, whatever W_d is.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };
@@ -90,7 +90,7 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   const NeedleState& needle, const FreeTick& before, const TickRecord& record) noexcept
 {
   HeldAt held;
-  // PRECISE passes through within a tick, and is free after it.
+  // PRECISE may pass through a surface within a tick, and has no normal force after it.
   held.Normal = record.NormalForce > Law::ForceEpsilon ? record.Normal : needle.Normal;
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
   if (held.Push > 0.0)
@@ -120,8 +120,8 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
 }
 
 /**
- * Sets the force of a surface at its puncture, beside R at the entry, which may be behind the
- * boundary: as the free law, it uses T and R in front of the surface.
+ * Sets the force of a surface at its puncture, beside R at the entry. The entry may be behind the
+ * boundary; like the free law, this uses T and R in front of the surface.
  */
 void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, const HeldAt& held,
   NeedleState& needle) noexcept
@@ -138,8 +138,8 @@ void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, con
 }
 
 /**
- * The first place on a way that resists; the end of the way is known to resist, its beginning is
- * not.
+ * Returns the first place on a way that resists. The end of the way is known to resist, and its
+ * beginning not to resist.
  */
 Vector3 FindFirstResistance(
   const NeedleTissueReader& reader, const Vector3& from, const Vector3& to) noexcept

@@ -4,9 +4,9 @@
  * @file
  * How a free needle enters tissue.
  *
- * It has to come from a place where nothing resists. It punctures a surface when the spring pushes
- * with the whole strength; then the lag falls. A surface that goes on holding, such as one without
- * an end, is punctured two kernel lengths deep.
+ * The needle has to come from a place where nothing resists. It punctures a surface when the spring
+ * pushes with the whole strength and the lag then falls. A surface that never gives way is
+ * punctured when the needle is two kernel lengths deep in it.
  */
 #ifndef NeedleEntry_h
 #define NeedleEntry_h

@@ -27,7 +27,7 @@ struct NeedleTissue
   double Shaft = 0.0;   ///< tau, N per metre
   double Value = 0.0;   ///< the scalars' value
   std::int64_t Label = NoLabel;
-  bool HasPuncture = false; ///< its label gives the strength of its boundary, as Puncture
+  bool HasPuncture = false; ///< whether its label gives the strength of its boundary, Puncture
   double Puncture = 0.0;    ///< T, N
 
   bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
@@ -40,13 +40,15 @@ public:
   /** The model has a needle, and outlives the reader. */
   NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
 
-  /** Nothing resists outside the volume, and where it is cut away. */
+  /**
+   * Returns the tissue at a place. Nothing resists outside the volume, and where it is cut away.
+   */
   NeedleTissue At(const Vector3& place) const noexcept;
 
   /**
-   * T W_d (N) of the surface at a place, for a needle with this axis: 0 if the surface's normal is
-   * not along the axis, or if the label behind it has its own strength, which then belongs to the
-   * boundary between labels.
+   * Returns T W_d (N) of the surface at a place, for a needle with this axis; 0 if the surface's
+   * normal is not along the axis, or if the label behind the surface has its own strength, because
+   * that strength then belongs to the boundary between labels.
    */
   double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
 

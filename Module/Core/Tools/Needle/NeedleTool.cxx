@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /** How far the tip is ahead of the proxy (m). */
+  /** Returns how far the tip is ahead of the proxy (m). */
   double ComputeRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
@@ -142,7 +142,7 @@ private:
     this->MoveBy(behind, next);
   }
 
-  /** The part of a length in front of the stand-off of forbidden labels. */
+  /** Returns the part of a length that lies in front of the stand-off of forbidden labels. */
   double StopAtForbidden(double length) noexcept
   {
     if (!this->Reader.IsForbidden(this->Ahead(length)))
@@ -173,7 +173,7 @@ private:
     // The needle may have slid into other tissue.
     this->Needle.Track.Append(this->Needle.Depth, this->Here.Shaft, this->Here.Label);
     const double k = this->Stiffness;
-    double held = 0.0; // N, by the tissue here
+    double held = 0.0; // N, the force with which the tissue here holds
     for (int i = 0; i < MostNeedleSteps; ++i)
     {
       const double pull = k * this->ComputeRest();
@@ -295,7 +295,7 @@ private:
   const double KernelLength; ///< m, along the axis
   double Step = 0.0;
   NeedleTissue Here;     ///< around the tip
-  double Strength = 0.0; ///< N, of the boundary or surface that holds the tip
+  double Strength = 0.0; ///< N, the strength of the boundary or surface that holds the tip
   double Moved = 0.0;    ///< m, forwards
   bool IsStopped = false;
   bool IsUnfinished = false;
@@ -310,7 +310,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // As at the method's beginning.
+    // As if the method began.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

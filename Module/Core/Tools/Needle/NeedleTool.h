@@ -41,7 +41,10 @@ inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
   return ToMatrix(q) * Vector3{ 0.0, 0.0, -1.0 };
 }
 
-/** One tick of an inserted needle. If it is withdrawn, the proxy ends at the tip, free. */
+/**
+ * Advances an inserted needle by one tick. If the needle is withdrawn, the proxy ends at the tip,
+ * free.
+ */
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 /**

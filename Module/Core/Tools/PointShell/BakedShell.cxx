@@ -87,7 +87,7 @@ void ShapedTool::AppendTables(std::vector<MemoryRange>& tables) const
 void ShapedTool::WriteRecord(const ToolTick& tick, const ShellRecord& felt) noexcept
 {
   TickRecord& record = tick.Record;
-  // The method does not tick: set where it would go on, and what it would read.
+  // The method does not tick. Set the state from which it would continue, and what it would read.
   tick.State.Precise.ReachedTip = record.Tip;
   const double norm = Norm(felt.Force);
   record.Proxy = felt.Tool.Position;

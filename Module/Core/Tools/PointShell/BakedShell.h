@@ -25,8 +25,8 @@ struct ShellDescription
 {
   std::shared_ptr<const PointShell> Points; ///< in world units; not null
   /**
-   * Settings of the shell, except its contact area, which is in square world units here, and its
-   * scale, which is not used.
+   * The settings of the shell. The contact area is in square world units here, and the scale is not
+   * used.
    */
   ShellSettings Touch;
 };
@@ -39,7 +39,7 @@ public:
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** The hand begins anew if the tool can't be carried. */
+  /** Carries the state to another model; if the tool can't be carried, the hand begins anew. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;
@@ -88,8 +88,8 @@ public:
 
 ///@{
 /**
- * For recordings: the contacts that a tool with a shape has kept (ToolMemory::Keep), null without
- * such a tool; and the continuation with a copy of them. If they belong to another tool,
+ * For recordings: return the contacts that a tool with a shape has kept (ToolMemory::Keep), null
+ * without such a tool; and continue with a copy of such contacts. If they belong to another tool,
  * RestoreContacts() returns false and changes nothing.
  */
 const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept;

@@ -67,8 +67,8 @@ VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double fir
 }
 
 /**
- * Two neighbours along x, at a distance from each of four samples: the first ones and the second
- * ones. IsRow: samples along x are adjacent in memory, and sx is not used.
+ * Loads two neighbours along x, at an offset from each of four samples: the first ones and the
+ * second ones. IsRow: samples along x are adjacent in memory, and sx is not used.
  */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -121,7 +121,7 @@ VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
   return at;
 }
 
-/** Two neighbours along x, at a distance from the first sample of each cell. */
+/** Loads two neighbours along x, at an offset from the first sample of each cell. */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
   const FourCells<T>& at, std::int64_t distance, Double4& first, Double4& second)

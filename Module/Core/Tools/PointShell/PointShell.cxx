@@ -22,7 +22,7 @@ std::uint64_t SpreadBits(std::uint64_t bits)
   return spread;
 }
 
-/** The place of a point along a curve that fills the box from `low` on (Morton order). */
+/** Returns the place of a point along a curve that fills the box from `low` on (Morton order). */
 std::uint64_t PlaceOnCurve(const Vector3& position, const Vector3& low, double scale)
 {
   const Vector3 at = scale * (position - low);
@@ -76,7 +76,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
   points.swap(sorted);
 }
 
-/** A sphere around some points, from their box. */
+/** Makes a sphere around some points, from their box. */
 ShellBlock MakeBlock(const ShellPoint* begin, const ShellPoint* end)
 {
   const ShellBox box = ComputeBox(begin, end);

@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * A point of a tool's surface, in the tool's own frame, and the area that it stands for. In any
- * unit of length: see ShellSettings::Scale.
+ * A point of a tool's surface, in the tool's own frame and in any unit of length (see
+ * ShellSettings::Scale), and the area that it stands for.
  */
 struct ShellPoint
 {
@@ -30,7 +30,7 @@ struct ShellSettings
 {
   double Level = 0.0;               ///< V_c
   bool IsBelow = false;             ///< values below the level are solid
-  double ContactArea = 2.5e-5;      ///< m^2, to which the materials' stiffness and strength refer
+  double ContactArea = 2.5e-5;      ///< m^2, the area to which materials refer
   double CouplingStiffness = 500.0; ///< N/m, between hand and tool
   double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
   double Scale = 1.0;               ///< m, length of the shell's unit
@@ -41,7 +41,7 @@ struct ShellBlock
 {
   static constexpr std::size_t Size = 64;
 
-  Vector3 Centre; ///< of a sphere around all of them
+  Vector3 Centre; ///< the radius of a sphere that contains all points of the block
   double Radius = 0.0;
 };
 

@@ -45,7 +45,7 @@ struct ShellFrame
   double UnitsPerMeter;
   double Voxel;        ///< m
   double KernelLength; ///< m
-  double KernelRadius; ///< voxels, if it applies along each direction instead; else 0
+  double KernelRadius; ///< the kernel radius (voxels), if it applies along each direction; else 0
 };
 
 /** The pose of a tool, as maps. */
@@ -61,11 +61,11 @@ struct ShellBatch
   static constexpr std::size_t Most = 64; ///< with all results, it fits into the first cache
 
   std::size_t Count = 0;
-  std::uint64_t Solid = 0;          ///< a bit for each: whether it is solid
+  std::uint64_t Solid = 0;          ///< a bit for each point: whether it is solid
   std::uint32_t Point[Most];        ///< the point's number
-  const ShellContact* Before[Most]; ///< the point's last contact; a contact of zeros if it has none
+  const ShellContact* Before[Most]; ///< the point's last contact; zeros if it has none
   double Position[3][Most];         ///< in the tool's frame
-  double Area[Most];                ///< in the tool's units, too
+  double Area[Most];                ///< the area, in the tool's units
   ///@{
   /** Computed from the tool's placement. */
   double Offset[3][Most]; ///< Before's
@@ -114,17 +114,17 @@ struct ShellLaw
   const MaterialTable* Materials; ///< null if ShellBatch::Material is known
   const DistinctnessTable* Distinctness;
   ///@{
-  /** The segments that held the last numbers; for speed only. */
+  /** The segments that contained the last numbers; for speed only. */
   const MaterialTable::Segment* LastMaterial;
   const DistinctnessTable::Segment* LastDistinctness;
   ///@}
   double LeastStiffness;   ///< N/m: lower stiffness is not felt
   double PerContactArea;   ///< 1/m^2
-  double SquareMeters;     ///< of a unit of ShellBatch::Area
-  double InverseRadius;    ///< 1/voxels, the kernel's
-  double Fraction;         ///< the fraction that the earlier contacts' energies keep
-  double FarthestFollowed; ///< m: the limit of ShellBatch::Beyond
-  bool IsStart;            ///< no contact has energy
+  double SquareMeters;     ///< the area (m^2) of a unit of ShellBatch::Area
+  double InverseRadius;    ///< 1 / the kernel's radius (voxels)
+  double Fraction;         ///< the fraction of their energies that the earlier contacts keep
+  double FarthestFollowed; ///< the limit (m) of ShellBatch::Beyond
+  bool IsStart;            ///< whether contacts begin without energy
 };
 
 } // namespace VolumeHaptics

@@ -13,14 +13,14 @@ namespace
 {
 
 /**
- * Voxels: a foot farther from the level was not followed, but is still searched. The depth of its
- * point is then no work of the hand.
+ * A foot farther from the level than this (voxels) is not found yet. The depth of its point is then
+ * no work of the hand.
  */
 constexpr double FarthestFollowed = 0.75;
 
-/** Voxels: an allowance for the rounding of sums of ways, and of the map to indices. */
+/** An allowance (voxels) for the rounding of sums of ways, and of the map to indices. */
 constexpr double LeastClearance = 1e-4;
-/** Voxels: marks read farther from the tool would not last. */
+/** Marks made farther from the tool than this (voxels) would not last. */
 constexpr double MostWayOfMarks = 0.2;
 
 void SetRows(const Matrix3& matrix, double* rows) noexcept
@@ -139,7 +139,7 @@ double ShellContactFinder::ComputePerValue(
   {
     return 0.0;
   }
-  // |sum of g_a r_a|, for slopes up to these; r_a are the rows of the map to indices.
+  // The length of sum g_a r_a, for slopes g_a up to these; r_a are the rows of the map to indices.
   double square = 0.0;
   for (int a = 0; a < 3; ++a)
   {
@@ -170,8 +170,8 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue =
     isClear || way > MostWayOfMarks ? 0.0 : this->ComputePerValue(centre, half);
-  // With these slopes, the values at the points reach the level elsewhere. The tool has come from a
-  // place in this box.
+  // With these slopes, the values at the points reach the level somewhere else. The tool came from
+  // a place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
   const double fraction = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;

@@ -21,8 +21,8 @@
  *   E = area phi(u),   phi = kappa u^2/2 up to the depth at which p = P, linear beyond,
  *
  * is kept if the material changes, and u follows from it, but is never more than d. A point that is
- * solid in the first tick, or whose foot is still searched, has E = 0 there. The difference d - u
- * is slack; it ends with the contact.
+ * solid in the first tick, or whose foot is not found yet, has E = 0. The difference d - u is
+ * slack; it ends with the contact.
  */
 #ifndef ShellContacts_h
 #define ShellContacts_h
@@ -39,12 +39,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Bounds that save reading points. They only save time: results are the same to the bit.
+ * Bounds that save reading points, without changing any result.
  *
  * A block of points is clear if no sample around it is solid, up to a voxel beyond its points. For
  * other points, the bound is how far they are from the nearest place that may have the level of
  * contact: the distance of their values from the level, over the largest slope of the values around
- * their block. They are read anew when they may have come that far.
+ * their block. A point is read again when it may have moved that far.
  */
 struct ShellClearance
 {
@@ -69,7 +69,7 @@ struct ShellClearance
   std::vector<double> Until; ///< how far IsClear and PerValue of a block are valid; -1: unknown
   std::vector<char> IsClear;
   ///@{
-  /** As if nothing was removed: see ShellMarking. */
+  /** Computed as if nothing was removed: see ShellMarking. */
   std::vector<double> PerValue;
   std::vector<std::uint64_t> Marks;
   std::vector<double> MarksUntil;
@@ -103,8 +103,8 @@ public:
   /** Voxels: the largest motion of any point from one pose to another. */
   double ComputeWay(const ShellPose& from, const ShellPose& to) const noexcept;
   /**
-   * With isStart, contacts have no energy, whatever their depth. `way` is the way from the pose of
-   * ShellClearance::Travelled.
+   * Collects the contacts at a pose. With isStart they have no energy, whatever their depth. `way`
+   * is the length of the way from the pose of ShellClearance::Travelled.
    */
   void Collect(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
     ShellContacts& to, ShellClearance& clearance, ShellSum& sum) const noexcept;
@@ -113,7 +113,10 @@ private:
   struct Candidates;
   void Survey(std::size_t block, const Affine3& toolToIndex, double way,
     ShellClearance& clearance) const noexcept;
-  /** The fewest voxels over which the value changes by 1, around a block; 0 if that is unknown. */
+  /**
+   * Returns the fewest voxels over which the value changes by 1, around a block; 0 if that is
+   * unknown.
+   */
   double ComputePerValue(const Vector3& centre, const Vector3& half) const noexcept;
   std::uint64_t Mark(
     std::size_t block, const double* map, double way, ShellClearance& clearance) const noexcept;

@@ -16,15 +16,15 @@ namespace
 constexpr double FarthestHand = 1e9;
 /**
  * The most poses at which a tick evaluates the contacts (each is one "look"), and the most points
- * that it reads at all of them together. Two poses are always allowed.
+ * that it reads at all poses together. Two poses are always allowed.
  */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
 /** Where a burr has removed tissue, reading a point takes about this many times as long. */
 constexpr std::size_t PointsOfCarved = 5;
 /**
- * A tick ends if the next step would change the force by less than the sum of this fraction of it
- * and this (N).
+ * A tick ends if the next step would change the force by less than this fraction of the force plus
+ * this number of newtons.
  */
 constexpr double ForceFraction = 5e-3;
 constexpr double ForceTolerance = 5e-4;
@@ -58,7 +58,7 @@ struct Coupling
   {
     const Vector3 lag = tool.Position - hand.Position;
     const Quaternion turn = tool.Orientation * Conjugate(hand.Orientation);
-    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // times sin(theta/2)
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // the axis times sin(theta/2)
     return { 0.5 * this->Stiffness * Dot(lag, lag) + 2.0 * this->TurningStiffness * Dot(axis, axis),
       this->Stiffness * lag, (2.0 * this->TurningStiffness * turn.W) * axis };
   }
@@ -185,7 +185,7 @@ public:
       pull = this->Springs.At(next, hand);
       if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
       {
-        // The step has met unknown contacts: now they are known.
+        // The step has met unknown contacts, which are now known.
         next = this->Corrected(next, pull);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
@@ -249,7 +249,7 @@ private:
     this->IsAway = true;
     ++this->Looks;
   }
-  /** Returns from a pose that was read but not taken. */
+  /** Returns from a pose that was evaluated but not adopted. */
   void GoBack() noexcept
   {
     if (this->IsAway)
@@ -264,7 +264,7 @@ private:
     return pull.Energy + this->Sum.Energy > (1.0 + EnergyTolerance) * before;
   }
 
-  /** The fraction of a step in which no point goes farther than feet can be followed. */
+  /** Returns the fraction of a step in which no point moves farther than feet can be followed. */
   double ComputeFraction(const Step& step) const noexcept
   {
     const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
@@ -273,8 +273,8 @@ private:
   }
 
   /**
-   * Corrects a pose by the contacts at another pose; it stays as near to the tool as feet can be
-   * followed.
+   * Corrects a pose by the contacts at another pose. The result stays as near to the tool as feet
+   * can be followed.
    */
   ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
   {
@@ -290,7 +290,7 @@ private:
     return std::abs(turn.W) > least;
   }
 
-  /** Takes the pose of the last look, if the budget pays for its pull. */
+  /** Adopts the pose of the last look, if the budget pays for its pull. */
   bool Apply(const ShellPose& next, const Coupling::Pull& pull) noexcept
   {
     ShellState& s = this->State;
@@ -327,7 +327,7 @@ private:
   bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
   {
     const double tolerance = ForceTolerance + ForceFraction * Norm(pull.Force);
-    // The torque of this force change at an arm of this length.
+    // The force at an arm of this length has the torque's change.
     constexpr double leastArm = 1e-3; // m
     const double torque = std::max(this->Reach, leastArm) * tolerance;
     return this->Springs.Stiffness * Norm(step.Move) > tolerance ||
@@ -340,9 +340,9 @@ private:
   const std::size_t Most;
   ShellState& State;
   ShellMemory& Memory;
-  ShellSum Sum;        ///< of the last look
+  ShellSum Sum;        ///< the sum at the last look
   double Way = 0.0;    ///< voxels, from the tool to the last look
-  bool IsAway = false; ///< the last look was not taken
+  bool IsAway = false; ///< the last look was not adopted
   std::uint32_t Looks = 0;
   bool IsUnfinished = false;
 };

@@ -16,10 +16,10 @@
  * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the turn.
  *
  * Passivity. A budget S holds the energy that the hand has put in: while the tool rests and the
- * hand moves, S changes by as much as U. Steps keep U + E <= S; if nothing else helps, the contacts
- * lose energy. So U <= S always, and the hand gets back at most what it has put in, for any volume,
- * materials and accuracy of the steps. The energy that a contact has lost pays for later rises, but
- * only up to a tenth of the stored energy, and not after the contact.
+ * hand moves, S changes by the same amount as U. Steps keep U + E <= S; if nothing else helps, the
+ * contacts lose energy. So U <= S always, and the hand gets back at most what it has put in, for
+ * any volume, materials and accuracy of the steps. The energy that a contact has lost pays for
+ * later rises, but only up to a tenth of the stored energy, and not after the contact.
  */
 #ifndef ShellCoupling_h
 #define ShellCoupling_h
@@ -89,14 +89,15 @@ struct ShellRecord
 /** The settings of a model whose tool has a shape, in the device's units of length. */
 ShellSettings ComputeShellSettings(const HapticModel& model) noexcept;
 
-/** J, in the springs between hand and tool. */
+/** Returns the energy (J) in the springs between hand and tool. */
 double ComputeCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**
  * Advances the state by one tick. A hand that is not finite, far away, or without a unit quaternion
- * gives zero force and disables the state; so does another model than the last tick's, or a memory
- * of another shell; the next tick then begins at the hand. It neither allocates, locks nor throws.
+ * gives zero force and disables the state, and so does a model other than the last tick's, or a
+ * memory of another shell. The next tick then begins at the hand. It neither allocates, locks nor
+ * throws.
  */
 void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
   const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept;

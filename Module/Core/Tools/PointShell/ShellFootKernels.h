@@ -68,7 +68,7 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   const double fz = az.Fraction;
   const double ey = 1.0 - fy;
   const double ez = 1.0 - fz;
-  // Four lines along x each: the cell's, those beside it along y, and those along z.
+  // Four lines along x each: the cell's own, the lines beside it along y, and those along z.
   const T* const inner[4] = { p, p + sy, p + sz, p + sy + sz };
   const T* const besideY[4] = { p - sy, p - sy + sz, p + 2 * sy, p + 2 * sy + sz };
   const T* const besideZ[4] = { p - sz, p - sz + sy, p + 2 * sz, p + 2 * sz + sy };
@@ -102,7 +102,7 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   {
     if (!IsNumber(to[0] + to[1] + to[2] + to[3]))
     {
-      // A sample that is not a number does not count without a weight.
+      // Skips a sample without a weight, so that one that is not a number does not count.
       ReadFootAtBorder<T>(view, x, y, z, to);
     }
   }
@@ -174,7 +174,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
     (isSecondY ? wz : minus(wz)) * a, (isSecondZ ? wy : minus(wy)) * a } };
 }
 
-/** As ReadFoot, for four points at a time. False if one of them is at the border. */
+/** The same as ReadFoot, for four points at a time. False if one of them is at the border. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
 {
@@ -193,7 +193,7 @@ VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, Sh
   const Double4 fy = at.Y.Fraction;
   const Double4 fz = at.Z.Fraction;
   const std::int64_t* const stride = view.Volume.Stride;
-  // In the order of AddLanes.
+  // Adds in the order of AddLanes.
   FourFeet sum = AddFeet(ReadLine<T, IsRow>(at, stride, fy, fz, false, false),
     ReadLine<T, IsRow>(at, stride, fy, fz, false, true));
   sum = AddFeet(sum,

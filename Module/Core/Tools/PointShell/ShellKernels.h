@@ -162,7 +162,7 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
   AddRows<5, 6>(forces, gradient, curvature);
 }
 
-/** As Trilinear, for four indices at a time. */
+/** The same as Trilinear, for four indices at a time. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {
@@ -209,7 +209,8 @@ void ReadValues(const ShellReading& reading, const ShellNumbers& indices, double
     {
       if (!IsNumber(to[n]))
       {
-        readOne(n); // a sample that is not a number does not count without a weight
+        readOne(n); // skips samples without a weight, so that those that are not numbers do not
+                    // count
       }
     }
   }

@@ -50,7 +50,7 @@ struct FourSegments
 {
   const Segment* Of[4];
   Double4 Way; ///< from the segments' beginnings
-  bool IsOne;  ///< all are the same segment
+  bool IsOne;  ///< whether all four are the same segment
 };
 /** A channel of a table. */
 template <typename Segment>
@@ -67,7 +67,7 @@ VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, in
       of[0]->Slope[channel], of[1]->Slope[channel], of[2]->Slope[channel], of[3]->Slope[channel]) *
     segments.Way;
 }
-/** Mostly, the segment that held the last number holds these, too. */
+/** Tries the segment of the last numbers first: mostly it contains these, too. */
 template <typename Table>
 VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
   const Table& table, const Double4& x, const typename Table::Segment*& last)
@@ -91,7 +91,7 @@ VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
   return found;
 }
 
-/** As HapticModel::BorderFade. */
+/** The same as HapticModel::BorderFade, for four points. */
 VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
   const ShellReading& reading, const FourVectors& index, double inverseRadius)
 {
@@ -112,7 +112,7 @@ struct FourLaws
   Double4 Strength;
   Double4 IsFelt; ///< 1 if felt, else 0
 
-  /** J/m^2, at depths u, some of which may yield; pull is the stiffness times u. */
+  /** The energy (J/m^2) at depths u, some of which may yield; pull is the stiffness times u. */
   Double4 EnergyAt(const Double4& u, const Double4& pull, std::uint64_t yielding) const
   {
     const Double4 stored = 0.5 * this->Stiffness * u * u;
@@ -186,7 +186,7 @@ VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLa
     isWhole && (IsEqual(stiffness, laws.Stiffness) & IsEqual(strength, laws.Strength)) == AllLanes;
   if (!areSame)
   {
-    // The energy stays if the material changes.
+    // If the material changes, a contact keeps its energy.
     const Double4 other = Smaller(was, laws.DepthOf(law.Fraction * energy / area));
     const Double4 same = ChooseEqual(strength, laws.Strength, kept, other);
     kept = isWhole ? ChooseEqual(stiffness, laws.Stiffness, same, other) : other;
@@ -247,7 +247,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
-    // Repeats the last point, so that no other material is searched.
+    // Repeats the last point, so that no other material is looked up.
     const std::size_t last = batch.Count - 1;
     batch.Before[i] = batch.Before[last];
     batch.Magnitude[i] = batch.Magnitude[last];

@@ -70,7 +70,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
     {
       if (!IsNumber(values[lane]))
       {
-        // A sample that is not a number does not count without a weight.
+        // Skips a sample without a weight, so that one that is not a number does not count.
         values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
       }
     }
@@ -136,9 +136,10 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
     Double4 values;
     const std::uint64_t found =
       MarkFour<T, IsRow>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
-    // From the level, with an allowance for rounding.
+    // Distances from the level, with an allowance for rounding.
     const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
-    // Only a short way if there is no number, or no known slope; and finite, since it is scaled.
+    // A short way if a value is not a number, or the slope is not known; finite, because it is
+    // scaled.
     constexpr double farthest = 1e300;
     const Double4 from = Spread(before.From);
     double until[4];
@@ -166,7 +167,7 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
                                : UpdateLate<T, false>(reading, points, map, before, late);
 }
 
-/** The largest size of differences; they must be numbers. */
+/** Collects the largest size of differences; they must be numbers. */
 class MostDifference
 {
 public:
@@ -174,7 +175,7 @@ public:
   {
     const Double4 difference = next - at;
     this->Most = Larger(Larger(difference, -1.0 * difference), this->Most);
-    // No longer 0 if one is not a number.
+    // Becomes different from 0 if a difference is not a number.
     this->Odd = this->Odd + (difference - difference);
   }
   double Compute() const
@@ -205,7 +206,7 @@ VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
     {
       const T* const row =
         static_cast<const T*>(reading.View.Volume.Data) + j * stride[1] + k * stride[2];
-      // The last samples have no neighbour: each counts as its own.
+      // The last samples have no neighbour: each is its own neighbour.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0];; i += 4)
@@ -260,7 +261,7 @@ void ComputeMostSlopes(const ShellReading& reading, const std::int64_t* low,
     {
       const T* at = static_cast<const T*>(reading.View.Volume.Data) + low[0] * stride[0] +
         j * stride[1] + k * stride[2];
-      // The last samples have no neighbour: each counts as its own.
+      // The last samples have no neighbour: each is its own neighbour.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0]; i <= high[0]; ++i, at += stride[0])

@@ -85,7 +85,7 @@ void ShellReader::ForEachCopy(const CarvedBox* boxes, std::size_t count, const F
 {
   double samples[MostCopied];
   ShellReading copy = this->Reading;
-  // Ends of pending halves: consecutive points are mostly neighbours.
+  // Ends of the halves that are still to do: consecutive points are mostly neighbours.
   std::size_t ends[16] = { count };
   int rest = count > 0 ? 1 : 0;
   for (std::size_t begin = 0; rest > 0;)
@@ -166,8 +166,8 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
     const auto isShort = [&](int a) { return boxes[i].Size(a) < 4; };
     if (isFloat || isShort(0) || isShort(1) || isShort(2))
     {
-      // At the border, and beside samples that are not numbers, reads at a distance of a sample may
-      // be rounded up into the next cell.
+      // At the border, and beside samples that are not numbers, positions that are a sample away
+      // may be rounded up into the next cell.
       boxes[i] = ComputeBox(this->Given, at, 1, 2);
     }
   }
@@ -234,7 +234,7 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
 bool ShellReader::ComputeSlopes(
   const Vector3& centre, const Vector3& half, double* slopes) const noexcept
 {
-  // More samples take longer than the points of a block that they would save.
+  // Reading more samples takes longer than the points of a block that they would save.
   constexpr double mostSamples = 512.0;
   const SampleBox box(centre, half);
   const FieldView& view = this->Reading.View;

@@ -4,8 +4,8 @@
  * @file
  * Reads a volume at the points of a shell.
  *
- * As in FieldSampler.h, the kernels are compiled once per instruction set and chosen at run time,
- * and all give the same bits.
+ * The kernels are compiled once per instruction set and chosen at run time, as in FieldSampler.h;
+ * all give the same bits.
  */
 #ifndef ShellReader_h
 #define ShellReader_h
@@ -39,14 +39,14 @@ struct ShellNumbers
 };
 
 /**
- * Sets the bits of those of up to 64 points that are within the volume and whose trilinear value is
- * solid; NaN is not solid. The map from the tool to indices is a matrix by rows, and an offset.
+ * Marks up to 64 points: sets the bits of points within the volume whose trilinear value is solid;
+ * NaN is not solid. The map from the tool to indices is a matrix by rows, and an offset.
  */
 using MarkFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map) noexcept;
 /**
- * The last marks of 1 to 64 points, from when the tool was near. Only points that may have reached
- * the level since are read anew. Lengths are the largest way of any point, in voxels.
+ * The last marks of 1 to 64 points, made when the tool was near. Only points that may have reached
+ * the level since are read again. Lengths are the largest way of any point, in voxels.
  */
 struct ShellMarking
 {
@@ -56,7 +56,7 @@ struct ShellMarking
   double From;         ///< new marks count their lengths from here
   double PerValue;     ///< the fewest voxels over which a value changes by 1; 0 if that is unknown
 };
-/** As MarkFunction. Writes to ShellMarking::Until. */
+/** The same as MarkFunction; also writes to ShellMarking::Until. */
 using MarkingFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
 /** Whether any sample in a box of indices is solid; NaN is not solid. */
@@ -77,7 +77,7 @@ using FootFunction = void (*)(
 /** Reads value, gradient and cell derivatives for a batch, at Place. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
- * Computes the other results from these, Index, Offset and Solid. Sets the bits of points that may
+ * Computes the other results from those, Index, Offset and Solid. Sets the bits of points that may
  * be in contact: there is a gradient, and they are deep enough; in a thin wall they may still be
  * after they have come out of its other side.
  */
@@ -139,7 +139,7 @@ public:
     return this->Unmark(
       points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
   }
-  /** As Mark, for points with earlier marks: as if nothing was removed. */
+  /** The same as Mark, as if nothing was removed, for points with earlier marks. */
   std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
     const ShellMarking& before) const noexcept
   {
@@ -158,9 +158,9 @@ public:
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   /**
-   * The largest slopes along each axis, per sample, in such a box. False if the box has too many
-   * samples to check, reaches beyond the resident samples, or has one that is not finite. Ignores
-   * removal.
+   * Computes the largest slopes along each axis, per sample, in such a box. False if the box has
+   * too many samples to check, reaches beyond the resident samples, or has a sample that is not
+   * finite. Ignores removal.
    */
   bool ComputeSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
@@ -198,10 +198,12 @@ public:
 private:
   /** The most samples that are copied at a time: 32 KiB. */
   static constexpr std::int64_t MostCopied = 4096;
-  /** If points need more samples each, each has its own copy, which then takes less time. */
+  /**
+   * If a point needs more samples than this, it gets a copy of its own, which then takes less time.
+   */
   static constexpr std::int64_t WorthOfPoint = 40;
 
-  /** Calls f(copy, i) for the boxes in which tissue was removed, and for some beside them. */
+  /** Calls f(copy, i) for the boxes in which tissue was removed, and for some boxes beside them. */
   template <typename F>
   void ForEachCopy(const CarvedBox* boxes, std::size_t count, const F& f) const noexcept;
   /** Clears the marks of points whose tissue was removed. */

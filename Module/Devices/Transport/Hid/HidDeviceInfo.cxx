@@ -128,7 +128,8 @@ std::string HidDeviceInfo::MakeIdentity(const char* kind) const
 bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
 {
 #if defined(__linux__)
-  // The system's copy, which everyone may read; hidapi gives access to it from version 0.14 on.
+  // Reads the system's copy, which everyone may read; hidapi gives access to it from version 0.14
+  // on.
   const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
   const std::vector<std::uint8_t> bytes = ReadAll(
     "/sys/class/hidraw/" + node + "/device/report_descriptor", HidReportDescriptor::MaximumSize);

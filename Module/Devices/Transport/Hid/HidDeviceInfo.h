@@ -31,8 +31,8 @@ struct HidDeviceInfo
   /** DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial number. */
   std::string MakeIdentity(const char* kind) const;
   /**
-   * DeviceBackend::KeepsIdentity: without a serial number, others of the same model have the same
-   * identity.
+   * DeviceBackend::KeepsIdentity: without a serial number, other devices of the same model have the
+   * same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
   /** "available", "in use", or the obstacle and its cure. */
@@ -42,7 +42,7 @@ struct HidDeviceInfo
 };
 
 ///@{
-/** All devices, or some, in the order in which the system numbers them. Any thread. */
+/** Lists all devices, or some, in the order in which the system numbers them. Any thread. */
 std::vector<HidDeviceInfo> ListHidDevices();
 std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&));
 ///@}

@@ -43,14 +43,14 @@ protected:
   ///@{
   /** The parts that differ between kinds. */
   /**
-   * The devices to try, in order: if the first is in use, the next one is tried. If there are none:
-   * the reason and the cure.
+   * Returns the devices to try, in order: if one is in use, the next one is tried. Empty, with the
+   * reason and the cure, if there are none.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
   /** Reads the device's description of itself. False, with the reason and the cure. */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
-   * Called at the start of the thread and after a loss, then with `isAnew`; and if homing is
+   * Called at the start of the thread, after a loss (then with `isAnew`), and if homing is
    * requested from a working device.
    */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
@@ -58,14 +58,17 @@ protected:
   virtual void Work(HardwareExchange& exchange) = 0;
   /** Ends the force, if there is one. */
   virtual void Rest() noexcept = 0;
-  /** The last message to a connected device. */
+  /** Sends the last message to a connected device. */
   virtual void End() noexcept { this->Rest(); }
   ///@}
 
   ///@{
-  /** `time` (ms) limits the wait. If the device is gone, returns 0 and records a loss. */
+  /**
+   * Reads a report; `time` (ms) limits the wait. If the device is gone, returns 0 and records a
+   * loss.
+   */
   int Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) noexcept;
-  /** If the device refuses the report, returns false and records a loss. */
+  /** Writes a report. If the device refuses it, returns false and records a loss. */
   bool Write(HardwareExchange& exchange, const std::uint8_t* report, std::size_t size,
     bool isFeature = false) noexcept;
   /** Drops the reports that wait to be read. */
@@ -79,7 +82,7 @@ protected:
   /** Whether the device has been silent for too long. Call it after every read. */
   bool IsSilent(bool hasNews) noexcept;
 
-  /** The device that was connected last. */
+  /** Returns the device that was connected last. */
   const HidDeviceInfo& GetInfo() const noexcept { return this->Info; }
 
   HidPort Port;
@@ -95,7 +98,7 @@ private:
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;
-  bool Gone = false; ///< unplugged: the port can't be used any more
+  bool Gone = false; ///< whether the device is unplugged, so that the port can't be used any more
 };
 
 } // namespace VolumeHaptics

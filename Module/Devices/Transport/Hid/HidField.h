@@ -37,17 +37,20 @@ struct HidField
   HidReportKind Kind = HidReportKind::Input;
   std::uint8_t ReportId = 0; ///< 0 if the device uses no ids
   std::uint8_t BitSize = 0;  ///< 1 to 32
-  /// The value is no number: it selects one of the usages that the descriptor lists.
+  /// Whether the value is no number, but selects one of the usages that the descriptor lists.
   bool IsArray = false;
   bool IsRelative = false;
-  /// Two's complement, which is used if the logical minimum is below zero.
+  /// Whether the value is in two's complement, as it is if the logical minimum is below zero.
   bool IsSigned = false;
   std::uint32_t BitOffset = 0; ///< in the payload
   HidUsage Usage = 0;          ///< an array's first usage
   int Collection = -1;         ///< index of the innermost collection in the descriptor; -1: none
 
   ///@{
-  /** The range on the wire and the physical range; both physical limits 0: the same range. */
+  /**
+   * The range on the wire and the physical range. If both physical limits are 0, the ranges are
+   * equal.
+   */
   std::int64_t LogicalMinimum = 0;
   std::int64_t LogicalMaximum = 0;
   std::int64_t PhysicalMinimum = 0;
@@ -59,16 +62,19 @@ struct HidField
   std::uint32_t ChoiceRanges = 0; ///< for an array: its number of usage ranges
 };
 
-/** The nearest value that is in the logical range and fits into the bits, so that no sign wraps. */
+/**
+ * Returns the nearest value that is in the logical range and fits into the bits, so that no sign
+ * wraps.
+ */
 std::int64_t ClampToField(const HidField& field, std::int64_t value) noexcept;
 
-/** The bits, with their sign. False, and 0, if the payload is too short. */
+/** Reads the bits, with their sign. False, and 0, if the payload is too short. */
 bool ReadRaw(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
 /**
- * As ReadRaw, but also false for a value outside the logical range: that is HID's null value, which
- * means "no value".
+ * The same as ReadRaw, but also false for a value outside the logical range, which is HID's null
+ * value and means "no value".
  */
 bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;

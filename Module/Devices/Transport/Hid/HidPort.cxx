@@ -13,12 +13,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** HidDeviceInfo::GetState claims a device for a moment: Open tries again. */
+/** The number of tries, because HidDeviceInfo::GetState claims a device for a moment. */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
-/**
- * ns: longer than a working device takes, and as long as the slowest device's watchdog.
- */
+/** ns; longer than a working device takes, and as long as the slowest device's watchdog */
 constexpr std::int64_t StuckTime = 500000000;
 
 std::string ErrorOf(hid_device* device)

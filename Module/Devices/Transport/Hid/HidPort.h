@@ -32,24 +32,31 @@ public:
   HidPort(const HidPort&) = delete;
   HidPort& operator=(const HidPort&) = delete;
 
-  /** False, with the reason and the cure. IsInUse returns whether another holder is the reason. */
+  /**
+   * Opens and claims a device. False, with the reason and the cure. IsInUse returns whether another
+   * holder is the reason.
+   */
   bool Open(const HidDeviceInfo& info, std::string& error);
   void Close() noexcept;
   bool IsInUse() const noexcept { return this->InUse; }
 
-  /** The size of a report, 0 if none came within the time (ms), negative if the device is gone. */
+  /**
+   * Returns the size of a report, 0 if none came within the time (ms), negative if the device is
+   * gone.
+   */
   int Read(std::uint8_t* bytes, std::size_t size, int time) noexcept;
 
   ///@{
   /**
-   * Reports begin with their id, 0 if the device has none. False if the device refuses the report.
+   * Sends a report, which begins with its id (0 if the device has none). False if the device
+   * refuses it.
    */
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
-   * If the kernel has waited in vain for a device to take a report, nothing more is sent until this
-   * is called: each report would wait as long, and the device's own watchdog has already ended its
-   * force.
+   * Lets reports be sent again. If the kernel has waited in vain for a device to take a report,
+   * nothing more is sent until this call, because each further report would wait as long, and the
+   * device's own watchdog has ended its force.
    */
   void TryAgain() noexcept { this->Stuck = false; }
   /**

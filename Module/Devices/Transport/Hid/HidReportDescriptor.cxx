@@ -18,7 +18,7 @@ public:
 
   bool Read(const std::uint8_t* bytes, std::size_t size);
 
-  /** The position of the faulty item, or the size if something is missing at the end. */
+  /** Returns the position of the faulty item, or the size if something is missing at the end. */
   std::size_t GetPosition() const { return this->Position; }
   const std::string& GetError() const { return this->Error; }
 
@@ -81,8 +81,8 @@ private:
   std::string Error;
 };
 
-// The length of an item determines the sign of a minimum. A maximum has a sign only if the minimum
-// is below zero: otherwise a byte of 0xFF is 255, as devices intend.
+// Reads the data with a sign, by its length, as for a minimum. A maximum has a sign only if the
+// minimum is below zero: otherwise a byte of 0xFF means 255.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
@@ -317,7 +317,8 @@ bool HidItemReader::Global(const Item& item)
       g.PhysicalMaximum = item;
       return true;
     case 0x5:
-      // Four bits, two's complement; some devices extend the sign over the byte.
+      // The exponent has four bits, in two's complement; some devices extend the sign over the
+      // byte.
       g.UnitExponent = static_cast<int>(item.Data & 0xF) - ((item.Data & 8) != 0 ? 16 : 0);
       return true;
     case 0x6:
@@ -389,7 +390,7 @@ bool HidItemReader::Local(const Item& item)
       return true;
     case 0x2:
     {
-      // If only one of the two has a page, it holds for both.
+      // If only one of the two has a page, the page holds for both.
       const bool hasPage = item.Size == 4 || l.MinimumSize == 5;
       const std::uint32_t page = (item.Size == 4 ? item.Data : l.Minimum) & 0xFFFF0000U;
       const std::uint32_t first = (l.Minimum & 0xFFFFU) | (hasPage ? page : 0);

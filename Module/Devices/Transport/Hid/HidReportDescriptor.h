@@ -28,7 +28,7 @@ struct HidCollection
 {
   HidUsage Usage = 0;    ///< 0 if the collection has none
   std::uint8_t Type = 0; ///< 0 physical, 1 application, 2 logical, and so on
-  int Parent = -1;       ///< in the list of collections; -1: none
+  int Parent = -1;       ///< index in the list of collections; -1: none
 };
 
 /** Consecutive usages on a page. */
@@ -44,10 +44,12 @@ public:
   ///@{
   /** The largest accepted values; real devices stay far below. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
-  static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
+  static constexpr int MaximumDepth = 32;           ///< the deepest nesting of collections, and of
+                                                    ///< pushed states
   static constexpr std::size_t MaximumFields = 4096;
   static constexpr std::size_t MaximumUsages = 1024;       ///< ranges for one main item
-  static constexpr std::uint32_t MaximumBits = 256;        ///< in a field, as in Linux
+  static constexpr std::uint32_t MaximumBits = 256;        ///< the most bits in a field, as in
+                                                           ///< Linux
   static constexpr std::uint32_t MaximumReportSize = 4096; ///< bytes of a payload
   ///@}
 
@@ -66,15 +68,15 @@ public:
   /** Whether each report begins with its id. */
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
-  /** Bytes of a payload with padding, without the id; 0 if there is no such report. */
+  /** Returns the bytes of a payload with padding, without the id; 0 if there is no such report. */
   std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
 
   /** Whether one of the collections around the field has this usage. */
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * The value of an array that selects a usage. False if the field is no array or does not list the
-   * usage.
+   * Returns the value of an array that selects a usage. False if the field is no array or does not
+   * list the usage.
    */
   bool ReadChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 

@@ -19,7 +19,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Opens a port for this holder alone. Negative with errno; EBUSY if another holder has it. */
+/**
+ * Opens a port for this holder alone. Returns a negative number, with errno, on failure; EBUSY if
+ * another holder has the port.
+ */
 int OpenAlone(const std::string& path)
 {
   const int descriptor = open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -128,7 +131,7 @@ bool SerialPort::Open(const std::string& path, std::string& error)
     this->Close();
     return false;
   }
-  // Keeps out programs that do not use the lock, too.
+  // Also keeps out programs that do not use the lock.
   ioctl(this->Descriptor, TIOCEXCL);
   tcflush(this->Descriptor, TCIOFLUSH);
   return true;
@@ -180,7 +183,7 @@ int SerialPort::Read(char* bytes, std::size_t size, int time) noexcept
   {
     return static_cast<int>(got);
   }
-  // Nothing to read although it was announced: the other end has hung up.
+  // There is nothing to read although data were announced: the other end has hung up.
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 

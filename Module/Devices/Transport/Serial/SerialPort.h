@@ -25,7 +25,7 @@ struct SerialPortInfo
 class SerialPort
 {
 public:
-  /** Where udev names the boards. */
+  /** The folder in which udev names the boards. */
   static constexpr const char* NamesFolder = "/dev/serial/by-id";
 
   SerialPort() = default;
@@ -33,10 +33,10 @@ public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /** The boards with a word in their names, in the order of the names. */
+  /** Lists the boards with a word in their names, in the order of the names. */
   static std::vector<SerialPortInfo> List(
     const std::string& word, const std::string& folder = NamesFolder);
-  /** The name of a port's board, by its node or a link to it. */
+  /** Returns the name of a port's board, by its node or a link to it. */
   static std::string NameOf(const std::string& path, const std::string& folder = NamesFolder);
   /** "available", "in use", or the obstacle and its cure. */
   static std::string StateOf(const std::string& path);
@@ -51,8 +51,8 @@ public:
   /** Sends all bytes. False if the port does not take them within a time (ms), or is gone. */
   bool Write(const char* bytes, std::size_t size, int time) noexcept;
   /**
-   * Waits for at most a time (ms). Returns the number of bytes, 0 if none came; negative: the port
-   * is gone.
+   * Waits for at most a time (ms). Returns the number of bytes, 0 if none came, and a negative
+   * number if the port is gone.
    */
   int Read(char* bytes, std::size_t size, int time) noexcept;
   /** Drops the bytes that wait to be read. */

@@ -39,13 +39,13 @@ constexpr FtdiRequest FtdiNoFlowControl = { FtdiRequestType, 2, 0, 0 };
 constexpr FtdiRequest Ftdi8N1 = { FtdiRequestType, 4, 8, 0 };
 ///@}
 
-/** A baud rate, by its divisor. */
+/** Sets a baud rate, by its divisor. */
 constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
 {
   return { FtdiRequestType, 3, divisor, 0 };
 }
 
-/** How long bytes are held back for more (ms, 1 to 255). */
+/** Sets how long bytes are held back for more bytes (ms, 1 to 255). */
 constexpr FtdiRequest FtdiLatency(std::uint8_t milliseconds) noexcept
 {
   return { FtdiRequestType, 9, milliseconds, 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Waits for USB transfers and for the servo at once.
+ * Waits for USB transfers and for the servo at the same time.
  */
 #ifndef UsbEvents_h
 #define UsbEvents_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 class UsbEvents
 {
 public:
-  /** For an open interface. Both must outlive this object. */
+  /** Waits on an open interface. Interface and exchange must outlive this object. */
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**

@@ -11,14 +11,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The bus, and the ports from it. */
+/** Returns the bus, and the ports on the way to a device. */
 std::vector<int> PathOf(libusb_device* device)
 {
   std::uint8_t ports[7]; // the deepest that USB allows
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
   std::vector<int> path{ libusb_get_bus_number(device) };
   path.insert(path.end(), ports, ports + std::max(count, 0));
-  // Two emulated devices may both have no ports.
+  // Emulated devices may have no ports: the address tells them apart.
   path.push_back(libusb_get_device_address(device));
   return path;
 }
@@ -185,7 +185,7 @@ int UsbInterface::Claim() noexcept
   int result = libusb_open(this->Device.get(), &this->Handle);
   if (result == LIBUSB_SUCCESS)
   {
-    // Systems without this function have no driver in the way either.
+    // Systems without this function have no driver in the way.
     libusb_set_auto_detach_kernel_driver(this->Handle, 1);
     result = libusb_claim_interface(this->Handle, 0);
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The plugged-in USB devices of a product, and interface 0 of an open one, claimed for one object.
+ * Lists the plugged-in USB devices of a product, and claims interface 0 of an open device for one
+ * object.
  */
 #ifndef UsbInterface_h
 #define UsbInterface_h
@@ -40,13 +41,15 @@ struct UsbProduct
   const char* Name; ///< for people: maker and product
 };
 
-/** Null, with the reason, if the system's USB can't be reached. */
+/** Makes a context. Null, with the reason, if the system's USB can't be reached. */
 UsbContext MakeUsbContext(std::string& error);
 
-/** The devices of a product, in the order of their bus and of the ports on the way to them. */
+/**
+ * Lists the devices of a product, in the order of their bus and of the ports on the way to them.
+ */
 std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct& product);
 
-/** The name that the user sees, such as "Novint Falcon (USB bus 1, port 2.4)". */
+/** Returns the name that the user sees, such as "Novint Falcon (USB bus 1, port 2.4)". */
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
@@ -56,12 +59,12 @@ std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 std::string UsbIdentityOf(libusb_device* device, const char* kind);
 
 /**
- * Whether interface 0 could be claimed now: "available", "in use", or the obstacle and the cure.
- * Sends nothing to the device, and leaves a kernel driver bound.
+ * Says whether interface 0 could be claimed now: "available", "in use", or the obstacle and the
+ * cure. Sends nothing to the device, and leaves a kernel driver bound.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 
-/** The obstacle and the cure, if opening or claiming gave this error of libusb. */
+/** Explains the obstacle and the cure, if opening or claiming gave this error of libusb. */
 std::string UsbTroubleText(int error, const UsbProduct& product);
 
 class UsbInterface
@@ -78,8 +81,8 @@ public:
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   /**
-   * Closes the device and opens the same one again: 0, or a negative libusb error; then it is not
-   * open, and may be tried again.
+   * Closes the device and opens it again. Returns 0, or a negative libusb error; then the device is
+   * not open, and Reopen may be tried again.
    */
   int Reopen() noexcept;
   void Close() noexcept;
@@ -87,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Each waits until it is done or the time (ms) is over. Returns the size, or a negative libusb
-   * error.
+   * Each function waits until the transfer is done or the time (ms) is over. Returns the size, or a
+   * negative libusb error.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;

@@ -36,7 +36,7 @@ protected:
   ~UsbTransferOwner() = default;
 };
 
-/** Must not be destroyed while it is submitted. */
+/** A transfer must not be destroyed while it is submitted. */
 class UsbTransfer
 {
 public:

@@ -42,7 +42,7 @@ template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
   io.restart();
-  // Data that have arrived already count, even if the time is over.
+  // Data that have arrived count, even if the time is over.
   io.poll();
   while (!holds() && std::chrono::steady_clock::now() < end)
   {
@@ -67,7 +67,7 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   if (!RunUntil(io, end, [&] { return isDone; }))
   {
     stream.close();
-    // It ends at once, and must, because it refers to this function's variables.
+    // Wait for the operation, which now ends at once: it refers to this function's variables.
     while (!isDone)
     {
       io.restart();
@@ -78,7 +78,9 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   return result;
 }
 
-/** Services listen on one of this computer's two addresses, or on both. */
+/**
+ * Connects to the service, which may listen on one of this computer's two addresses, or on both.
+ */
 error_code Reach(asio::io_context& io, beast::tcp_stream& stream, std::uint16_t port, Moment end)
 {
   error_code result;
@@ -225,7 +227,7 @@ void WebSocketClient::Close(double seconds) noexcept
   }
   catch (const std::exception&)
   {
-    // The connection ends anyway.
+    // The connection ends in any case.
   }
   this->Link.reset();
 }

@@ -46,7 +46,7 @@ public:
   /** Sends a text within a time (s), else closes the connection and returns false. */
   bool Send(const std::string& text, double seconds);
   /**
-   * Receives the next message that comes before a time of ServoClock, or a message that is there
+   * Receives the next message that comes before a time of ServoClock, or a message that has come
    * already.
    */
   Outcome Receive(std::string& text, std::int64_t until);
@@ -59,8 +59,8 @@ private:
 };
 
 /**
- * The answer of a service on this computer to GET, within a time (s). False, with the reason, if
- * there is none or its status is not 200.
+ * Fetches the answer of a service on this computer to GET, within a time (s). False, with the
+ * reason, if there is none or its status is not 200.
  */
 bool FetchText(std::uint16_t port, const std::string& target, double seconds, std::string& text,
   std::string& error);

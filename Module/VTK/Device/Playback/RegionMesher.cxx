@@ -29,8 +29,8 @@ namespace
 /** Number of samples that are meshed in about ten milliseconds. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
 /**
- * Smallest image that gets a part meshed first; a smaller one is meshed as a whole nearly as soon,
- * and sooner without a part beside it.
+ * Smallest image that gets a part meshed first; a smaller image is meshed as a whole nearly as soon
+ * as its part, and sooner if no part is meshed beside it.
  */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 

@@ -275,9 +275,9 @@ bool TimeSpanPreparation::Poll(vtkVolumeHapticsFilter* filter, const TimeStepPla
 }
 
 /**
- * Shapes the time steps as the builder of models does. False for time steps that the builder
- * refuses, and for arrays of other layouts, which copy their values for readers, into one copy for
- * all threads.
+ * Shapes the time steps as the builder of models does. Returns false if the builder refuses a time
+ * step, or if an array has a memory layout of its own: readers would copy its values into one copy
+ * for all threads.
  */
 bool TimeSpanPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last)
 {

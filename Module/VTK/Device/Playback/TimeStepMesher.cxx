@@ -111,7 +111,7 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
     const Key key{ timeSteps[i].Samples.get(), timeSteps[after].Samples.get(), components[i] };
     if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
     {
-      this->Meshing.Abandon(); // ends without waiting
+      this->Meshing.Abandon(); // does not wait for it to end
       return false;
     }
     const auto* const made =

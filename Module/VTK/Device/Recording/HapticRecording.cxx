@@ -262,7 +262,7 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  // Opens it by the writer's descriptor, because another file may have that name now.
+  // Opens the journal by the writer's descriptor, because another file may have its name now.
   JournalReader reader;
   if (!reader.Open(*this->Writer, error))
   {

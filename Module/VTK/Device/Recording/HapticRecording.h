@@ -106,7 +106,7 @@ private:
   // the process that the thread and the journal belong to
   const std::int64_t Process = ServoClock::GetProcess();
 
-  // For the keeper, and for the owner between two of the keeper's calls.
+  // The keeper uses these; the owner may use them only between two calls of the keeper.
   std::map<std::uint64_t, PublishedTouch> Models;
   WorkMeter Work;
   std::uint64_t LastGeneration = 0; // generation of the last tick that came, recorded or not

@@ -122,7 +122,7 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  this->IsLocked = true; // where there are no locks, the name shows that it is being written
+  this->IsLocked = true; // without locks, the name shows that the journal is being written
   return this->Scan(error);
 }
 

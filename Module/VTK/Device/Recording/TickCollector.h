@@ -58,7 +58,7 @@ public:
   /** Checks whether a recording waits for a copy of the removed tissue; call this now and then. */
   void PollRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
-  /** See HapticRecording::SetHashes; a recording is under way. */
+  /** See HapticRecording::SetHashes. Call it only while a recording is under way. */
   void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
   /** Explains why the recording has failed; empty if it has not. */
   std::string GetRecordingTrouble() const
@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * All states since a reader's last call, oldest first, for a display that must not miss one.
-   * States are kept from the first call on until StopTaking. Each reader gets all states. A reader
-   * that takes none for MostStates ticks loses the oldest states.
+   * Returns all states since a reader's last call, oldest first, for a display that must not miss
+   * any state. States are kept from the first call on until StopTaking. Each reader gets all
+   * states. A reader that takes none for MostStates ticks loses the oldest states.
    */
   std::vector<StateRow> DrainStates(int reader);
   void StopTaking(int reader);

@@ -35,7 +35,7 @@ bool IsNameList(std::string_view text);
 ///@}
 
 ///@{
-/** Read such a list. On failure, false, with the reason and the cure, and entries unchanged. */
+/** Read a list. If it fails: false, with the reason and the cure, and entries are unchanged. */
 bool ReadItkSnapTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);

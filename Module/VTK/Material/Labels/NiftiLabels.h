@@ -21,8 +21,8 @@ namespace VolumeHaptics
 bool IsNifti(std::string_view bytes);
 
 /**
- * Computes the size of all that precedes the samples, from the first 540 bytes; at most what is
- * given.
+ * Computes the size of all that precedes the samples, from the first 540 bytes. The result is at
+ * most `most`.
  */
 std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most);
 

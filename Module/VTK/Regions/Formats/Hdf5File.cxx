@@ -16,7 +16,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Limit on the bytes that the library reads: a damaged index may lead to them again and again. */
+/**
+ * Limit on the bytes that the library reads: a damaged index may make it read the same bytes
+ * without end.
+ */
 constexpr std::uint64_t MostIndexBytes = std::uint64_t{ 1 } << 30;
 constexpr double MostChunks = 1 << 24;
 constexpr std::size_t LongestText = 65536;
@@ -42,7 +45,7 @@ private:
   const hid_t Id;
 };
 
-/** While it exists, the library prints no errors. */
+/** Keeps the library from printing errors while it exists. */
 class QuietHdf5
 {
 public:
@@ -81,7 +84,7 @@ struct Hdf5Bytes
 /** A file as the library's file drivers see it. */
 struct DriverFile
 {
-  H5FD_t Public; // first, as the library wants it
+  H5FD_t Public; // the library wants this member first
   Hdf5Bytes* Bytes;
   haddr_t End;
 };
@@ -94,7 +97,7 @@ DriverFile& ToDriverFile(H5FD_t* file)
 H5FD_t* OpenByDriver(const char* name, unsigned, hid_t access, haddr_t)
 {
   auto* const* const bytes = static_cast<Hdf5Bytes* const*>(H5Pget_driver_info(access));
-  // Other names are those of links to other files, which are not followed.
+  // A different name belongs to a link to another file, which is not followed.
   auto* const file = bytes && (*bytes)->Name == name ? new (std::nothrow) DriverFile{} : nullptr;
   if (!file)
   {
@@ -163,7 +166,7 @@ herr_t RefuseToWrite(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const voi
   return -1;
 }
 
-/** The library reads files that a writer shares with readers only by drivers that support it. */
+/** The library opens files that a writer shares with readers only by drivers that support this. */
 herr_t DescribeDriver(const H5FD_t*, unsigned long* features)
 {
   *features = H5FD_FEAT_SUPPORTS_SWMR_IO;
@@ -177,7 +180,7 @@ const H5FD_class_t& GetDriver()
     H5FD_class_t made{};
 #if H5_VERSION_GE(1, 13, 2)
     made.version = H5FD_CLASS_VERSION;
-    made.value = H5_VFD_RESERVED + 91; // any that is not HDF5's own
+    made.value = H5_VFD_RESERVED + 91; // a number that none of HDF5's own drivers has
 #endif
     made.name = "volumehaptics";
     made.maxaddr = (std::uint64_t{ 1 } << 63) - 1;
@@ -196,7 +199,7 @@ const H5FD_class_t& GetDriver()
   return driver;
 }
 
-/** An attribute that is there, with its type and its number of values. */
+/** An existing attribute, with its type and its number of values. */
 struct Hdf5Attribute
 {
   Hdf5Attribute(hid_t owner, const std::string& name)
@@ -221,7 +224,7 @@ struct KnownType
   bool IsBig;
 };
 
-/** Finds a type among those that VTK has; ScalarType is 0 if it is none of them. */
+/** Finds a type among the types that VTK has; ScalarType is 0 if VTK has no such type. */
 KnownType FindKnownType(hid_t type)
 {
   const KnownType all[] = { { H5T_STD_I8LE, VTK_SIGNED_CHAR, false },
@@ -240,7 +243,7 @@ KnownType FindKnownType(hid_t type)
   return found == std::end(all) ? KnownType{ type, 0, false } : *found;
 }
 
-/** Whether the bytes at a place are the beginning of an HDF5 file. Throws if they can't be read. */
+/** Whether an HDF5 file begins with the bytes at a place. Throws if they can't be read. */
 bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
 {
   constexpr std::size_t size = 12;
@@ -305,8 +308,9 @@ struct Hdf5File::Opened
   {
     const bool isWritten = CheckBeginning(this->Bytes);
     Hdf5Bytes* const bytes = &this->Bytes;
-    // Of a file that a writer shares, a piece may be read half written, and is then read again; a
-    // damaged file must not wait for the library's 100 attempts, between which its pauses double.
+    // In a file that a writer shares, a piece may be half written when it is read, and is then read
+    // again. A damaged file must not wait for the library's 100 attempts, between which the pauses
+    // double.
     constexpr unsigned attempts = 10;
     if (H5Pset_driver(this->Access, this->Driver, &bytes) < 0 ||
       H5Pset_metadata_read_attempts(this->Access, attempts) < 0)
@@ -339,7 +343,7 @@ void Hdf5File::ThrowDamaged()
 
 bool Hdf5File::Has(const std::string& path) const
 {
-  // All groups of a path have to exist before its end is looked for.
+  // Checks that all groups of a path exist before the last name is searched.
   for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
   {
     if (H5Lexists(this->Open->File, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
@@ -414,7 +418,8 @@ std::vector<double> Hdf5File::ReadNumbers(
   }
   const Hdf5Attribute found(opened, attribute);
   const hssize_t count = found.Values;
-  // Types of other kinds are not converted: a damaged one would lead beyond the values.
+  // Other kinds of types are not converted, because a damaged type would make the library read
+  // beyond the values.
   if (FindKnownType(found.Type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
   {
     return {};
@@ -522,8 +527,9 @@ std::unordered_map<std::uint64_t, Hdf5Chunk> Hdf5File::LocateChunks(
     {
       continue;
     }
-    // The library's own lists of chunks take a time that is quadratic in their number (a minute for
-    // 2048 x 2048 x 2048 samples), so it is asked to read each chunk, and told that it has done so.
+    // Listing chunks by the library takes a time that is quadratic in their number (a minute for
+    // 2048 x 2048 x 2048 samples). So the library is asked to read each chunk, and this driver only
+    // records where it would read.
     Hdf5Chunk chunk;
     std::uint32_t skipped = 0;
     char nothing = 0;

@@ -41,14 +41,15 @@ struct Hdf5Filter
 /** An array of at least three dimensions, of which the last three are z, y and x. */
 struct Hdf5Array
 {
-  int ScalarType = 0;         ///< VTK's; 0 if VTK has no such numbers
+  int ScalarType = 0;         ///< VTK's type; 0 if VTK has no such numbers
   std::size_t SampleSize = 0; ///< bytes
-  bool IsBig = false;         ///< the most significant byte comes first
+  bool IsBig = false;         ///< whether the most significant byte comes first
   std::vector<std::uint64_t> Shape;
   std::vector<char> FillValue;           ///< bytes of a sample that was never written
-  bool IsContiguous = false;             ///< the samples lie in one piece
-  std::uint64_t Address = 0;             ///< of that piece, in the file (bytes)
-  std::vector<Hdf5Filter> Filters;       ///< of chunks, in the order in which they were applied
+  bool IsContiguous = false;             ///< whether the samples lie in one piece
+  std::uint64_t Address = 0;             ///< position of that piece in the file (bytes)
+  std::vector<Hdf5Filter> Filters;       ///< filters of chunks, in the order in which they were
+                                         ///< applied
   std::vector<std::uint64_t> ChunkShape; ///< samples along each dimension; empty if not in chunks
 };
 

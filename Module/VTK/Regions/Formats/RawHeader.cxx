@@ -42,7 +42,7 @@ const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
   { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
   { "met_double", VTK_DOUBLE } };
 
-/** The fields of a header of either format. */
+/** The fields of a header in either format. */
 struct RawHeader
 {
   std::vector<double> Size;            ///< samples along x, y and z
@@ -323,7 +323,7 @@ std::int64_t ComputeSkip(const RawHeader& header)
   return static_cast<std::int64_t>(skip);
 }
 
-/** Makes the rows of `axes` the columns of the direction, unless they are no axes. */
+/** Makes the rows of `axes` the columns of the direction, if they are valid axes. */
 void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
 {
   if (axes.size() != 9)

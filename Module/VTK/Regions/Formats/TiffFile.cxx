@@ -69,7 +69,7 @@ private:
   void ReadPage(TIFF* tiff, const int box[6], char* samples) const;
 };
 
-/** What a description says of the pages and of the distance between them. */
+/** What a description says about the pages and the distance between them. */
 struct TiffText
 {
   bool IsImageJ = false;
@@ -80,7 +80,7 @@ struct TiffText
   std::size_t Step = 1;      ///< pages from a slice to the next one
   double PerUnit = 0.0;      ///< mm for each unit of ImageJ's resolution
   bool IsCalibrated = false; ///< whether ImageJ shows other values than those stored
-  std::size_t Whole = 0;     ///< images that follow the first one without a directory of their own
+  std::size_t Whole = 0;     ///< images after the first one that have no directory of their own
 };
 
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -90,7 +90,7 @@ int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
 }
 #endif
 
-/** Opens a file without messages on the terminal: errors come as results of calls. */
+/** Opens a file without messages on the terminal: calls return errors. */
 TiffPointer OpenQuietly(const std::string& name)
 {
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -196,7 +196,8 @@ void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t mo
     held += static_cast<double>(counts[piece]);
     isWhole = static_cast<double>(offsets[piece]) + static_cast<double>(counts[piece]) <= size;
   }
-  // Deflate makes zeros at most 1032 times smaller, LZMA 7000 times, Zstandard 32000 times.
+  // The largest factor of compression: deflate makes zeros at most 1032 times smaller, LZMA 7000
+  // times, Zstandard 32000 times.
   constexpr double smallest = 40000.0;
   const double piece = static_cast<double>(isTiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff));
   const bool isPlain =
@@ -236,7 +237,7 @@ TiffText ReadImageJ(const std::string& description)
 {
   TiffText text;
   text.IsImageJ = true;
-  text.Spacing[2] = 1.0; // units, which ImageJ leaves out
+  text.Spacing[2] = 1.0; // the units that ImageJ omits
   std::istringstream lines(description);
   std::size_t images = 1;
   for (std::string line; std::getline(lines, line);)
@@ -327,7 +328,7 @@ TiffText ReadText(const std::string& description)
     : TiffText();
 }
 
-/** Adds the distance between pixels, by the resolution of a page, where the text gives none. */
+/** Adds the distance between pixels from the resolution of a page, where the text gives none. */
 void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
 {
   const float resolution[2] = { Tag(tiff, TIFFTAG_XRESOLUTION, 0.0F),
@@ -337,7 +338,7 @@ void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
     : unit == RESUNIT_CENTIMETER       ? MillimetresPerUnit("cm")
     : unit == RESUNIT_INCH             ? MillimetresPerUnit("in")
                                        : 0.0;
-  // Programs that know no size write that of a screen or a printer.
+  // Programs that don't know the size write the resolution of a screen or a printer.
   const bool isOfScreen = !text.IsImageJ && unit == RESUNIT_INCH &&
     (resolution[0] <= 1.0F || resolution[0] == 72.0F || resolution[0] == 96.0F ||
       resolution[0] == 300.0F);
@@ -384,7 +385,7 @@ std::vector<std::string> ListFiles(const std::string& folder)
   return names;
 }
 
-/** Adds the page that is read, if it is like the first one. Returns whether it is. */
+/** Adds the page that was read, if it has the layout of the first page. Returns whether it has. */
 bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
 {
   constexpr uint32_t aside = FILETYPE_REDUCEDIMAGE | FILETYPE_MASK;
@@ -406,7 +407,10 @@ bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
   return true;
 }
 
-/** Adds the pages of a file that are like the first one. Returns how many others there are. */
+/**
+ * Adds the pages of a file that have the layout of the first page. Returns the number of other
+ * pages.
+ */
 std::size_t AddPages(std::size_t file, TiffStack& stack)
 {
   const TiffPointer tiff = OpenQuietly(stack.Files[file]);
@@ -478,7 +482,7 @@ LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
   return file;
 }
 
-/** ImageJ writes stacks beyond 4 GiB as one page, which all other images follow. */
+/** ImageJ writes a stack beyond 4 GiB as one page, after which all other images follow. */
 LargeFile OpenHeadless(
   const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffText& text)
 {

@@ -86,8 +86,8 @@ std::string ShapeText(const std::vector<std::uint64_t>& shape)
 }
 
 /**
- * Checks that an array has one component, and z as its slowest axis; if there are several time
- * steps, the first one is read.
+ * Checks that an array has one component, and z as its slowest axis. Of several time steps, the
+ * first one is read.
  */
 void CheckShape(const Hdf5Array& array, const BoxExtent& extent, bool hasSteps)
 {

@@ -109,7 +109,7 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
   }
 }
 
-/** Returns what is told of an axis: null, a name, or an object with more. */
+/** Returns the entry about an axis: null, a name, or an object with more. */
 const Json::Value& GetAxis(const Json::Value& axes, std::size_t axis)
 {
   return axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
@@ -129,7 +129,7 @@ double ReadUnit(const Json::Value& axes, std::size_t axis)
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Tells how many times and channels there are, of which the first is read. */
+/** Notes how many times and channels there are, of which only the first is read. */
 void AddFurtherAxes(
   const Json::Value& axes, const std::vector<std::uint64_t>& shape, std::vector<std::string>& notes)
 {

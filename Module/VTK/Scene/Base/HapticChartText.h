@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** Upright letters of a size (points) and a colour (RGB, 0 to 1). */
+/** Sets upright letters of a size (points) and a colour (RGB, 0 to 1). */
 inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)[3])
 {
   text->SetFontSize(size);
@@ -26,7 +26,7 @@ inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)
   text->ItalicOff();
 }
 
-/** A panel that lets the scene behind it shine through a little. */
+/** Makes a panel that lets the scene behind it shine through a little. */
 inline void MakePanel(vtkBlockItem* panel)
 {
   panel->GetBrush()->SetColor(250, 250, 252, 225);
@@ -35,7 +35,7 @@ inline void MakePanel(vtkBlockItem* panel)
   panel->SetInteractive(false);
 }
 
-/** A text such as ", 40 % counted"; empty if all values are counted. */
+/** Returns a text such as ", 40 % counted"; empty if all values are counted. */
 inline std::string DescribeFraction(double fraction, const char* done)
 {
   constexpr double percent = 100.0;

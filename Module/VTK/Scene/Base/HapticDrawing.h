@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a window is being drawn, and whether the frame will be shown.
+ * Whether a window is being drawn, and whether the picture will be shown.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h
@@ -24,8 +24,8 @@ inline bool IsDrawing(vtkViewport* viewport)
 }
 
 /**
- * Whether the frame of the viewport's window was given up. The frame will not be shown: further
- * drawing would only delay the next one.
+ * Whether the frame of the viewport's window was given up: it will not be shown, and further
+ * drawing would only delay the next frame.
  */
 inline bool IsGivenUp(vtkViewport* viewport)
 {

@@ -75,7 +75,7 @@ struct RangeFinder
   }
 };
 
-/** Bins for a range; none if there is none. */
+/** Makes bins for a range; none if there is no range. */
 ValueCounts MakeBins(const double found[2], bool areWhole)
 {
   ValueCounts bins;
@@ -86,7 +86,7 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   double* const range = bins.Range;
   range[0] = std::clamp(found[0], -FarthestShown, FarthestShown);
   range[1] = std::clamp(found[1], -FarthestShown, FarthestShown);
-  // Give each bin the same number of whole numbers.
+  // Gives each bin the same number of whole numbers.
   double width =
     areWhole ? std::ceil((range[1] - range[0] + 1.0) / MostBins) : (range[1] - range[0]) / MostBins;
   // Charts are drawn in single precision, which can't tell narrower bins apart.
@@ -162,7 +162,7 @@ bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
   constexpr double most = std::numeric_limits<int>::max();
-  // False for NaN, too. Rounding can't move a number beyond int into its range.
+  // Also false for NaN. Rounding can't move a number beyond int into its range.
   return value >= least && value <= most && value == std::floor(value);
 }
 

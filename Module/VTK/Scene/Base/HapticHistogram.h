@@ -56,7 +56,7 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
     std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
   const vtkIdType step =
     std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
-  // Visit one page in each stretch, and in the page one tuple in each part, at positions that move
+  // Visits one page in each stretch, and one tuple in each part of the page, at positions that move
   // by the golden section: even steps could fall into the same column of every row.
   double place = 0.0;
   const auto next = [&place](double stretch)
@@ -81,8 +81,8 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 }
 
 /**
- * Visits all tuples from the first number up to, but without, the second, in pieces. The reported
- * fraction begins at `from` and grows by a half. False if the work was ended.
+ * Visits all tuples from the first number up to (but not including) the second, in pieces. The
+ * reported fraction grows from `from` by a half. False if the work was ended.
  */
 template <typename Function>
 bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)
@@ -116,7 +116,8 @@ struct ValueCounts
 ValueCounts CountSpreadValues(vtkDataArray* scalars, int component);
 
 /**
- * Counts all values, or nothing if it was ended. Another thread than the array owner's may call it.
+ * Counts all values; returns nothing if the count was ended. Any thread may call it, not only the
+ * array owner's.
  */
 std::optional<ValueCounts> CountAllValues(
   vtkDataArray* scalars, int component, const SweepProgress& progress);
@@ -127,13 +128,13 @@ std::optional<ValueCounts> CountAllValues(
  */
 void FillHistogram(const ValueCounts& counts, vtkTable* table);
 
-/** The labels of some thousand values, spread over the array, in ascending order. */
+/** Collects the labels of some thousand values, spread over the array, in ascending order. */
 std::vector<int> CollectSpreadLabels(vtkDataArray* labels);
 
 /**
- * The labels in an array, in ascending order, without those that no vtkHapticLabelTable can have:
- * numbers beyond int, or not whole. Empty if the search was ended. Another thread than the array
- * owner's may call it.
+ * Collects the labels in an array, in ascending order, except numbers that no vtkHapticLabelTable
+ * can have: numbers beyond int, or not whole. Empty if the search was ended. Any thread may call
+ * it, not only the array owner's.
  */
 std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 

@@ -45,7 +45,10 @@ constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
 constexpr double ActorMargin = 3.0; // pixels around a 2D actor
 constexpr double LabelSpill = 15.0; // pixels by which labels may exceed the box of a scalar bar
 ///@{
-/** The same for the labels and the title of an axis: pixels, and a fraction of the viewport. */
+/**
+ * How far the labels and the title of an axis may exceed its box: pixels, and a fraction of the
+ * viewport.
+ */
 constexpr double AxisSpill = 10.0;
 constexpr double AxisSpillFraction = 0.05;
 ///@}
@@ -60,7 +63,7 @@ struct CornerTexts : vtkCornerAnnotation
 };
 
 #ifdef VOLUMEHAPTICS_HAS_BUTTONS
-/** The picture of a button, such as PyVista's, whose place VTK keeps to itself. */
+/** The picture of a button, such as PyVista's, whose place VTK does not tell. */
 struct ButtonPicture : vtkBalloonRepresentation
 {
   static vtkActor2D* Get(vtkTexturedButtonRepresentation2D* button)
@@ -164,7 +167,7 @@ bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
   return box[1] > box[0] && box[3] > box[2];
 }
 
-/** The 2D actors of a prop, and of its parts. */
+/** Collects the 2D actors of a prop and of its parts. */
 void FindActors(vtkProp* prop, vtkPropCollection* actors)
 {
   prop->GetActors2D(actors);
@@ -198,7 +201,7 @@ void FindActors(vtkProp* prop, vtkPropCollection* actors)
   }
 }
 
-/** The boxes of a prop's charts, as PyVista adds them. */
+/** Collects the boxes of a prop's charts, as PyVista adds them. */
 void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
 {
   auto* const context = vtkContextActor::SafeDownCast(prop);
@@ -301,7 +304,7 @@ std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport)
     const double left = other->GetOrigin()[0] - origin[0];
     const double bottom = other->GetOrigin()[1] - origin[1];
     const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
-    // Layer 0 has scenes, and renderers beside them.
+    // Renderers of layer 0 are scenes, or lie beside scenes: they cover nothing.
     if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
       ShowsSomething(other))
     {
@@ -333,7 +336,7 @@ ViewportBox MoveOff(
   const auto way = [&wanted](const ViewportBox& box)
   { return std::abs(box[0] - wanted[0]) + std::abs(box[2] - wanted[2]); };
   const ViewportBox& nearest = way(above) < way(beside) ? above : beside;
-  // A box that covers an overlay is better than none.
+  // A box over an overlay is better than no box.
   return nearest[2] < 0.0 || nearest[3] > view[1] ? wanted : nearest;
 }
 

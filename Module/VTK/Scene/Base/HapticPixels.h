@@ -19,7 +19,10 @@ namespace VolumeHaptics
 /** VTK's default dots per inch of a vtkWindow: an inch has 72 points, so a point is a pixel. */
 constexpr int OwnDotsPerInch = 72;
 
-/** Pixels per point of letters. Layouts multiply their lengths by it: it is 1 at OwnDotsPerInch. */
+/**
+ * Returns the pixels per point of letters. Layouts multiply their lengths by it: it is 1 at
+ * OwnDotsPerInch.
+ */
 inline double PixelsPerPoint(vtkViewport* viewport)
 {
   vtkWindow* const window = viewport ? viewport->GetVTKWindow() : nullptr;
@@ -32,8 +35,8 @@ inline int ScalePixels(double scale, int pixels)
 }
 
 /**
- * Size of letters (points) in a layout that grows with its room: one point for each `fraction` of
- * its pixels. Where a point takes more pixels than 1, the least letters may be smaller.
+ * Returns the size of letters (points) in a layout that grows with its room: one point for each
+ * `fraction` pixels. Where a point takes more than one pixel, the smallest letters may be smaller.
  */
 inline int FitLetters(int pixels, int fraction, double scale, int least, int most)
 {

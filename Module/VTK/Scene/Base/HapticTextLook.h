@@ -26,8 +26,8 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
-    // Of several renderers of layer 0 side by side, take the one behind the middle of this
-    // viewport.
+    // Of several renderers of layer 0 side by side, the one behind the middle of this viewport
+    // counts.
     double mine[4]; // left, bottom, right, top
     renderer->GetViewport(mine);
     const double middle[2] = { 0.5 * (mine[0] + mine[2]), 0.5 * (mine[1] + mine[3]) };
@@ -50,7 +50,7 @@ inline bool IsOnLight(vtkViewport* viewport)
 }
 
 /**
- * A colour with a shadow on dark backgrounds. On light backgrounds: darker, without shadow, and
+ * Sets a colour: on dark backgrounds with a shadow; on light ones darker, without a shadow, and
  * greys inverted.
  */
 inline void SetLook(

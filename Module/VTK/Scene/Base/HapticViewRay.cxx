@@ -135,7 +135,8 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * The first contact of a tip that walks along a line, and the force of a press beyond the contact.
+ * Returns the first contact of a tip that walks along a line, and the force of a press beyond the
+ * contact.
  */
 bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {

@@ -16,13 +16,13 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** A pixel of the renderer at the depth of a world position. */
+/** Returns the position under a pixel of the renderer, at the depth of a world position. */
 Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3& depth);
 
-/** The size of a pixel at the depth of a world position, world units. */
+/** Returns the size (world units) of a pixel at the depth of a world position. */
 double PixelSize(vtkRenderer* renderer, const Vector3& position);
 
-/** The unit direction of sight at a world position, away from the viewer. */
+/** Returns the unit direction of sight at a world position, away from the viewer. */
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
 /** The resistance of a surface to a press. */

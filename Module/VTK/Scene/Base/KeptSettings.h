@@ -27,8 +27,8 @@ public:
   explicit KeptSettings(vtkVolumeHapticsFilter* filter);
 
   /**
-   * Gives the settings to a filter with the same parts. Its property and its label table stay the
-   * same objects, so that an editor goes on with the same functions.
+   * Copies the settings to a filter with the same parts. The filter keeps its property and its
+   * label table, so that an editor keeps editing the same functions.
    */
   void Apply(vtkVolumeHapticsFilter* filter) const;
 

@@ -72,7 +72,7 @@ bool HasKey(const std::string& keys, const std::string& key)
   return std::find(all.begin(), all.end(), key) != all.end();
 }
 
-/** The text that is printed on a key. */
+/** Returns the text that is printed on a key. */
 std::string Label(const std::string& key)
 {
   static const std::map<std::string, std::string> labels{ { "question", "?" }, { "plus", "+" },

@@ -28,13 +28,13 @@ public:
   static std::vector<std::string> ListActions();
 
   /**
-   * The name of the key of an event: its symbol, or if a toolkit gives none, X11's name for its
-   * code. wx gives capital letters for keys without Shift.
+   * Returns the name of the key of an event: its symbol, or if a toolkit gives none, X11's name for
+   * its code. wx gives capital letters for keys without Shift.
    */
   static std::string FindName(const char* symbol, char code, bool hasShift);
 
   /**
-   * Gives an action other keys: X11's names, with spaces between them; an empty text disables the
+   * Sets the keys of an action: X11's names, separated by spaces; an empty text disables the
    * action. False with an error, which names the cure, if there is no such action or another action
    * has one of the keys.
    */

@@ -17,7 +17,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest fraction of the remaining window; the scene stays visible. */
+/**
+ * The largest fraction of the remaining window that a dock takes, so that the scene stays visible.
+ */
 constexpr double MostOfRest = 0.9;
 
 } // namespace
@@ -35,7 +37,7 @@ public:
   }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
-  /** Docks are told apart by their addresses. */
+  /** Docks are distinguished by their addresses. */
   void Place(
     const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip);
   void Remove(const WindowDock* dock);

@@ -39,8 +39,8 @@ constexpr bool IsLow(DockEdge edge)
 }
 
 /**
- * A strip along an edge. Strips of one window share its room: the strip placed first has the whole
- * edge, each next strip what remains, and all other renderers of the window get the rest.
+ * Places a strip along an edge of a window. The strip that is placed first has the whole edge, each
+ * later strip has an edge of what remains, and all other renderers of the window get the rest.
  */
 class WindowDock
 {

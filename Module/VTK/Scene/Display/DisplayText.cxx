@@ -52,7 +52,7 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
   return true;
 }
 
-/** The state of an inserted needle, without depth and tissue; empty in the tick that inserts it. */
+/** Describes an inserted needle, without depth and tissue; empty in the tick that inserts it. */
 std::string DescribeNeedle(vtkHapticDevice* device)
 {
   vtkNew<vtkPolyData> track;
@@ -82,7 +82,10 @@ std::string DescribeNeedle(vtkHapticDevice* device)
   return text.str();
 }
 
-/** The torque (N mm) of a tool with a shape; empty without such a tool, or if nothing turns it. */
+/**
+ * Describes the torque (N mm) of a tool with a shape; empty without such a tool, or if nothing
+ * turns it.
+ */
 std::string DescribeTorque(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
@@ -97,7 +100,7 @@ std::string DescribeTorque(vtkHapticDevice* device)
   return text.str();
 }
 
-/** Findings on how values are stored. */
+/** Describes what was found about how values are stored. */
 std::string DescribeShift(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();

@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The first sentence of a running device's status; for faults and requests to the hand, two lines.
- * Empty for a virtual device that only runs.
+ * Returns the first sentence of a running device's status; for faults and requests to the hand, two
+ * lines. Empty for a virtual device that only runs.
  */
 std::string DescribeStatus(vtkHapticDevice* device);
 
@@ -48,22 +48,22 @@ private:
 };
 
 /**
- * A text such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The
- * tissue may be empty. A hand that rests now, but `slid` lately, slides. For an inserted needle, a
- * line such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second line: "20 degrees
- * from upright, 3 layers, forbidden tissue touched 1 time"; the depth is in world units, the angle
- * is measured from the normal of the surface. For a tool with a shape, the torque follows: "turned
- * by 3.1 N mm". Modes have no surface to rest on: "Held, 0.62 N".
+ * Returns a text such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched.
+ * The tissue may be empty. If the hand `slid` in the last moments, a rest counts as sliding. For an
+ * inserted needle, a line such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second
+ * line: "20 degrees from upright, 3 layers, forbidden tissue touched 1 time"; the depth is in world
+ * units, the angle is measured from the normal of the surface. For a tool with a shape, the torque
+ * follows: "turned by 3.1 N mm". Modes have no surface to rest on: "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
-/** Whether the faces of a cut are felt; empty if nothing is cut away. */
+/** Returns whether the faces of a cut are felt, in words; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
 
-/** The value in the surface, in the scale of the touched property's functions. */
+/** Returns the value in the surface, on the scale of the functions of the touched property. */
 double ComputeFeltValue(vtkHapticDevice* device);
 
-/** The value in the surface, if there is one, and the timing of the servo. */
+/** Returns the value in the surface, if there is one, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
 /** The filter whose modes are felt; null for other methods. */

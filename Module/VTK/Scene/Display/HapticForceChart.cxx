@@ -40,9 +40,8 @@ constexpr double TitleInk[3] = { 0.90, 0.92, 0.95 };
 } // namespace
 
 /**
- * Draws a title, and below it the names of curves in their colours.
- *
- * Above a small chart, where a legend would cover the curves.
+ * Draws a title, and below it the names of curves in their colours, above a small chart in which a
+ * legend would cover the curves.
  */
 class HapticCurveNames : public vtkContextItem
 {
@@ -148,7 +147,7 @@ struct Colour
   unsigned char Red, Green, Blue;
 };
 
-/** The look of the chart on its ground. */
+/** The look of the chart on dark or light ground. */
 struct Look
 {
   double Text[3];
@@ -378,7 +377,7 @@ void HapticForceChart::SetLetters(int size)
 
 std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double scale)
 {
-  // Place it beside the middle of the viewport, not over what is there.
+  // Places it beside the middle of the viewport, where it covers nothing.
   const auto fit = [scale](int pixels, int least, int most)
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
   return { ChartMargin + std::min(width - 2 * ChartMargin, fit(width * 3 / 10, 210, 330)),

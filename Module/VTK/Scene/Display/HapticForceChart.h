@@ -69,7 +69,8 @@ public:
    */
   bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
   /**
-   * Sets the look for a light ground, where a panel covers more. Returns whether the chart changes.
+   * Adapts the look to a light background, on which a panel covers more. Returns whether the chart
+   * changes.
    */
   bool SetOnLight(bool isOnLight);
   /** The upper right corner of the chart (pixels). */
@@ -96,12 +97,13 @@ private:
   vtkNew<vtkChartXY> Chart;
   vtkNew<HapticCurveNames> Names; ///< above a panel; a page has a title and a legend
   vtkNew<vtkContextActor> Actor;
-  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that look the same
+  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that give the same
+                                                        ///< picture
   vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< null before SetModes
   std::vector<std::string> Modes;
   double Scale = 1.0; ///< pixels for each point
   bool IsOnLight = false;
-  int Viewport[2] = { 0, 0 }; ///< pixels, as the next three members
+  int Viewport[2] = { 0, 0 }; ///< pixels, like the next three members
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };
   double Height = 1.0;

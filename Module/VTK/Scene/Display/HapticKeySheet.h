@@ -45,7 +45,7 @@ private:
   {
     std::size_t Begin;
     std::size_t End;
-    float KeyWidth; ///< pixels, as the next two members
+    float KeyWidth; ///< pixels, like the next two members
     float Width;
     float Height;
   };

@@ -46,7 +46,7 @@ private:
   struct Line
   {
     vtkNew<vtkTextActor> Text;
-    int Low = 0; ///< pixels, as the next two members
+    int Low = 0; ///< pixels, like the next two members
     int High = 0;
     int Width = 0;
   };

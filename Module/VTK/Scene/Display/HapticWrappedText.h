@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A text whose every word is visible in a viewport.
+ * A text that fits into a viewport, with all of its words visible.
  */
 #ifndef HapticWrappedText_h
 #define HapticWrappedText_h
@@ -46,8 +46,9 @@ private:
 };
 
 /**
- * The room for a text that begins at these fractions of a viewport, without its margin at the right
- * and what other renderers draw there. `below`: pixels that the text should not cover.
+ * Returns the room for a text that begins at these fractions of a viewport. The margin at the right
+ * and what other renderers draw there do not count as room. `below`: pixels that the text should
+ * not cover.
  */
 HapticWrappedText::Room FindRoom(vtkViewport* viewport, double left, double top, int below);
 
@@ -59,15 +60,16 @@ std::string WrapLines(const std::string& text, vtkTextProperty* letters, int wid
  *
  * Figures of a text, such as a force, change from frame to frame while the hand moves. With a
  * software renderer, setting their letters takes a tenth of a frame's time, and they would change
- * faster than one can read. So in motion, figures change ten times a second at most, and not in
- * the first frame, because the hand waits for it. Words change at once; at rest, figures do, too.
+ * faster than people can read. So while the hand moves, figures change at most ten times a second,
+ * and not in the first frame, for which the hand waits. Words always change at once, and figures do
+ * at rest.
  */
 class HapticTextPace
 {
 public:
   static constexpr double Shortest = 0.1; ///< s between figures
 
-  /** The text to draw now (s). `moves`: the frame belongs to a motion. */
+  /** Returns the text to draw at a time (s). `moves`: the frame belongs to a motion. */
   const std::string& Choose(const std::string& text, bool moves, double now)
   {
     const bool waits = moves && (!this->Moved || now < this->Last + Shortest);

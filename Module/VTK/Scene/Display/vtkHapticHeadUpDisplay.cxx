@@ -186,7 +186,7 @@ double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
-/** The lower left corner (pixels) of a panel with its margins at the left and below. */
+/** Returns the lower left corner (pixels) of a panel with its margins at the left and below. */
 std::array<int, 2> ComputePlotCorner(
   int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
 {
@@ -396,7 +396,7 @@ vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
 //------------------------------------------------------------------------------
 vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
-  // A copy: the drawn table has to stay unchanged.
+  // A copy, because the drawn table has to stay unchanged.
   auto& d = *this->Internals;
   d.History.SetModes(NameModes(d.Device));
   d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));

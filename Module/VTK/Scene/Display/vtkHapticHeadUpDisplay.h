@@ -4,22 +4,26 @@
  * @class   vtkHapticHeadUpDisplay
  * @brief   forces and contact, in figures and as a plot, over the scene
  *
- * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
- * force that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows
- * the force of each mode instead of these parts, in the colour that its name has in a list below
- * the text; a mode that is off is grey. The text shows, from top to bottom: what is recorded; which
- * settings are compared; the status of a device other than the virtual one, or a fault; what is
- * touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; whether the volume is cut; of
- * a volume that moves, its time and that of the nearest frame; measurements; and a notice. While
- * nothing is touched, a virtual device adds no line. A hint, which vtkInteractorStyleHaptic sets,
- * says what to do next; the style also shows a list of its keys.
+ * Shows the forces of the last seconds as a plot, and what is touched as a text, over the scene:
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);
  *   renderer->AddViewProp(display);
  *
- * The plot gets its states through AddStates: vtkInteractorStyleHaptic does that. Needs
- * VTK::RenderingContextOpenGL2 and VTK::RenderingFreeType in the application.
+ * **The plot** has curves for the normal, friction and drag force and, in grey, for the whole force
+ * that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows the
+ * force of each mode instead of these parts, in the colour that its name has in a list below the
+ * text; a mode that is off is grey. The plot gets its states through AddStates, which
+ * vtkInteractorStyleHaptic calls.
+ *
+ * **The text** shows, from top to bottom: what is recorded; which settings are compared; the status
+ * of a device other than the virtual one, or a fault; what is touched and how, such as "Resting on
+ * skin, 0.62 N of at most 10 N"; whether the volume is cut; the time of a volume that moves and of
+ * its nearest time step; measurements; and a notice. While nothing is touched, a virtual device
+ * adds no line. A hint, which vtkInteractorStyleHaptic sets, says what to do next; the style also
+ * shows a list of its keys.
+ *
+ * Needs VTK::RenderingContextOpenGL2 and VTK::RenderingFreeType in the application.
  *
  * @sa vtkInteractorStyleHaptic, vtkHapticDevice
  */
@@ -80,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Where the plot is. Automatic (default): at the lower left, or beside or above what the 2D
-   * actors of the program take up there. LowerLeft and LowerRight, above the scale of forces:
-   * there, whatever else is.
+   * The position of the plot. Automatic (default): at the lower left, or, where the program has 2D
+   * actors there, beside or above them. LowerLeft and LowerRight: above the scale of forces, even
+   * over other actors.
    */
   vtkSetClampMacro(PlotCorner, int, AUTOMATIC_CORNER, LOWER_RIGHT_CORNER);
   vtkGetMacro(PlotCorner, int);
@@ -158,9 +162,9 @@ public:
 
   ///@{
   /**
-   * Names of ranges of values, from (inclusive) to (exclusive), as vtkHapticProperty's functions
-   * have them (ScalarShift). The first range that fits counts.
-   * A label in the filter's label table comes before them.
+   * Name ranges of the values of vtkHapticProperty's functions (see ScalarShift), from (inclusive)
+   * to (exclusive). The text names the first range that contains the touched value, unless the
+   * filter's label table names the touched label.
    */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();
@@ -212,9 +216,8 @@ public:
   int FindMode(int x, int y);
 
   /**
-   * Whether the text, hint or plot of the last frame overlaps a box of the viewport (pixels from
-   * its lower left corner: left, right, bottom, top). True for every box while the list of keys is
-   * shown.
+   * Whether the text, hint or plot of the last picture overlaps a box of the viewport (pixels from
+   * its lower left corner: left, right, bottom, top). Always true while the list of keys is shown.
    */
   bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
 

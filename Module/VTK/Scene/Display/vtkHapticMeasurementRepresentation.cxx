@@ -95,7 +95,7 @@ bool Overlap(const Box& a, const Box& b)
   return a.Left < b.Right && b.Left < a.Right && a.Bottom < b.Top && b.Bottom < a.Top;
 }
 
-/** A box of a size at one of eight sides of a point. */
+/** Returns a box of a size at one of eight sides of a point. */
 Box PutBeside(const double at[2], const double size[2], int side, double distance)
 {
   // The right side is best to read; then the left, above and below.
@@ -197,7 +197,7 @@ public:
   void AddTo(vtkBoundingBox& box);
 
 private:
-  /** The line without points that are too close to be told apart. */
+  /** Adds the line without points that are too close together to be distinguished. */
   void AddLine(vtkPolyData* shape);
   void AddArc(vtkPolyData* angle);
   void AddPatch(vtkPolyData* shape);
@@ -428,7 +428,10 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Position of a label: at a point, between two, at the corner, at the end of a path. */
+/**
+ * Returns the position of a label: at a point, between two points, at the corner, or at the end of
+ * a path.
+ */
 Vector3 ComputePlace(int kind, vtkPolyData* shape)
 {
   const vtkIdType count = shape->GetNumberOfPoints();

@@ -6,8 +6,8 @@
  *
  * One prop that draws a vtkHapticMeasurements: points as spheres, distances, angles and paths as
  * lines, areas as patches, each with a label; and in white the measurement in progress. Parts
- * behind a surface or inside a volume show through, faintly. Labels avoid each other and the
- * head-up display; a label without room is not shown.
+ * behind a surface or inside a volume are drawn faintly. Labels avoid each other and the head-up
+ * display; a label without room is not shown.
  *
  *   representation->SetMeasurements(measurements);
  *   representation->SetHeadUpDisplay(display); // optional
@@ -61,13 +61,13 @@ public:
   ///@}
 
   ///@{
-  /** Whether measurements behind a surface or inside the volume show through. Default on. */
+  /** Whether measurements behind a surface or inside the volume are drawn faintly. Default on. */
   vtkSetMacro(HiddenVisibility, bool);
   vtkGetMacro(HiddenVisibility, bool);
   vtkBooleanMacro(HiddenVisibility, bool);
   ///@}
 
-  /** The number of labels that the last frame had room for. */
+  /** Get the number of labels in the last picture. */
   int GetNumberOfShownLabels();
 
   ///@{

@@ -28,8 +28,8 @@ struct EditedObjects
 };
 
 /**
- * Steps with the state before an edit, for the objects that the edit has changed. Edits by others,
- * such as a program, are no steps.
+ * A list of steps. Each step has the state before an edit, for the objects that the edit has
+ * changed. Changes by the program are no steps.
  */
 class EditHistory
 {

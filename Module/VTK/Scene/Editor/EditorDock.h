@@ -58,9 +58,9 @@ public:
   ///@}
 
   /**
-   * A vtkCommand of the left button, or MouseMoveEvent, at a position on the display: drags the
-   * border between editor and scene. False if the event is not for the border. `isFree`: nothing
-   * else is held.
+   * Drags the border between editor and scene by a vtkCommand of the left button, or
+   * MouseMoveEvent, at a position on the display. False if the event is not for the border.
+   * `isFree`: the mouse holds nothing else.
    */
   bool MoveBorder(int event, bool isLeft, bool isFree, int x, int y);
 
@@ -82,7 +82,7 @@ private:
   WindowDock Room;
   bool HasRoom = false;
   bool IsDragged = false;
-  bool HasCursor = false; ///< the cursor of the border is shown
+  bool HasCursor = false; ///< whether the cursor of the border is shown
 };
 
 } // namespace VolumeHaptics

@@ -57,7 +57,7 @@ const EditedPage Pages[] = {
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
 
-/** The lag (m) at which a drag gives a warning: twice the lag of presets. */
+/** The lag (m) at which a drag gives a warning: twice the lag that presets allow. */
 constexpr double LongDrag = 0.01;
 
 /** The value of a function at a position; an empty function is constant. */
@@ -443,7 +443,7 @@ std::string EditorPages::GetWarning() const
   { return Evaluate(stiffness, x, Pages[Editor::STIFFNESS].Quantity.EmptyValue); };
   const auto drag = [&](double x)
   { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
-  // Noise can read one end of a ramp in place of the other.
+  // Noise may yield a value at the other end of a ramp.
   const std::vector<double> places = CollectNodes(stiffness, viscosity);
   for (std::size_t i = 0; i < places.size(); ++i)
   {

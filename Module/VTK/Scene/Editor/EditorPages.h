@@ -169,7 +169,7 @@ public:
   /** The function of the page, or none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
-  /** The functions that can be edited on the page. */
+  /** Returns the functions that can be edited on the page. */
   EditedObjects GetEditable() const;
   /** The error in stiffness and viscosity, on their pages; empty if there is none. */
   std::string GetWarning() const;
@@ -179,7 +179,7 @@ public:
   vtkMTimeType GetEditTime() const;
 
   ///@{
-  /** The histogram or the list of the page. */
+  /** Whether the histogram or the list of the page is complete. */
   bool IsCounted() const;
   void Count();
   void PollCounts();

@@ -23,11 +23,12 @@ class vtkImageData;
 class vtkRectf;
 
 /**
- * The edges of a volume behind a function.
+ * Draws the edges of a volume behind a function.
  *
- * A two-dimensional histogram, value to the right and gradient magnitude upwards, with the arc of
- * each boundary in it and a line where distinctness begins and is full. Its vertical axis runs
- * from 0 to 1, as in the other plots of HapticFunctionChart.
+ * The edges are a two-dimensional histogram, with value to the right and gradient magnitude
+ * upwards, the arc of each boundary, and lines at the gradient magnitudes at which distinctness
+ * begins and is full. The vertical axis runs from 0 to 1, as in the other plots of
+ * HapticFunctionChart.
  */
 class HapticEdgePlot : public vtkPlot
 {
@@ -83,9 +84,9 @@ private:
 /**
  * The tissues of a property, as bands with names behind a function.
  *
- * The first tissue reaches to the left end of the axis, and the last one to the right, as
- * functions go on there. A name stands upright where its band is narrow, and is left out where the
- * band is too narrow even for that.
+ * The first tissue reaches to the left end of the axis, and the last one to the right end, because
+ * functions continue there. In a narrow band the name stands upright, and in one that is too narrow
+ * even for that, there is no name.
  */
 class HapticTissueBands : public vtkPlot
 {

@@ -527,7 +527,7 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
   const float* const top = this->Chart->GetAxis(vtkAxis::LEFT)->GetPoint2();
   const auto right = static_cast<float>(x);
   const auto up = static_cast<float>(y);
-  // A control point at the end of an axis reaches beyond it.
+  // The symbol of a control point at the end of an axis is partly beyond this end.
   constexpr float reach = 4.0f; // pixels
   if (up < corner[1] - reach && right >= corner[0] && right <= end[0])
   {

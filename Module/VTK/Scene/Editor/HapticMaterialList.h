@@ -51,7 +51,7 @@ public:
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /** Texts to paint: the title, or why there are no rows; for a row its text and colour. */
+  /** What to paint: the title, or why there are no rows; and the text and colour of each row. */
   virtual std::string GetTitle() const = 0;
   /** A hint how to select a row. */
   virtual const char* GetHint() const = 0;
@@ -92,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /** A quantity of the selected row; -1 if the functions decide. */
+  /** Returns a quantity of the selected row; -1 if the functions decide it. */
   double GetValue(int quantity) const;
   void SetValue(int quantity, double value);
   ///@}

@@ -81,7 +81,7 @@ private:
   const HapticMaterialList& List;
   vtkRectf Area;
   int Font;     ///< points
-  float Letter; ///< pixels: their height
+  float Letter; ///< height of letters (pixels)
   float Line;
   vtkIdType Room;
 };

@@ -15,10 +15,11 @@
  *
  * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
  * Right button: select points; a drag beside two or more then moves all of them. The first and the
- * last point only move up and down. The title shows value and position of the point that was touched last. If a point is
- * left at the top of the chart, the axis grows. The left button drags the axes, too: it moves the
- * axis of values and stretches the function's axis; the wheel stretches the axis of values about
- * the mouse, or the function's axis if over it; a double click on an axis fits it again.
+ * last point only move up and down. The title shows value and position of the point that was
+ * touched last. If a point is left at the top of the chart, the axis grows. The left button drags
+ * the axes, too: it moves the axis of values and stretches the function's axis; the wheel stretches
+ * the axis of values about the mouse, or the function's axis if over it; a double click on an axis
+ * fits it again.
  *
  * The tissues of the property (vtkHapticProperty::AddTissue), which its presets bring, are bands
  * with names behind the function. A page of their own has sliders for the material of each tissue,
@@ -33,14 +34,15 @@
  * is added: that adds the constant at both ends of the axis, too. So showing a function never
  * changes it.
  *
- * If the functions of an image are not known, they may propose themselves:
+ * The editor can propose functions for an image:
  *
  *   editor->Propose();      // the proposal is dashed, over the edges that it was made from
  *   editor->TakeProposal(); // the property's functions, editable as usual
  *
  * The edges are a histogram of value (to the right) and gradient magnitude (upwards), in which each
  * boundary between two materials is an arc. Dotted lines are the gradient magnitudes at which
- * distinctness begins, and from which on it is full. They stay while the property has a proposal.
+ * distinctness begins, and from which on it is full. The histogram and the lines are shown as long
+ * as the property has a proposal.
  *
  * With a label table, the page after the functions edits materials by label:
  *
@@ -48,11 +50,11 @@
  *   editor->SetLabelData(segmentation);
  *   editor->SetFunctionToLabels();
  *
- * It lists the labels of the image with their colours and names; boxes tell whether a label is felt
- * and whether it is forbidden. A click selects a label, whose material then has sliders; a slider
- * without a bar is a quantity that the functions decide. Wheel: scroll the list, or move a slider
- * by a two-hundredth. If a slider is left near its end, its end grows. Edits change the table
- * itself, as live as those of functions.
+ * The page lists the labels of the image with their colours and names; boxes tell whether a label
+ * is felt and whether it is forbidden. A click on a label shows sliders for its material; a slider
+ * without a bar is a quantity that comes from the functions. The wheel scrolls the list, or moves a
+ * slider by a two-hundredth. If a slider is left near its end, its range grows. Edits change the
+ * table at once, as those of functions do.
  *
  * Undo(), Redo() and Reset() take edits back.
  *
@@ -99,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The property whose functions are edited. Its component is that of the histogram and the
-   * opacity.
+   * The property whose functions are edited. Its component is the one whose histogram and opacity
+   * are shown.
    */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
@@ -125,8 +127,8 @@ public:
 
   ///@{
   /**
-   * The table whose materials of labels are edited, and the label image, whose point scalars say
-   * which labels are listed; without an image these are the labels of the table.
+   * The table whose materials are edited, and the label image, whose point scalars decide which
+   * labels are listed; without an image, the labels of the table are listed.
    */
   void SetLabelTable(vtkHapticLabelTable* table);
   vtkHapticLabelTable* GetLabelTable();
@@ -147,9 +149,9 @@ public:
 
   ///@{
   /**
-   * The edited function, or LABELS or TISSUES for a list of these. Default STIFFNESS. NextFunction
-   * goes through all of those whose property or table is set, in the order above, and through
-   * TISSUES if there are any.
+   * The edited function; LABELS and TISSUES are lists. Default STIFFNESS. NextFunction goes through
+   * the choices whose property or table is set, in the order above, and skips TISSUES if there are
+   * none.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -189,7 +191,7 @@ public:
 
   ///@{
   /**
-   * The labels in the list, in rising order; index: from 0 on. They are looked for in the image
+   * Get the labels in the list, in ascending order; the index counts from 0. The image is searched
    * again if it has changed. An index that does not exist is an error, and returns 0.
    */
   vtkIdType GetNumberOfListedLabels();
@@ -198,8 +200,8 @@ public:
 
   ///@{
   /**
-   * The label whose material has sliders. SelectLabel also scrolls to it, and returns whether it is
-   * in the list. GetSelectedLabel returns 0 if HasSelectedLabel is false.
+   * The label whose material has sliders. SelectLabel also scrolls to the label, and returns false
+   * if the list does not have it. GetSelectedLabel returns 0 if HasSelectedLabel is false.
    */
   bool SelectLabel(int label);
   bool HasSelectedLabel();
@@ -217,30 +219,30 @@ public:
 
   ///@{
   /**
-   * Take back the last edit of this editor, do it again, or take back all of them; each returns
-   * whether there was something to do, and invokes vtkCommand::InteractionEvent. An edit goes from
-   * the press of a button to its release, or is a step of the wheel, a proposal that was taken, or
-   * another Reset(). Functions, surface side and tissues of the property, opacity and label table
-   * come back as they were before the edit, also if a program has changed them since; the component
-   * and the visibility stay. The last 100 edits are kept. Another property, volume property or
-   * label table forgets them.
+   * Undo the last edit of this editor, redo it, or undo all edits. Each returns whether there was
+   * something to do, and invokes vtkCommand::InteractionEvent. An edit goes from the press of a
+   * button to its release, or is a step of the wheel, a proposal that was taken, or another
+   * Reset(). Functions, surface side and tissues of the property, opacity and label table become
+   * what they were before the edit, even if a program has changed them since; the component and the
+   * visibility stay. The last 100 edits are kept. Setting another property, volume property or
+   * label table clears them.
    */
   bool Undo();
   bool Redo();
   bool Reset();
   ///@}
 
-  /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
+  /** Get name and unit of the edited function, as in the title: "Stiffness (N/m)". */
   std::string GetTitle();
 
   /**
-   * What the title shows beside stiffness and viscosity if the drag of a value is too strong for
-   * the stiffness there: the proxy would stay more than 10 mm behind, and the drag is limited
+   * Get the warning in the title of stiffness and viscosity, if at some value the drag is too
+   * strong for the stiffness: the proxy would lag by more than 10 mm, so the drag is limited
    * instead. Empty if nothing is wrong.
    */
   std::string GetWarning();
 
-  /** The function itself; nullptr for LABELS and TISSUES, or if its property is not set. */
+  /** Get the edited function; nullptr for LABELS and TISSUES, or if its property is not set. */
   vtkPiecewiseFunction* GetPiecewiseFunction();
 
   ///@{
@@ -257,8 +259,8 @@ public:
   ///@{
   /**
    * Whether the editor is beside the scene, in a viewport of its own, instead of over it in its
-   * rectangle. Default off. Other renderers of the window get what is left, while it is visible.
-   * It takes effect with the next frame of the window in which the editor was drawn.
+   * rectangle. Default off. While the editor is visible, the other renderers of the window share
+   * the rest. Takes effect with the next picture of the window in which the editor was drawn.
    */
   vtkSetMacro(Docked, bool);
   vtkGetMacro(Docked, bool);
@@ -285,8 +287,8 @@ public:
 
   ///@{
   /**
-   * The share of the window's width or height for an editor that is Docked, 0.1 to 0.9. Default
-   * 0.35. The mouse changes it by dragging the border to the scene.
+   * The fraction of the window's width or height that a Docked editor takes, 0.1 to 0.9. Default
+   * 0.35. Dragging the border to the scene changes it.
    */
   vtkSetClampMacro(DockShare, double, 0.1, 0.9);
   vtkGetMacro(DockShare, double);
@@ -294,23 +296,22 @@ public:
 
   ///@{
   /**
-   * Update computes the histogram, or for LABELS the list, again if the data have changed, and
-   * invokes vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and
-   * rendering also call it. EstimateUpdateTime returns how long (s) the work takes on a desktop
-   * computer, approximately: only that of Propose() takes time. If that is long,
-   * vtkInteractorStyleHaptic fades the force out first.
+   * Update recomputes the histogram, or the list of LABELS, if the data have changed, between
+   * vtkCommand::StartEvent and vtkCommand::EndEvent. Mouse events and rendering also call it.
+   * EstimateUpdateTime returns about how long (s) the update takes on a desktop computer: only that
+   * of Propose() takes time. If it is long, vtkInteractorStyleHaptic fades the force out first.
    *
-   * Histogram and list of a large image (more than 4 million points) are those of spread samples at
-   * first. All values are looked at in the background, and so are edges; the next Update() after
-   * that shows them. GetCountedFraction returns the fraction of the work in the background that is
-   * done (0 to 1), and vtkInteractorStyleHaptic draws the editor as long as it grows.
+   * For a large image (more than 4 million points), histogram and list first come from samples that
+   * are spread over the image. A background thread then reads all values and edges, and the next
+   * Update() shows the result. GetCountedFraction returns the fraction of this work that is done (0
+   * to 1); vtkInteractorStyleHaptic redraws the editor while it grows.
    */
   void Update();
   double EstimateUpdateTime();
   double GetCountedFraction();
   ///@}
 
-  /** True if the editor is visible and a position on the display (pixels) is within it. */
+  /** Whether the editor is visible and contains a position on the display (pixels). */
   bool Contains(int x, int y);
 
   enum ButtonType
@@ -322,7 +323,7 @@ public:
 
   ///@{
   /**
-   * Mouse events at a position on the display (pixels). True if the editor uses the event.
+   * Handle mouse events at a position on the display (pixels). True if the editor uses the event.
    */
   bool MouseMove(int x, int y);
   bool ButtonPress(int button, int x, int y);
@@ -331,12 +332,12 @@ public:
   ///@}
 
   /**
-   * The mouse wheel, with steps that count away from the user. True if the editor uses the event.
+   * Handle the mouse wheel; steps away from the user count up. True if the editor uses the event.
    */
   bool TurnWheel(double steps, int x, int y);
 
   /**
-   * The position on the display (pixels) of a data value and a function's value, after a render.
+   * Get the position on the display (pixels) of a data value and a function value, after a render.
    */
   void GetDisplayPosition(double value, double functionValue, double position[2])
     VTK_SIZEHINT(position, 2);
@@ -352,8 +353,8 @@ public:
   /**
    * The position on the display (pixels) of a label's name or one of its boxes, of a tissue's name,
    * and of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a
-   * render. False if it is not shown: the label or tissue is scrolled away, none is selected, or
-   * the image is another one or has changed since the render.
+   * render. False if it is not shown: it is scrolled away, no label or tissue is selected, or the
+   * image was replaced or has changed since the render.
    */
   bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
   bool GetTissuePosition(int tissue, double position[2]) VTK_SIZEHINT(position, 2);

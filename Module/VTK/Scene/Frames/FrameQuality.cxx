@@ -32,11 +32,12 @@ namespace
 
 constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
 constexpr double LeastRate = 20.0;    // Hz, in motion
-constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame and for a whole one
-// Of the time between frames; events and haptics take the rest.
+constexpr double AimedRate = 26.0;    // Hz, above LeastRate, because input waits for the end of
+                                      // one frame and then for a whole frame
+// Fraction of the time between frames; events and haptics take the rest.
 constexpr double DrawingFraction = 0.8;
 constexpr double LongestStillFrame = 0.1; // s, for a frame at rest that can't be interrupted
-constexpr double LongestRest = 0.5;       // s, for any one, because a device without news lets go
+constexpr double LongestRest = 0.5;       // s, for any frame, because a device without news lets go
 constexpr double LongestTry = 1.0;        // s, until a frame at rest is given up
 constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
 constexpr int MostSlowFrames = 3;    // in a row; a busy processor may delay one or two
@@ -254,7 +255,7 @@ void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& sh
   {
     return;
   }
-  // VTK would leave frames at rest as coarse as the last one in motion.
+  // VTK would leave frames at rest as coarse as the last frame in motion.
   vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::GetCPUMapper(mapper);
   const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
   if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))

@@ -38,20 +38,22 @@ class KeptRays;
 /**
  * Estimates the time of a whole frame while a mapper casts its rays row by row. Work before the
  * rays, such as the gradients of a new volume, counts as measured. After a tenth of the rows, the
- * other rows are assumed to be alike.
+ * other rows are assumed to take the same time each.
  */
 class RayProgress
 {
 public:
   static constexpr double LeastFraction = 0.1;
 
-  /** The rays begin. `time`: since the beginning of the frame, s. */
+  /** Called when the rays begin. `time` (s) counts from the beginning of the frame. */
   void Begin(double time)
   {
     this->Before = time;
     this->Whole.reset();
   }
-  /** Records the finished fraction of the rows. `time`: as above. */
+  /**
+   * Records the finished fraction of the rows. `time` (s) counts from the beginning of the frame.
+   */
   void Record(double time, double fraction)
   {
     if (fraction >= LeastFraction)

@@ -82,8 +82,8 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse is the first one after a rest, and timers are late, as above: it
-   * is to be drawn FeltTime later.
+   * Whether a motion of the mouse is the first one after a rest, and timers are late: it is then
+   * drawn FeltTime later.
    */
   bool IsFirst(double now) const
   {

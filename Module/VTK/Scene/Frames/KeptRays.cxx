@@ -31,9 +31,10 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int ShortestGap = 16; // rays; fewer cost less than another pass
+constexpr int ShortestGap = 16; // rays; a shorter gap costs less than another pass
 constexpr std::size_t MostPasses = 4;
-constexpr int MostCoarseRays = 1 << 16; // copying their image takes no noticeable time
+constexpr int MostCoarseRays = 1 << 16; // rays; copying an image of this size takes no noticeable
+                                        // time
 
 /** Collects values for comparison to the bit. */
 struct WordWriter

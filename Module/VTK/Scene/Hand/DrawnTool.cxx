@@ -22,10 +22,12 @@ namespace
 constexpr double FeatureAngle = 40.0;
 constexpr double Pi = 3.14159265358979323846;
 
-/** Turns a second of a spinning tool's picture; faster ones could not be seen. */
+/** Turns a second of the picture of a spinning tool; the eye could not see faster turns. */
 constexpr double SeenTurns = 1.7;
 
-/** The rotation from the tool to the world's axes; NoOrientation if the tool is not felt. */
+/**
+ * Computes the rotation from the tool to the world's axes; NoOrientation if the tool is not felt.
+ */
 Quaternion ComputeTurn(
   vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)
 {

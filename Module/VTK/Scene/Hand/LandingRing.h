@@ -30,9 +30,9 @@ constexpr double OpenRing = 5.0;
 ///@}
 
 /**
- * The radius of the patch if the tip is pressed in by `depth`, beyond a surface on which the proxy
- * has this `radius`. Its area grows in proportion to the depth, like the contact of a soft ball of
- * radius R on a plane, pi R d (Hertz), up to the widest ring.
+ * Returns the radius of the patch if the tip is pressed in by `depth` and the proxy has this
+ * `radius`. The area of the patch grows in proportion to the depth, like the contact of a soft ball
+ * of radius R on a plane, pi R d (Hertz), up to the widest ring.
  */
 inline double ComputePatchRadius(double depth, double radius)
 {

@@ -26,7 +26,7 @@ class SpringCoil
 public:
   SpringCoil();
 
-  /** `slack` is the part of the distance that gives no force. `radius` is that of the proxy. */
+  /** `slack` is the part of the distance that gives no force, `radius` the proxy's radius. */
   void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
   void Show(bool shown) { this->Marker.Show(shown); }
 

@@ -84,7 +84,7 @@ struct vtkHapticRepresentation::vtkInternals
   bool IsOverVolumes = false;
   bool HasState = false;
   bool WasFelt = false;  ///< felt something in the last frame
-  bool HasLetGo = false; ///< and has not moved since
+  bool HasLetGo = false; ///< whether the tip has not moved since it was last felt
   Vector3 LetGoAt;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;

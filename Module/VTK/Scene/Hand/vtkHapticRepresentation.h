@@ -4,28 +4,31 @@
  * @class   vtkHapticRepresentation
  * @brief   the hand in the scene: tip, proxy and forces
  *
- * One prop that draws the latest state of a vtkHapticDevice: the tip (white) at the hand; the
- * proxy, which the surface holds back, coloured by the contact; the spring between them; and the
- * forces as arrows:
- *
- *   on the tip     the whole force on the hand (white)
- *   on the proxy   the forces of the surface (blue) and of friction (orange)
- *
- * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
- * while it is pushed through a surface. The spring is a coil, which opens as it is stretched, and a
- * straight wire where it is slack (vtkHapticState::GetSlack). In contact, a patch around the proxy
- * has the contact's colour; it grows as that of a soft fingertip does. A stylus has its point in
- * the proxy, with the orientation that the device measures (vtkHapticState::GetTipOrientation); if
- * it measures none, the stylus leans towards the viewer, as a pen in the right hand. A text in the
- * lower right corner shows the length of a newton. While a virtual device is not armed, spring,
- * arrows and a leaning stylus are hidden. After it was disarmed, nothing is shown until its tip
- * moves. Markers behind a surface or inside the volume show through, faintly.
+ * Draws the latest state of a vtkHapticDevice: the tip at the hand, the proxy that the surface
+ * holds back, the spring between them, and the forces:
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
  * It shows the state of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. It
  * can also show a trace or a recording, as a line coloured by any of its arrays: see SetTrail.
+ *
+ * - **The tip** is white.
+ * - **The proxy** is grey while it is free, amber while it sticks, green while it slides and
+ *   magenta while it is pushed through a surface. In contact, a patch around it has the same
+ *   colour; it grows with the force like the contact area of a soft fingertip.
+ * - **The spring** is a coil, which opens as it is stretched, and a straight wire where it is slack
+ *   (vtkHapticState::GetSlack).
+ * - **Forces** are arrows: on the tip the whole force on the hand (white), on the proxy the forces
+ *   of the surface (blue) and of friction (orange). A text in the lower right corner shows the
+ *   length of a newton.
+ * - **The stylus** has its point in the proxy, with the orientation that the device measures
+ *   (vtkHapticState::GetTipOrientation). If the device measures none, the stylus leans towards the
+ *   viewer, as a pen in the right hand.
+ *
+ * While a virtual device is not armed, spring, arrows and a leaning stylus are hidden. After it was
+ * disarmed, nothing is shown until its tip moves. Markers behind a surface or inside the volume are
+ * drawn faintly.
  *
  * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
  */
@@ -55,7 +58,7 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the proxy, world units. Default 1.5; the rest is in proportion. */
+  /** Radius of the proxy, world units. Default 1.5; the other markers are in proportion. */
   vtkSetClampMacro(Radius, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
@@ -68,8 +71,8 @@ public:
 
   ///@{
   /**
-   * The longest arrow, world units, 0 or more. Default 0: 30 times Radius. A force that is too
-   * large for it has an arrow of this length with two heads.
+   * The longest arrow, world units, 0 or more. Default 0: 30 times Radius. A larger force has an
+   * arrow of this length with two heads.
    */
   vtkSetClampMacro(MaximumArrowLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumArrowLength, double);
@@ -126,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Length of the stylus, world units, 0 or more. Default 0: 25 times Radius, and for a stylus that
-   * leans towards the viewer a third of the way there at most.
+   * Length of the stylus, world units, 0 or more. Default 0: 25 times Radius; a stylus that leans
+   * towards the viewer is then at most a third of the distance to the viewer long.
    */
   vtkSetClampMacro(StylusLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StylusLength, double);
@@ -140,15 +143,15 @@ public:
   ///@}
 
   ///@{
-  /** Whether markers behind a surface or inside the volume show through. Default on. */
+  /** Whether markers behind a surface or inside the volume are drawn faintly. Default on. */
   vtkSetMacro(HiddenVisibility, bool);
   vtkGetMacro(HiddenVisibility, bool);
   ///@}
 
   ///@{
   /**
-   * Whether a ring shows where the tip would touch next on its way along the line of sight, with
-   * the distance; in contact, it is the edge of the patch on the touched surface. Default on.
+   * Whether a ring shows where the tip would first touch if it moved along the line of sight, with
+   * the distance; in contact, the ring is the edge of the patch on the touched surface. Default on.
    */
   vtkSetMacro(LandingVisibility, bool);
   vtkGetMacro(LandingVisibility, bool);
@@ -157,17 +160,17 @@ public:
 
   ///@{
   /**
-   * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
-   * line of a flow through the proxy, a core line, fibre, vessel or guide, fronts as discs, and a
-   * tensor as an ellipsoid, drawn longer than the proxy so that its axes can be seen. Default on.
-   * See vtkHapticState::GetFollowed.
+   * Whether the shapes that the modes of PRIMITIVES hold the hand on are shown, each mode in its
+   * colour: the line of a flow through the proxy, a core line, fibre, vessel or guide; fronts as
+   * discs; and a tensor as an ellipsoid, longer than the proxy so that its axes can be seen.
+   * Default on. See vtkHapticState::GetFollowed.
    */
   vtkSetMacro(FollowedVisibility, bool);
   vtkGetMacro(FollowedVisibility, bool);
   ///@}
 
   ///@{
-  /** How far these lines are followed to either side (voxels), 1 to 1000. Default 48. */
+  /** The length of these lines to either side of the proxy (voxels), 1 to 1000. Default 48. */
   vtkSetClampMacro(FollowedReach, double, 1.0, 1000.0);
   vtkGetMacro(FollowedReach, double);
   ///@}
@@ -175,8 +178,8 @@ public:
   ///@{
   /**
    * A line through the points of a trace (default none), coloured by one of its point arrays
-   * (default "Force"; vectors count by their length), through a lookup table (default: from blue to
-   * red over the array's range).
+   * (default "Force"; vectors by their length) through a lookup table (default: blue to red over
+   * the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();

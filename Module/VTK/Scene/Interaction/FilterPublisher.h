@@ -36,8 +36,9 @@ public:
 
   /**
    * Publishes if the filter, its image or its surface has changed, or if the workspace was placed
-   * again. Each change is tried once: a change that fails will not succeed later. A method that was
-   * made ready in the background and can't be felt is replaced by the previous method.
+   * again. Each change is tried only once, because a change that has failed would fail again. A
+   * method that was made ready in the background and can't be felt is replaced by the previous
+   * method.
    */
   void Update(bool isPlaced);
 
@@ -104,7 +105,7 @@ public:
   /** "A" or "B", or nothing if none are compared. */
   std::string GetName() const;
 
-  /** Forgets the settings that are not felt; call this for a new device, too. */
+  /** Discards the settings that are not felt; call this for a new device, too. */
   void End();
 
   /** Sets the name of the felt settings in the head-up display; call it in each update. */

@@ -429,7 +429,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   }
   else if (key == "M" && this->Modes.Next())
   {
-    // Nothing left to do: Next() has changed the mode, and Frames.Draw below shows it.
+    // Nothing else to do: Next() has changed the mode, and Frames.Draw below shows it.
   }
   else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
     !this->Measure.Press(key))
@@ -512,7 +512,7 @@ bool HapticInteraction::SwapSettings()
 //------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
-  // Observers of an update may remove the style. If they change its device, that waits for the end.
+  // Observers of an update may remove the style. A device that they set waits for the end.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const bool isOuter = !std::exchange(this->IsUpdating, true);
   const bool isNew = this->Update(style);
@@ -620,7 +620,7 @@ void HapticInteraction::UpdateVolumes()
   if (this->Touch.IsOn() || device->IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    this->FadeOut(); // a hidden volume is no emergency
+    this->FadeOut(); // a hidden volume is no emergency, so the force fades
     return;
   }
   // Choose another volume only after the fade, so that it does not push the hand.

@@ -53,8 +53,8 @@ private:
 
 /**
  * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It
- * connects parts with one subject each, and decides: the order of an update, the keys and the
- * mouse, and long work.
+ * connects parts with one subject each, and decides the order of an update, who gets keys and mouse
+ * events, and when work counts as long.
  *
  * Functions for keys and the mouse return true if they used the event; if not, the style's
  * superclass gets it.
@@ -74,7 +74,7 @@ public:
   HapticInteraction& operator=(const HapticInteraction&) = delete;
 
   ///@{
-  /** False if nothing changed. During an update, a device changes at its end. */
+  /** False if nothing changed. A device that is set during an update changes at its end. */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
@@ -160,7 +160,7 @@ private:
   int Reader = 0;       ///< this reader's number for the device's states
   double Updated = 0.0; ///< s, the device's time at the last update
   bool IsUpdating = false;
-  /// what an observer of the present update has set
+  /// device that an observer of the present update has set
   std::optional<vtkSmartPointer<vtkHapticDevice>> NextDevice;
   bool EditorHasMouse = false;
   bool ListHasMouse = false; ///< the list of modes has the mouse

@@ -26,7 +26,7 @@ namespace
 
 /** N: smaller forces are not felt. */
 constexpr double LeastMeasuredForce = 0.005;
-/** Voxels: the brush, and its least step between two positions. */
+/** In voxels: the radius of the brush, and the least step between two of its positions. */
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
 /** Drawing a growing area may take this fraction of the time. */
@@ -352,7 +352,7 @@ void MeasureKeys::Show()
 //------------------------------------------------------------------------------
 void MeasureKeys::Report(const std::string& notice)
 {
-  // Keep a notice that others have set.
+  // A notice that other parts have set stays.
   if (!notice.empty() || !this->Told.empty())
   {
     this->Told = notice;

@@ -36,7 +36,7 @@ SceneFrames::SceneFrames(
         using Touch = FrameQuality::Touch;
         vtkHapticDevice* const device = this->Scene.Device;
         const bool isArmed = device && this->Scene.IsArmed();
-        // A playing volume is drawn again and again.
+        // A playing volume is drawn continuously.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
           (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
@@ -132,7 +132,7 @@ bool SceneFrames::AwaitLateMotion(double travel) const
   const bool isFirst = this->Pace.IsFirst(now);
   if (isFirst)
   {
-    // A slow frame of the hand half way would take longer than the rest of the way.
+    // Waits: a slow frame of the hand half way would take longer than the rest of the way.
     std::this_thread::sleep_for(std::chrono::duration<double>(
       std::min(HapticRenderPace::FeltTime + travel, HapticRenderPace::LongestAwaited)));
   }

@@ -66,7 +66,7 @@ void Apply(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
 /** The largest factor by which the keys change the speed, up and down. */
 constexpr double MostSpeed = 64.0;
 
-/** The frame before or after a time; continues at the other end. */
+/** Finds the time step before or after a time; continues at the other end. */
 double FindNeighbour(const std::vector<double>& times, double time, bool isNext)
 {
   if (isNext)
@@ -184,7 +184,7 @@ std::string DisplayKeys::ChooseHint()
   std::string end = this->DescribeKey("", "Escape", "");
   if (!this->Scene.TurnsView)
   {
-    // Leave out keys that a host keeps to itself.
+    // Leaves out keys that a host keeps to itself.
     end = this->Keys.Describe({ "Escape" });
     for (std::size_t at = end.find("  "); at != std::string::npos; at = end.find("  "))
     {

@@ -33,7 +33,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // Find no slice while a drag that began in the scene is still going on.
+  // No slice is found while a drag that began in the scene goes on.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)
@@ -49,7 +49,7 @@ bool SliceMouse::Press(int x, int y, bool isRight)
   }
   if (this->Dragged != Drag::None)
   {
-    return true; // the other button
+    return true; // the other button does nothing
   }
   const bool isLook = isRight || this->Scene.Style->GetInteractor()->GetShiftKey() != 0;
   this->Dragged = isLook ? Drag::WindowLevel : Drag::Position;

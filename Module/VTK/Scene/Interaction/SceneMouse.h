@@ -96,7 +96,8 @@ private:
 
   TouchedScene& Scene;
   Quaternion Wish;                    ///< world; the last ordered orientation
-  std::array<double, 16> Placement{}; ///< placement of the device then: the hand turns with it
+  std::array<double, 16> Placement{}; ///< the placement of the device at that time: the hand turns
+                                      ///< with it
   double Turned = -1e9;               ///< s, the time of the last turn
 };
 

@@ -45,8 +45,8 @@ bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 }
 
 /**
- * The volumes that are drawn where a style touches: in its default renderer, or without one in its
- * whole window. False if it has no window.
+ * Collects the volumes that are drawn where a style touches: in its default renderer or, without
+ * one, in its whole window. False if the style has no window.
  */
 bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 {
@@ -109,8 +109,8 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
   }
   if (!this->Scene.Device->GetVolumeHaptics())
   {
-    // Give the device a filter, whether or not the volume can be touched: callers set up the
-    // filter.
+    // Gives the device a filter, whether or not the volume can be touched, because callers set up
+    // the filter.
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   std::vector<DrawnVolume> drawn;
@@ -137,7 +137,7 @@ bool TouchedVolumes::Set(vtkVolume* volume)
   }
   if (volume && !this->All.empty())
   {
-    // The first volume's filter feels the new volume, whichever is felt now.
+    // The first volume's filter feels the new volume, whichever volume is felt now.
     this->Feel(this->All.front().Filter);
   }
   this->All.clear();
@@ -160,7 +160,7 @@ void TouchedVolumes::Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
 void TouchedVolumes::AddAlike(vtkVolume* volume)
 {
   Entry& first = this->All.front();
-  first.Filter = this->FilterOf(first); // it may have shared the device's filter
+  first.Filter = this->FilterOf(first); // the first volume may have shared the device's filter
   this->Append(volume, vtkNew<vtkVolumeHapticsFilter>());
   this->All.back().IsAlike = true;
   this->CopiedTime = 0;
@@ -430,8 +430,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
       best = ahead;
     }
   }
-  // Near a surface, the hand may have touched it since the last state. A volume that is hardly
-  // better would cause changes to and fro.
+  // Near a surface, the hand may have touched it since the last state. And volumes that are hardly
+  // better would make the choice change to and fro.
   const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
   if (least > voxel && IsBetter(best, demanded, choice))
   {

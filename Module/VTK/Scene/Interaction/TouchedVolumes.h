@@ -27,9 +27,9 @@ namespace VolumeHaptics
 /**
  * The servo feels one volume at a time. The style's FeltVolume chooses the volume whose surface
  * comes first ahead of the tip, along the line of sight, or the volume whose surface ahead pushes
- * back most strongly. It changes only while there is no force and the next surface ahead is more
- * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Invisible
- * volumes are neither chosen nor felt.
+ * back most strongly. The felt volume changes only while there is no force and the next surface
+ * ahead is more than a voxel away, so that the force never jumps; the device's rate limits a drag
+ * that begins. Invisible volumes are neither chosen nor felt.
  */
 class TouchedVolumes
 {
@@ -74,9 +74,9 @@ private:
   struct Entry
   {
     std::unique_ptr<TouchedVolume> Volume;
-    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's filter
+    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null stands for the device's filter
     bool IsShown = true;
-    bool IsAlike = false; ///< its filter has the settings of the first one
+    bool IsAlike = false; ///< whether its filter has the settings of the first volume's filter
   };
   /** The felt volume; null if there is none. */
   const Entry* FindFelt() const;
@@ -99,8 +99,10 @@ private:
   const HapticShownTimeSteps& Pictures;
   const CarvedPictures& Carved;
   std::vector<Entry> All;
-  vtkSmartPointer<vtkMultiVolume> Multi; ///< whose ports are touched; null for other volumes
-  vtkMTimeType CopiedTime = 0;           ///< of the first filter, when its settings were copied
+  vtkSmartPointer<vtkMultiVolume> Multi; ///< the vtkMultiVolume whose ports are touched; null for
+                                         ///< other volumes
+  vtkMTimeType CopiedTime = 0;           ///< change time of the first filter when its settings were
+                                         ///< copied
   Vector3 ChosenTip;                     ///< position of the tip at the last choice
   double ChosenTime = 0.0;
 };

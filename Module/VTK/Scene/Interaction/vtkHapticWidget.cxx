@@ -36,20 +36,22 @@ namespace
 
 /// Above VTK's widgets, whose priority is 0.5.
 constexpr float WidgetPriority = 0.9f;
-/// Without a timer event for so long (s), force fades: no frame takes as long.
+/// The force fades after this time (s) without a timer event: no frame takes that long.
 constexpr double Attention = 10.0;
-/// Of the proxy, and of the arrow of a newton, in lengths of the volume's diagonal.
+/// The radius of the proxy, and the length of a newton's arrow, as fractions of the volume's
+/// diagonal.
 constexpr double ProxyFraction = 0.007;
 constexpr double ArrowFraction = 0.05;
 
-/// One significant digit, so that the scale beside the arrows shows a round number.
+/// Rounds to one significant digit, so that the scale beside the arrows shows a round number.
 double Round(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
   return unit * std::round(value / unit);
 }
 
-/// Lets a render pass of the program look for the props again: f3d's keeps them until it changes.
+/// Makes a render pass of the program look up the props again: f3d's pass keeps them until it
+/// changes.
 void TellPass(vtkRenderer* renderer)
 {
   if (vtkRenderPass* const pass = renderer->GetPass())
@@ -71,8 +73,8 @@ public:
   std::function<bool()> Prepare;
   bool HasActivationKey = true;
 
-  /// Also observes releases of buttons as a passive observer: a style or a widget of the program
-  /// that has grabbed the focus with a press gets the release alone.
+  /// Also observes releases of buttons as a passive observer, because a style or a widget of the
+  /// program that has grabbed the focus at a press is the only active observer of the release.
   void SetInteractor(vtkRenderWindowInteractor* interactor) override
   {
     if (interactor != this->Interactor)
@@ -151,8 +153,8 @@ public:
     const std::string name = this->GetKeyName();
     auto& interaction = this->GetInteraction();
     const bool begins = !this->GetTouchMode();
-    // A key that has let go and is still held is not the program's either.
-    // If something else has ended or begun the touch since, the release was lost.
+    // A key that ended the touch and is still held is not for the program either. If something else
+    // has ended or begun the touch since, the release was lost.
     const bool isHeld = interaction.IsRepeat(name) ||
       (!this->HeldKey.empty() && this->HeldKey == name && begins != this->HeldInTouch);
     if (!isHeld && begins && (!this->HasActivationKey || interaction.Keys.Find(name) != "t"))
@@ -208,8 +210,8 @@ private:
   };
 
   void Abort() { this->EventCallbackCommand->SetAbortFlag(1); }
-  /// Whether the hand has the mouse: a drag that the program has begun goes on. Slices beside the
-  /// scene are the hand's at any time.
+  /// Whether the hand has the mouse. A drag that the program has begun stays with the program;
+  /// slices beside the scene always belong to the hand.
   bool HasMouse()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -218,7 +220,8 @@ private:
       (slices && slices->FindSlice(at[0], at[1]) >= 0);
     return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
   }
-  /// The same of a click: one on a slider, a handle or a text of the program is the program's.
+  /// Whether the hand has a click. A click on a slider, a handle or a text of the program belongs
+  /// to the program.
   bool HasClick()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -232,7 +235,7 @@ private:
       this->Abort();
     }
   }
-  /// True if the press was used; then the program must not get the release.
+  /// Returns true if the press was used; the program must not get the release then.
   bool Release(Button button)
   {
     const bool isUsed = (this->UsedButtons & button) != 0;
@@ -252,10 +255,11 @@ private:
   }
 
   vtkNew<vtkCallbackCommand> ReleaseObserver;
-  unsigned int Buttons = 0;     ///< pressed, by the program
-  unsigned int UsedButtons = 0; ///< pressed, by the hand
-  std::string HeldKey;          ///< that was used; repeats are not the program's either
-  bool HeldInTouch = false;     ///< the touch mode after it was used
+  unsigned int Buttons = 0;     ///< bits of the buttons whose press the program got
+  unsigned int UsedButtons = 0; ///< bits of the buttons whose press the hand used
+  std::string HeldKey;          ///< the last key that was used; its repeats are not for the program
+                                ///< either
+  bool HeldInTouch = false;     ///< the touch mode after that key was used
 };
 
 vtkStandardNewMacro(StyleBeside);
@@ -274,7 +278,7 @@ struct vtkHapticWidget::vtkInternals
 {
   vtkInternals()
   {
-    this->Hand->UseBoundsOff(); // a camera that is reset shows the volume, wherever the hand is
+    this->Hand->UseBoundsOff(); // resetting the camera then shows the volume, wherever the hand is
     this->Display->UseBoundsOff();
     this->Style->GetInteraction().Scene.TurnsView = false;
     this->Style->SetHeadUpDisplay(this->Display);
@@ -294,13 +298,13 @@ struct vtkHapticWidget::vtkInternals
     this->Display->SetDevice(device);
   }
 
-  /** Whether the program has connected what its filter feels. */
+  /** Whether the program has connected the input of its filter. */
   bool HasOwnInput() const
   {
     return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;
   }
 
-  /** All volumes that can be touched in a renderer; only `Volume`, if there is one. */
+  /** Returns all volumes in a renderer that can be touched; only `Volume`, if it is set. */
   std::vector<vtkVolume*> CollectVolumes(vtkRenderer* renderer) const
   {
     std::vector<vtkVolume*> found;
@@ -315,7 +319,10 @@ struct vtkHapticWidget::vtkInternals
     return found;
   }
 
-  /** The uppermost renderer with volumes under the pointer; or else the first one with volumes. */
+  /**
+   * Returns the uppermost renderer with volumes under the pointer, or else the first renderer with
+   * volumes.
+   */
   vtkRenderer* ChooseRenderer(vtkRenderWindowInteractor* interactor) const
   {
     vtkRenderWindow* const window = interactor->GetRenderWindow();
@@ -363,7 +370,7 @@ struct vtkHapticWidget::vtkInternals
     this->Style->GetInteraction().Touched.Update();
   }
 
-  /** The hand and the display, for what is so long (world units). */
+  /** Shows the hand and the display for a volume of this length (world units). */
   void Show(vtkRenderer* renderer, double length)
   {
     if (this->Renderer != renderer)
@@ -373,14 +380,14 @@ struct vtkHapticWidget::vtkInternals
       this->Style->SetDefaultRenderer(renderer);
       this->Style->SetCurrentRenderer(renderer);
     }
-    // Again, too: the program may have cleared its scene.
+    // Repeated in each call, because the program may have cleared its scene.
     if (!renderer->HasViewProp(this->Hand) || !renderer->HasViewProp(this->Display))
     {
       renderer->AddViewProp(this->Hand);
       renderer->AddViewProp(this->Display);
       TellPass(renderer);
     }
-    // As long as the application has not chosen other sizes.
+    // Sets the sizes as long as the application has not chosen others.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
       this->Radius = ProxyFraction * length;
@@ -406,7 +413,10 @@ struct vtkHapticWidget::vtkInternals
     this->Style->SetCurrentRenderer(nullptr);
   }
 
-  /** Opens and starts the device as far as it isn't; false, after its own error, if it can't. */
+  /**
+   * Opens and starts the device if necessary. If that fails, reports the device's error and returns
+   * false.
+   */
   bool Start()
   {
     if (!this->Device->IsOpen())
@@ -420,7 +430,7 @@ struct vtkHapticWidget::vtkInternals
     return this->Device->IsRunning();
   }
 
-  /** Ends the touch, and takes away what was made for it. */
+  /** Ends the touch, and removes what was added for it. */
   void Leave()
   {
     this->Style->SetInteractor(nullptr);
@@ -446,11 +456,12 @@ struct vtkHapticWidget::vtkInternals
   vtkNew<vtkHapticRepresentation> Hand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<StyleBeside> Style;
-  vtkSmartPointer<vtkRenderer> Renderer; ///< that shows the hand
+  vtkSmartPointer<vtkRenderer> Renderer; ///< the renderer that shows the hand
   std::vector<vtkSmartPointer<vtkVolume>> Touched;
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
-  bool IsInputOurs = false; ///< that of the filter is what a volume shows
+  bool IsInputOurs = false; ///< whether the widget has set the filter's input, to what a volume
+                            ///< shows
   bool HasOpened = false;
   bool HasStarted = false;
 };

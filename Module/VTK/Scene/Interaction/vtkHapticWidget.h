@@ -14,22 +14,22 @@
  *
  * While it is on, the key t (KeyPressActivationValue) with the pointer on a volume begins the touch
  * mode of vtkInteractorStyleHaptic: the mouse strokes, the wheel presses, Escape lets go. The
- * volume is that of SetVolume(), or else what the renderer under the pointer shows: if it shows
- * several, that whose surface is the first one along the line of sight. It is felt where and as far
- * as it is shown: see vtkInteractorStyleHaptic::TouchVolume().
+ * touched volume is that of SetVolume(), or else the volume in the renderer under the pointer whose
+ * surface comes first along the line of sight. Only what is shown of it is felt: see
+ * vtkInteractorStyleHaptic::TouchVolume().
  *
  * In the touch mode the widget aborts the events of keys, wheel and buttons that it uses, so that
- * no observer of the program with a lower Priority gets them. All other events, and outside of the
- * touch mode all but its activation key, go to the program: its right button turns the camera as it
- * always does, and so does a drag that has begun before. The widget observes the interactor and not
- * the style, so that it goes on if the program sets another style. Default Priority: 0.9, above
- * VTK's widgets (0.5).
+ * no observer of the program with a lower Priority gets them. All other events go to the program,
+ * and so do all events outside the touch mode, except the activation key: the right button turns
+ * the camera as always, and so does a drag that began before the touch mode. The widget observes
+ * the interactor and not the style, so that it goes on if the program sets another style. Default
+ * Priority: 0.9, above VTK's widgets (0.5).
  *
  * The widget makes what it needs: a vtkHapticDevice, which it opens as "virtual" (the mouse) and
  * starts; a vtkVolumeHapticsFilter; and, in the renderer of the volume, a vtkHapticRepresentation
- * and a vtkHapticHeadUpDisplay. Each can be had by its getter, and device and filter can be given.
- * Force ends with the window: see vtkInteractorStyleHaptic. Off() ends all force, stops the device
- * if the widget has started it, and takes hand and display out of the renderer.
+ * and a vtkHapticHeadUpDisplay. Each has a getter; device and filter also have a setter. Force ends
+ * with the window: see vtkInteractorStyleHaptic. Off() ends all force, stops the device if the
+ * widget has started it, and takes hand and display out of the renderer.
  *
  * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
  *
@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * The touch mode of vtkInteractorStyleHaptic, default off. On begins it with the volume under the
-   * pointer; it stays off, with an error, if the widget is off or there is no volume.
+   * The touch mode of vtkInteractorStyleHaptic. Default off. Turning it on begins with the volume
+   * under the pointer; it stays off, with an error, if the widget is off or there is no volume.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode();
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * The volume that is touched, or the vtkMultiVolume. Default nullptr: all that the renderer under
-   * the pointer shows.
+   * The touched volume, which may be a vtkMultiVolume. Default nullptr: all volumes in the renderer
+   * under the pointer.
    */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
@@ -86,9 +86,9 @@ public:
 
   ///@{
   /**
-   * The device. One that is closed is opened as "virtual", and one that does not run is started,
-   * when the widget is switched on; the widget stops and closes it then. Default: one of its own.
-   * nullptr is an error.
+   * The device. Switching the widget on opens a closed device as "virtual" and starts it; switching
+   * the widget off stops and closes it again. Default: a device that the widget makes. nullptr is
+   * an error.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
@@ -96,30 +96,35 @@ public:
 
   ///@{
   /**
-   * The filter that says how volumes feel, and its property. If several volumes can be touched, the
-   * first one is felt by this filter, and each of the others by a copy, which follows its settings.
-   * A filter that has an input feels that, whatever the window shows; the hand is then in the
-   * DefaultRenderer, or else in the window's first one.
-   * Default: one of its own. nullptr is an error.
+   * The filter that says how volumes feel, and its property. If several volumes can be touched,
+   * this filter feels the first one, and a copy with the same settings feels each other one. A
+   * filter that has an input feels this input, whatever the window shows; the hand is then in the
+   * DefaultRenderer, or else in the window's first renderer. Default: a filter that the widget
+   * makes. nullptr is an error.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   vtkHapticProperty* GetProperty();
   ///@}
 
-  /** The hand in the scene. Its sizes follow the touched volume unless they were set before. */
+  /**
+   * Get the hand in the scene. Its sizes follow the touched volume, unless they were set before.
+   */
   vtkHapticRepresentation* GetRepresentation();
-  /** Figures and a plot over the scene. */
+  /** Get the figures and the plot over the scene. */
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
 
   /**
-   * The interaction, for its settings: keys (SetKey), measurements, slices, method, comparison, and
-   * the events of contact and force. The widget gives it the interactor, device and volume; it
-   * never becomes the style of the interactor.
+   * Get the interaction, for its settings: keys (SetKey), measurements, slices, method, comparison,
+   * and the events of contact and force. The widget sets its interactor, device and volume; it
+   * never becomes the interactor's style.
    */
   vtkInteractorStyleHaptic* GetStyle();
 
-  /** See vtkInteractorStyleHaptic::UpdateHaptics: for programs whose loop runs no timers of VTK. */
+  /**
+   * Update the haptics in a program whose event loop runs no timers of VTK: see
+   * vtkInteractorStyleHaptic::UpdateHaptics.
+   */
   bool UpdateHaptics();
 
   void SetKeyPressActivation(vtkTypeBool on) override;
@@ -134,7 +139,7 @@ private:
   vtkHapticWidget(const vtkHapticWidget&) = delete;
   void operator=(const vtkHapticWidget&) = delete;
 
-  /** Finds the volumes, shows the hand beside them, and starts the device. */
+  /** Searches the volumes, shows the hand beside them, and starts the device. */
   bool Prepare(bool isNeeded);
 
   struct vtkInternals;

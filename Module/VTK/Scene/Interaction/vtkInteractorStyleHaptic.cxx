@@ -27,7 +27,7 @@ namespace
 
 /**
  * Whether there is a window. Without one, such events do not occur, and VTK's own styles would
- * crash.
+ * crash on them.
  */
 bool HasWindow(vtkRenderWindowInteractor* interactor)
 {
@@ -82,11 +82,13 @@ struct vtkInteractorStyleHaptic::vtkInternals
 
   HapticInteraction Interaction;
   TimerWatch Loop;
-  int Timer = 0;             ///< 0 without a timer; the application may have one of its own
+  int Timer = 0;             ///< the timer; 0 if there is none, or the application has one of its
+                             ///< own
   int FiredTimer = 0;        ///< interactors pass the timer's id to observers, but not to styles
-  bool SharesTimers = false; ///< a timer event may be of any timer of the interactor
+  bool SharesTimers = false; ///< whether a timer event may come from any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
-  bool IsEnabled = false; ///< of the interactor; earlier timer events (wx's only one) are dropped
+  bool IsEnabled = false; ///< state of the interactor; earlier timer events (wx has only one kind)
+                          ///< are dropped
   vtkNew<vtkCallbackCommand> EnableObserver;
 };
 
@@ -404,7 +406,7 @@ void vtkInteractorStyleHaptic::OnTimer()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::DrawHaptics()
 {
-  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete it
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete this style
   const bool isNew = this->UpdateHaptics();
   return this->Internals->Interaction.Frames.DrawIfDue(isNew);
 }

@@ -4,13 +4,14 @@
  * @class   vtkInteractorStyleHaptic
  * @brief   trackball camera, and a hand in the scene
  *
- * A vtkInteractorStyleTrackballCamera with a vtkHapticDevice. Its timer is the GUI's side of the
- * servo: at DisplayRate it takes the device's states, sends changes of the filter (image,
- * functions, settings) to the servo, feeds the head-up display, invokes events, and renders. It
- * never waits for the servo. While the tip or the camera moves, it renders at the interactor's
- * desired update rate, so that mappers which adjust their sample distances sample more coarsely. At
- * rest it renders once at the still rate; after that only for new figures in the head-up display,
- * and so rarely that drawing takes a tenth of the time at most.
+ * Lets the user touch the volumes of a scene with a vtkHapticDevice, or with the mouse in its
+ * place, and moves the camera as vtkInteractorStyleTrackballCamera does. A timer takes the device's
+ * states, sends changes of the filter to the servo, and renders:
+ *
+ *   style->SetDevice(device);             // open, and started
+ *   interactor->SetInteractorStyle(style);
+ *   style->TouchVolume(volume);           // the hand feels what this volume shows
+ *   interactor->Start();                  // then press t, and move the mouse
  *
  * In the touch mode the mouse leads the tip of the virtual device:
  *
@@ -54,79 +55,43 @@
  *   Backspace   drop the proposal
  *   s           slices: on and off
  *
- * Keys of measurements (SetMeasurements), which take the position of the proxy while something is
- * touched:
- *
- *   P           a point
- *   D           the ends of a distance, one after the other
- *   A           the points of an angle; the second one is its corner
- *   L           begins and ends a path: a sample each tick in contact, or as far apart as
- *               vtkHapticMeasurements::SetPathSpacing says. FORCE_FIELD has no contact: L and B
- *               record nothing there
- *   B           begins and ends an area, painted by a brush on an isosurface: that of
- *               SURFACE_PROXY; with other methods the one whose value is halfway between those at
- *               the proxy and in the surface where the brush begins. See
- *               vtkHapticMeasurements::AddPaintedArea
- *   Z and Y     undo and redo. While a distance or an angle is incomplete, Z takes back its last
- *               point instead
- *   Delete      remove the last measurement of the list
- *   I           the list in the head-up display: on and off
- *
- * Escape ends a path or an area, and discards the points of an incomplete distance or angle.
- *
- * In a slice (SetSliceView):
- *
- *   left button           goes there: it begins the touch mode there, or leads the tip there, which
- *                         touches what is on its way
- *   wheel                 moves across the slices, and so does the tip in the touch mode
- *   right button, or Shift + left: across for the window, up and down for the level
- *
- * A real device stays where the hand is; then, and without a device, only the slices go there,
- * until the tip moves.
- *
- * Keys of a volume that moves (vtkHapticPlayback::Play), where there is one:
+ * Keys of a volume that moves (vtkHapticPlayback::Play):
  *
  *   space       play, and hold
- *   Left, Right hold, and go to the frame before and after
+ *   Left, Right hold, and go to the previous and the next time step
  *   , and .     half and double the speed
- *   b           the end of the frames: hold there (once), go on with the first (loop), turn back
+ *   b           at the last time step: hold (once), go on with the first (loop), or turn back
  *
- * Volumes of the renderer that show the felt image (by their mapper's input, or its scalars) then
- * show the frame that is nearest to what is felt, for as long as the style has the device; the
- * head-up display tells its time. The mapper has another input meanwhile.
+ * SetMeasurements and SetSliceView bring keys and mouse actions of their own. Mouse events over the
+ * function editor go to the editor.
  *
- * Volumes in the window that show the touched array show what a vtkHapticBurr has left of it, for
- * as long as the style has the device. vtkGPUVolumeRayCastMapper, also in a vtkSmartVolumeMapper,
- * gets only the parts of its texture that have changed. Other mappers, textures that are divided
- * (SetPartitions), and images that nowhere have a value as low (or high) as the removal's AirValue
- * are shown by a copy, which takes the memory of the array once more and has to be prepared as a
- * whole after each change; the mapper has another input meanwhile. The image itself stays as it is.
+ * **A real device.** The workspace follows the camera: right, up and towards the user are the same
+ * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
+ * moves the other way.
  *
- * Mouse events over the function editor go to the editor.
+ * **The end of force.** The style leaves the touch mode and disarms when the interactor's loop ends
+ * (the keys q and e, the window manager's close, TerminateApp()), before any other observer of
+ * ExitEvent is called; when the window is finalized; when the touched renderer is taken out of it;
+ * and when the interactor is disabled, deleted or given another style. Force fades out when a
+ * window is minimised or hidden, if the system reports it: see FadeOut. If the force ends for long
+ * work (vtkHapticDevice::BeginLongWork), the style renders first, so that the head-up display shows
+ * the reason. It calls BeginLongWork by itself for the function editor's histogram of a large
+ * volume.
+ *
+ * **Pictures.** As long as the style has the device, volumes of the scene show what is felt:
+ *
+ * - if the felt volume moves, the volumes of the renderer that show the felt image (by their
+ *   mapper's input, or its scalars) show the time step nearest to what is felt. Their mappers have
+ *   another input meanwhile. The head-up display tells the time;
+ * - volumes in the window that show the touched array show what a vtkHapticBurr has left of it.
+ *   vtkGPUVolumeRayCastMapper, also in a vtkSmartVolumeMapper, gets only the parts of its texture
+ *   that have changed. Other mappers, textures that are divided (SetPartitions), and images that
+ *   nowhere have a value as low (or high) as the removal's AirValue are shown by a copy, which
+ *   takes the memory of the array once more and is prepared as a whole after each change; the
+ *   mapper has another input meanwhile. The image itself does not change.
  *
  * The head-up display gets a hint (vtkHapticHeadUpDisplay::SetHint) on how to begin, and on how to
  * go on until something was touched.
- *
- * If the force ends for long work (vtkHapticDevice::BeginLongWork), the style renders first, so
- * that the head-up display shows the reason. It calls BeginLongWork by itself for the function
- * editor's histogram of a large volume.
- *
- * Force ends with the window. The style leaves the touch mode and disarms when the interactor's
- * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
- * observer of ExitEvent is called; when the window is finalized; when the touched renderer is taken
- * out of it; and when the interactor is disabled, deleted or given another style. Force fades out
- * when a window of X11, or a window around it, is minimised or hidden, which covers Tk and wx.
- * Neither VTK nor X11 reports that for QVTKOpenGLNativeWidget: a program calls
- * VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once. Elsewhere, a program that hides a
- * view calls FadeOut().
- *
- * Timers belong to the loop of events. If a loop sends events of mouse and keys, but no timer
- * events for a second, the style warns once, and updates with these events and with each frame of
- * the window, until the program calls UpdateHaptics() or DrawHaptics().
- *
- * With a real device, the workspace follows the camera: right, up and towards the user are the same
- * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
- * moves the other way.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor,
  * vtkHapticSliceView
@@ -182,8 +147,8 @@ public:
 
   ///@{
   /**
-   * The head-up display, which gets the states, and the function editor; both are optional. Keys
-   * toggle them. The application adds them to a renderer.
+   * The head-up display, to which the style passes the states, and the function editor; both are
+   * optional. Keys toggle them. The application adds them to a renderer.
    */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
@@ -193,8 +158,16 @@ public:
 
   ///@{
   /**
-   * Slices beside the scene, which the application has put into the window; optional. Their mouse
-   * and their key are told above.
+   * Slices beside the scene (optional), which the application has put into the window. The key s
+   * toggles them. The mouse in a slice:
+   *
+   *   left button           goes there: it begins the touch mode there, or leads the tip there,
+   *                         which touches what is on its way
+   *   wheel                 moves across the slices, and so does the tip in the touch mode
+   *   right button, or Shift + left: across for the window, up and down for the level
+   *
+   * A program can't move a real device: with a real device, and without any, only the slices go
+   * there, until the tip moves.
    */
   void SetSliceView(vtkHapticSliceView* slices);
   vtkHapticSliceView* GetSliceView();
@@ -202,9 +175,27 @@ public:
 
   ///@{
   /**
-   * The list that keys fill with what is measured by touch, told above; optional. The application
-   * shows it with a vtkHapticMeasurementRepresentation, and lists it with
-   * vtkHapticHeadUpDisplay::SetMeasurements. Default nullptr: no such keys.
+   * The list of measurements that the keys below fill (optional). The application shows it with a
+   * vtkHapticMeasurementRepresentation, and lists it with vtkHapticHeadUpDisplay::SetMeasurements.
+   * Default nullptr: these keys do nothing. They take the position of the proxy while something is
+   * touched:
+   *
+   *   P           a point
+   *   D           the ends of a distance, one after the other
+   *   A           the points of an angle; the second one is its corner
+   *   L           begins and ends a path: a sample each tick in contact, or as far apart as
+   *               vtkHapticMeasurements::SetPathSpacing says. FORCE_FIELD has no contact: L and B
+   *               record nothing there
+   *   B           begins and ends an area, painted by a brush on an isosurface: that of
+   *               SURFACE_PROXY; with other methods the one whose value is halfway between those at
+   *               the proxy and in the surface where the brush begins. See
+   *               vtkHapticMeasurements::AddPaintedArea
+   *   Z and Y     undo and redo. While a distance or an angle is incomplete, Z takes back its last
+   *               point instead
+   *   Delete      remove the last measurement of the list
+   *   I           the list in the head-up display: on and off
+   *
+   * Escape ends a path or an area, and discards the points of an incomplete distance or angle.
    */
   void SetMeasurements(vtkHapticMeasurements* measurements);
   vtkHapticMeasurements* GetMeasurements();
@@ -242,7 +233,7 @@ public:
   static vtkStringArray* GetKeyActions();
   ///@}
 
-  /** The list of keys, with those of the application, for the scene as it is now. */
+  /** Get the list of keys, with those of the application, for the scene as it is now. */
   std::string GetKeys();
 
   ///@{
@@ -261,6 +252,11 @@ public:
   /**
    * Leave the touch mode and let the force fade, for a program that hides the view: without the
    * jump of a force that is cut off.
+   *
+   * The style lets the force fade by itself when a window of X11, or a window around it, is
+   * minimised or hidden, which covers Tk and wx. Neither VTK nor X11 reports that a
+   * QVTKOpenGLNativeWidget is hidden: call VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h
+   * once. On other systems, call FadeOut() when the program hides a view.
    */
   void FadeOut();
 
@@ -275,15 +271,15 @@ public:
 
   ///@{
   /**
-   * Whether ray casters draw as finely as 20 frames per second allow while something moves, and
-   * input interrupts a frame at rest; while the device is armed, a frame at rest takes 0.5 s at
-   * most, and 0.1 s if it can't be interrupted. Default on.
+   * Whether the quality of ray casters is adjusted. While something moves, they draw as finely as
+   * 20 pictures per second allow. At rest, input interrupts a picture; while the device is armed, a
+   * picture takes 0.5 s at most, and 0.1 s if it can't be interrupted. Default on.
    *
    * In motion, vtkGPUVolumeRayCastMapper and vtkFixedPointVolumeRayCastMapper cast fewer rays and
-   * take fewer samples on them, but one in each voxel. Only the fixed point mapper, which runs on
-   * the processor, can be interrupted. If OpenGL runs on the processor, too, vtkSmartVolumeMapper
-   * uses that mapper while a scene is touched. Windows off the screen are left alone, unless
-   * AutoAdjustOffScreen is on.
+   * take fewer samples on them, at least one in each voxel. Only the fixed point mapper, which runs
+   * on the processor, can be interrupted. If OpenGL runs on the processor, too,
+   * vtkSmartVolumeMapper uses that mapper while a scene is touched. Windows off the screen are left
+   * alone, unless AutoAdjustOffScreen is on.
    */
   vtkSetMacro(AutoAdjustVolumeQuality, bool);
   vtkGetMacro(AutoAdjustVolumeQuality, bool);
@@ -301,7 +297,16 @@ public:
   ///@}
 
   ///@{
-  /** Updates per second, 1 to 240. Default 60. Takes effect with the next interactor. */
+  /**
+   * Updates per second, 1 to 240. Default 60. Takes effect with the next interactor.
+   *
+   * At each update the timer takes the device's states, sends changes of the filter (image,
+   * functions, settings) to the servo, feeds the head-up display, invokes events, and renders. It
+   * never waits for the servo. While the tip or the camera moves, it renders at the interactor's
+   * desired update rate, so that mappers with adjustable sample distances sample more coarsely. At
+   * rest it renders once at the still rate, and then only when figures in the head-up display
+   * change, in at most a tenth of the time.
+   */
   vtkSetClampMacro(DisplayRate, double, 1.0, 240.0);
   vtkGetMacro(DisplayRate, double);
   ///@}
@@ -309,8 +314,8 @@ public:
   ///@{
   /**
    * Whether the mouse moves the tip along the first surface under it, at the depth to which the
-   * wheel has brought it, so that a stroke goes on around a head. If not, or if there is no
-   * surface, or beyond an edge, the tip moves in the plane of the view. Default on.
+   * wheel has brought it, so that a stroke goes on around a head. If off, without a surface, or
+   * beyond an edge, the tip moves in the plane of the view. Default on.
    */
   vtkSetMacro(TipFollowsSurface, bool);
   vtkGetMacro(TipFollowsSurface, bool);
@@ -342,29 +347,29 @@ public:
 
   /**
    * Feel the same position with the next method of the device's filter, in the order of
-   * vtkVolumeHapticsFilter::GetMethodNames. The servo runs on; a force that grows does so at the
+   * vtkVolumeHapticsFilter::GetMethodNames. The servo runs on, and the force grows at most at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
    * method, and then the surface around the tip (vtkHapticDevice::Publish); the head-up display
-   * announces that. If the method can't be felt, for example because IsoValue does not
-   * occur in the image, this is false, with an error; the previous method stays, and the next call
-   * skips the other one.
+   * announces that. False, with an error, if the method can't be felt, for example because IsoValue
+   * does not occur in the image; the previous method then stays, and the next call skips the method
+   * that failed.
    */
   bool NextMethod();
 
   ///@{
   /**
-   * Compare two settings of the device's filter on one spot. The first call keeps the settings of
-   * now as A, and B begins as the same: change its method, apply another preset, or edit its
-   * functions. Each further call goes over from the one to the other, under the hand. No change
-   * pushes a hand that rests: where the other settings would have more force, that comes when the
-   * hand lifts and presses again, as if it were armed inside. The settings are those of the filter,
-   * of its property and of its label table; the modes of PRIMITIVES, and what is connected, are the
-   * same in both. The head-up display tells which ones are felt. False, with an error, without a
-   * filter, or if the other settings can't be felt here; those of now then stay.
+   * Compare two settings of the device's filter on one spot. The first call keeps the present
+   * settings as A, and makes B a copy of them, which you then change: its method, its preset or its
+   * functions. Each further call swaps A and B under the hand. A swap never pushes a resting hand:
+   * if the other settings would give more force, that force comes only after the hand lifts and
+   * presses again. A and B differ in the settings of the filter, of its property and of its label
+   * table; the modes of PRIMITIVES and the inputs are the same in both. The head-up display tells
+   * which is felt. False, with an error and no change, without a filter, or if the other settings
+   * can't be felt here.
    *
-   * GetComparedSettings returns which ones are felt, "A" or "B", or an empty text if none are
-   * compared. EndComparison goes on with these and forgets the others, as another device or another
-   * filter does, too.
+   * GetComparedSettings returns "A" or "B", whichever is felt, or an empty text if nothing is
+   * compared. EndComparison keeps the felt settings and drops the others; setting another device or
+   * filter does so, too.
    */
   bool SwapSettings();
   std::string GetComparedSettings();
@@ -372,39 +377,42 @@ public:
   ///@}
 
   /**
-   * One update as the timer does it, without drawing: changes, states, events, head-up display. For
+   * Update once, as the timer does, without drawing: changes, states, events, head-up display. For
    * applications without timers. True if there is something new to draw.
+   *
+   * If an event loop sends mouse and key events, but no timer events for a second, the style warns
+   * once, and updates with these events and with each picture of the window, until the program
+   * calls UpdateHaptics() or DrawHaptics().
    */
   bool UpdateHaptics();
 
   /**
-   * All that the timer does: UpdateHaptics(), and a frame if one is due. For applications whose
-   * loop of events runs no timers of VTK, such as a server's; call it DisplayRate times a second.
+   * Do all that the timer does: UpdateHaptics(), and a picture if one is due. For applications
+   * whose event loop runs no timers of VTK, such as a server; call it DisplayRate times a second.
    * True if it has drawn.
    */
   bool DrawHaptics();
 
   ///@{
   /**
-   * Feel what a volume shows, and follow it: from now on, each update of the haptics gives the
-   * device's filter the image of the volume's mapper at the place where the volume's position,
-   * orientation, scale and user matrix put it, the array and the component that the mapper draws,
-   * its clipping planes and cropping, and the opacity of the volume's property as its visibility
-   * (vtkHapticProperty::SetVisibilityFrom). Other data than images are felt where they are. Of a
-   * vtkMultiVolume each port is felt, as if AddTouchedVolume() had added it with a filter that has
-   * the settings of the device's filter and follows them; or one port: TouchVolume(GetVolume(0)).
-   * Voxels that the mapper hides by a mask, by the opacity of a mask's labels or because they are
-   * blanked are cut away, and so is what lies outside of all isosurfaces that it draws. Materials,
-   * method and FeelCutFaces stay the filter's own.
-   * If a matrix places the image, only its current time step is felt. nullptr ends it, and leaves
-   * the filter as it is then. False, with an error, without a device, or if the volume has no
-   * mapper with an input. A device without a filter gets one, also if that fails.
+   * Feel what a volume shows, and follow it. From now on, each update of the haptics gives the
+   * device's filter: the image of the volume's mapper, placed by the volume's position,
+   * orientation, scale and user matrix; the array and the component that the mapper draws; its
+   * clipping planes and cropping; and the opacity of the volume's property as visibility
+   * (vtkHapticProperty::SetVisibilityFrom). Data other than images are felt at their own positions.
+   * All ports of a vtkMultiVolume are felt, each by a copy of the device's filter that follows its
+   * settings, as after AddTouchedVolume(); for a single port call TouchVolume(GetVolume(0)). Voxels
+   * that the mapper hides by a mask or by the opacity of a mask's labels, blanked voxels, and
+   * everything outside of all isosurfaces that it draws are cut away. Materials, method and
+   * FeelCutFaces stay the filter's own. If a matrix places the image, only its current time step is
+   * felt. nullptr stops following, and leaves the filter unchanged. False, with an error, without a
+   * device, or if the volume has no mapper with an input. A device without a filter gets one, even
+   * if this call fails.
    *
    * What is not seen is not felt: if the volume, or an assembly around it, is made invisible, loses
    * its mapper or its data, or is taken out of the default renderer (without one: of all renderers
-   * of the window), the style leaves the touch mode, disarms and warns, and so it does whenever the
-   * touch mode or arming begins again, until the volume is shown.
-   * Default: nullptr.
+   * of the window), the style leaves the touch mode, disarms and warns. Until the volume is shown,
+   * every attempt to touch or arm ends in the same way. Default: nullptr.
    */
   bool TouchVolume(vtkVolume* volume);
   vtkVolume* GetTouchedVolume();
@@ -412,12 +420,12 @@ public:
 
   ///@{
   /**
-   * Feel another volume, too, such as an MRI beside a CT, with a filter of its own that has its
-   * materials and method. The hand feels one volume at a time, which FeltVolume chooses: along the
-   * line of sight through the pointer when the touch mode begins, and ahead of the tip later. The
-   * felt volume changes only in the air, more than a voxel away from a surface, so that
-   * the force does not jump. GetTouchedVolume() is then that volume, and the device's filter is its
-   * filter. Volumes count from that of TouchVolume(), or from the first call if there is none;
+   * Feel a further volume, such as an MRI beside a CT, with a filter of its own for materials and
+   * method. The hand feels one volume at a time, which FeltVolume chooses: along the line of sight
+   * through the pointer when the touch mode begins, and ahead of the tip later. The felt volume
+   * changes only in the air, more than a voxel away from a surface, so that the force does not
+   * jump. GetTouchedVolume() then returns the felt volume, and the device's filter is its filter.
+   * Volumes are numbered from that of TouchVolume(), or from the first call if there is none;
    * TouchVolume() removes all others. False, with an error, without a device, volume or filter, if
    * the volume has no mapper with an input, or if the filter already feels another volume.
    */
@@ -433,9 +441,10 @@ public:
 
   ///@{
   /**
-   * Which one of several volumes is felt: NEAREST (default), whose surface comes first along the
-   * line of sight, or STRONGEST, whose surface along that line pushes back with the largest force,
-   * if it is pressed by four of the smallest voxels; of equal ones the nearest.
+   * How the felt volume is chosen from several ones. NEAREST (default): the volume whose surface
+   * comes first along the line of sight. STRONGEST: the volume whose surface along this line pushes
+   * back with the largest force when pressed four of the smallest voxels deep; if forces are equal,
+   * the nearest.
    */
   vtkSetClampMacro(FeltVolume, int, NEAREST, STRONGEST);
   vtkGetMacro(FeltVolume, int);
@@ -447,20 +456,19 @@ public:
    * Warn if a visible volume in the renderer shows the image of the device's filter differently
    * from how it is felt: with a position, orientation, scale or user matrix, cropping, clipping
    * planes, a mask, a 2-D transfer function, or blanked points or cells. UpdateHaptics() does so,
-   * too. There is one warning for each volume and reason, and another one if a reason goes away and
-   * comes back.
+   * too. Each reason is reported once for a volume, and again if it has gone and come back.
    */
   void CheckShownVolumes();
 
   /**
-   * The states that the last update took from the device: see vtkHapticState::Drain. Each
-   * style gets all of them, even if several styles use one device.
+   * Get the states that the last update took from the device: see vtkHapticState::Drain. Each style
+   * gets all states, even if several styles use one device.
    */
   vtkTable* GetStates();
 
   /**
    * Interactors call this. A style that leaves its interactor, for another style or because the
-   * window closes, leaves the touch mode and disarms. In any case it is Modified().
+   * window closes, leaves the touch mode and disarms. The call always marks the style as modified.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -488,17 +496,17 @@ protected:
   virtual void DrawScene(bool quickly);
 
   /**
-   * Whether force may come back when the clutch is released: the device was armed before, and
-   * nothing has disarmed it since. For subclasses in applications that track arming themselves.
+   * Whether releasing the clutch may bring the force back: the device was armed before, and nothing
+   * has disarmed it since. For subclasses in applications that track arming themselves.
    */
   virtual bool ArmsAfterClutch();
 
   ///@{
   /**
-   * For subclasses beside another style, such as that of vtkHapticWidget: the parts of which this
-   * style is made; whether the last timer event was that of this style; whether the hand has used a
-   * motion of the mouse; and the name of the key of the last event. A toolkit that gives a key's
-   * code without a name, such as wx, gets the name that X11 has for it.
+   * For subclasses beside another style, as in vtkHapticWidget: the parts of this style; whether
+   * the last timer event came from its timer; whether the hand has used a mouse motion; and the
+   * name of the key of the last event. If a toolkit such as wx gives only a key's code, X11's name
+   * for the key is returned.
    */
   VolumeHaptics::HapticInteraction& GetInteraction();
   bool IsOwnTimer() const;

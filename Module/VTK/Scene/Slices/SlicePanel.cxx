@@ -36,7 +36,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The index axis nearest to each axis of the world; each index axis is used once. */
+/** Finds the index axis nearest to each axis of the world; each index axis is used once. */
 std::array<SignedAxis, 3> MatchWorldAxes(vtkMatrix3x3* direction)
 {
   std::array<int, 3> order{ 0, 1, 2 };

@@ -60,9 +60,9 @@ class SliceImage
 {
 public:
   /**
-   * Updates the image: the application's choice, or else the image of the device's filter, which is
-   * the frame at the data time, or the coarse level of a volume larger than memory. Returns whether
-   * the samples or their geometry have changed. Does not copy samples.
+   * Updates the image: the application's choice, or else the image of the device's filter (of a
+   * moving volume, the time step at the data time; of a volume larger than memory, the coarse
+   * level). Returns whether the samples or their geometry have changed. Does not copy samples.
    */
   bool Update(vtkHapticDevice* device, vtkImageData* chosen);
 
@@ -111,7 +111,10 @@ public:
   bool UsesMagnitude() const { return this->IsMagnitude; }
   int GetComponent() const { return this->Component; }
 
-  /** The values below which 1 %, and above which 0.5 % of some samples are, with all tissue. */
+  /**
+   * Returns the values below which 1 %, and above which 0.5 %, of some samples lie, with all
+   * tissue.
+   */
   std::array<double, 2> EstimateUsualValues() const;
 
 private:

@@ -356,7 +356,7 @@ bool vtkHapticSliceView::vtkInternals::PollTip()
   {
     motion = std::max(motion, std::abs(tip[axis] - this->Tip[axis]));
   }
-  // Ignore where the tip rests before the first touch.
+  // Ignores where the tip rests before the first touch.
   const int status = device->GetStatus();
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   const bool follows = this->HasTip ? motion >= LeastTipMotion : isArmed;
@@ -392,7 +392,7 @@ bool vtkHapticSliceView::vtkInternals::UpdateImage()
   const bool stays = hadSamples && this->HasUsual;
   this->Position = stays ? this->Shown.ComputeIndex(world) : this->Shown.GetCentre();
   const std::array<double, 2> usual = this->Shown.EstimateUsualValues();
-  // Frames of a moving volume, and regions of a large volume, do not choose window and level anew.
+  // Time steps of a moving volume, and regions of a large volume, do not change window and level.
   this->Usual[0] = this->HasUsual ? std::min(this->Usual[0], usual[0]) : usual[0];
   this->Usual[1] = this->HasUsual ? std::max(this->Usual[1], usual[1]) : usual[1];
   this->HasUsual = true;

@@ -4,8 +4,8 @@
  * @class   vtkHapticSliceView
  * @brief   three slices of the touched image through the tip, beside the scene
  *
- * A column at the right edge of a window, of slices along the three axes of the image, each with a
- * crosshair at the tip. The first slice shows the value there, the name of its label in the
+ * Shows slices along the three axes of the image in a column at the right edge of a window, each
+ * with a crosshair at the tip. The first slice shows the value there, the name of its label in the
  * filter's label table, and the tissue as the head-up display names it. The other renderers of the
  * window get the rest of its width.
  *
@@ -13,15 +13,15 @@
  *   slices->SetRenderWindow(window);
  *   style->SetSliceView(slices);
  *
- * The slices follow the tip before each frame of the window, within the image and in steps of half
- * a voxel; they need no update by the program. With the last line, vtkInteractorStyleHaptic moves
- * to the place of a click, and a key shows and hides the slices.
+ * Before each picture of the window the slices follow the tip, within the image and in steps of
+ * half a voxel, without a call by the program. With the last line above, a click moves the tip to
+ * its place, and a key of vtkInteractorStyleHaptic shows and hides the slices.
  *
  * Slices lie along the image's own axes, so that nothing is interpolated between them, even if the
- * image is oblique. They show the felt frame of a moving volume, and the coarse level of a volume
- * larger than memory. Where a vtkHapticBurr of the filter has removed tissue, they show what is
- * left; a coarse level shows the mean in each voxel. Of several components they show the felt one,
- * or the magnitude if the modes of PRIMITIVES feel all of them.
+ * image is oblique. They show the felt time step of a moving volume, and the coarse level of a
+ * volume larger than memory. Where a vtkHapticBurr of the filter has removed tissue, they show what
+ * is left; a coarse level shows the mean in each voxel. If the image has several components, they
+ * show the felt one, or the magnitude if modes of PRIMITIVES feel all components.
  *
  * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
  *
@@ -50,25 +50,33 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The device whose tip is followed, as of its last UpdateState(), and whose image is shown. */
+  /**
+   * The device whose tip the slices follow, as of its last UpdateState(), and whose image they
+   * show.
+   */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
 
   ///@{
-  /** Another image than that of the device's filter, such as a larger one. Default: none. */
+  /**
+   * An image to show instead of the image of the device's filter, such as a larger one. Default:
+   * none.
+   */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
-  /** The window that has the slices; null takes them out of it. It is not kept alive. */
+  /** The window in which the slices are; nullptr removes them. The window is not kept alive. */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
 
   ///@{
-  /** What names the tissue of a value: see vtkHapticHeadUpDisplay::AddTissue. Default: nothing. */
+  /**
+   * Name the tissue of a range of values: see vtkHapticHeadUpDisplay::AddTissue. Default: no names.
+   */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
   ///@}
@@ -81,15 +89,15 @@ public:
   ///@}
 
   ///@{
-  /** The column's share of the window's width, 0.1 to 0.9. Default 0.3. */
+  /** The fraction of the window's width that the column takes, 0.1 to 0.9. Default 0.3. */
   vtkSetClampMacro(Share, double, 0.1, 0.9);
   vtkGetMacro(Share, double);
   ///@}
 
   ///@{
   /**
-   * Whether this places the renderers in the window. Default on. If not, the application sets the
-   * viewports of all renderers.
+   * Whether this class sets the viewports of all renderers in the window. Default on. If off, the
+   * application sets them.
    */
   vtkSetMacro(AutoLayout, bool);
   vtkGetMacro(AutoLayout, bool);
@@ -110,7 +118,7 @@ public:
   ///@{
   /**
    * The range of values from black to white, 0 or more. Default 0: nearly all values of the image,
-   * whatever the level.
+   * and the level is not used.
    */
   vtkSetClampMacro(ColorWindow, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ColorWindow, double);
@@ -122,7 +130,7 @@ public:
   vtkGetMacro(ColorLevel, double);
   ///@}
 
-  /** Window and level as they are shown, also if they were chosen by the values. */
+  /** Get window and level of the picture, also where the values of the image have chosen them. */
   void GetShownWindowLevel(double windowLevel[2]) VTK_SIZEHINT(2);
 
   ///@{
@@ -132,42 +140,43 @@ public:
   ///@}
 
   /**
-   * The renderer of a slice: 0 (axial, or along k), 1 (coronal, j) or 2 (sagittal, i); else null.
-   * It shows the image along its own axes, in world units, with its index (0, 0, 0) in the origin.
+   * Get the renderer of a slice: 0 (axial, or along k), 1 (coronal, j) or 2 (sagittal, i); nullptr
+   * for another number. It shows the image along the image's axes, in world units, with the index
+   * (0, 0, 0) in the origin.
    */
   vtkRenderer* GetRenderer(int slice);
 
   ///@{
   /**
-   * The position of the crosshair (world), which is in the image; the origin without one. If it is
-   * set, the slices stay there until the tip moves by half a voxel.
+   * The position of the crosshair (world), which is in the image; without an image, the origin.
+   * After it was set, the slices stay there until the tip moves by half a voxel.
    */
   void SetPosition(const double position[3]) VTK_SIZEHINT(3);
   void GetPosition(double position[3]) VTK_SIZEHINT(3);
   ///@}
 
-  /** The slice at a position of the window (pixels from its lower left corner); -1 if none. */
+  /**
+   * Get the slice at a position of the window (pixels from its lower left corner); -1 if there is
+   * none.
+   */
   int FindSlice(int x, int y);
 
   /**
-   * What a slice shows at a position of the window (pixels), as a position in the world, or the
-   * nearest one in the image. False if there is no image.
+   * Convert a position in the window (pixels) to the world position that the slice shows there, or
+   * the nearest one in the image. False if there is no image.
    */
   bool FindPosition(int slice, int x, int y, double position[3]) VTK_SIZEHINT(3);
 
   /**
-   * Moves a position (world) across a slice by a number of voxels, towards the head, the back or
-   * the left of a patient, but not out of the image. False if there is no image.
+   * Move a position (world) across a slice by a number of voxels, towards a patient's head, back or
+   * left, within the image. False if there is no image.
    */
   bool MoveAcross(int slice, double voxels, double position[3]) VTK_SIZEHINT(3);
 
-  /** The text of a slice, lines in the order in which they are shown. */
+  /** Get the text of a slice, its lines in the order in which they are shown. */
   std::string GetText(int slice);
 
-  /**
-   * Follows the tip. It is called before each frame of the window; true if there is something else
-   * to see than before.
-   */
+  /** Follow the tip. The window calls this before each picture. True if the slices have changed. */
   bool Update();
 
 protected:

@@ -22,8 +22,8 @@ struct LookStop
 };
 
 /**
- * The thickness (voxels) of the layer to which opacities refer. Half of the picture comes from its
- * first half voxel, and rays in steps of a voxel do not show the steps.
+ * The thickness (voxels) of the layer to which opacities refer. With this thickness, half of the
+ * picture comes from the first half voxel, and rays in steps of a voxel do not make visible steps.
  */
 constexpr double LookLayer = 4.0;
 /** The opacity of felt tissue. */
@@ -31,8 +31,8 @@ constexpr double LookOpaque = 0.998;
 
 /**
  * The opacity rises from zero to full on the edge from air to fat and skin, where a hand meets it.
- * Hidden tissue is not felt, so that hardly visible things, such as the foam and the blankets
- * around a body, are not felt either.
+ * Hidden tissue is not felt; so the foam and the blankets around a body, which are hardly visible,
+ * are not felt either.
  */
 constexpr double CTLookClear = -350.0;
 constexpr double CTLookSkin = -300.0;

@@ -47,15 +47,16 @@ T NearestOf(double value)
 /** The array of an image; one component has lost tissue. */
 struct CarvedArray
 {
-  vtkSmartPointer<vtkDataArray> Array; ///< x first, of the image's points
+  vtkSmartPointer<vtkDataArray> Array; ///< the array of the image's points, x first
   int Component = 0;
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * The index of the array's first sample among the removed shares: not 0 for a region of a volume.
+   * The index of the array's first sample among the removed fractions; not 0 for a region of a
+   * volume.
    */
   std::int64_t First[3] = { 0, 0, 0 };
   std::shared_ptr<TissueRemoval> Removal;
-  double Air = 0.0; ///< value of a sample without tissue
+  double Air = 0.0; ///< the value of a sample without tissue
 
   bool IsSame(const CarvedArray& other) const
   {
@@ -180,7 +181,7 @@ private:
 
   std::shared_ptr<TissueRemoval> Removal;
   int Follower;
-  std::uint64_t Changes = 0; ///< number of changes at the last look without being a follower
+  std::uint64_t Changes = 0; ///< number of changes at the last look, if this is no follower
   std::vector<bool> Waits;
   std::vector<std::uint32_t> Waiting;
 };

@@ -34,14 +34,14 @@ bool IsPartOf(vtkImageData* image, vtkImageData* volume)
     part[4] >= whole[4] && part[5] <= whole[5];
 }
 
-/** A range of shares along an axis, without End. */
+/** A range of fractions along an axis, without End. */
 struct SampleSpan
 {
   std::int64_t Begin;
   std::int64_t End;
 };
 
-/** The shares that belong to the samples of a part of an image, by axis. */
+/** The fractions that belong to the samples of a part of an image, by axis. */
 class TissueRaster
 {
 public:
@@ -74,7 +74,7 @@ public:
     }
     return true;
   }
-  /** The samples to which a range of shares belongs, along an axis. */
+  /** Returns the samples to which a range of fractions belongs, along an axis. */
   SampleSpan ComputeSamples(int axis, std::int64_t begin, std::int64_t end) const
   {
     const std::vector<SampleSpan>& all = this->Axes[axis];
@@ -84,7 +84,7 @@ public:
       first, all.end(), [end](const SampleSpan& one) { return one.Begin < end; });
     return { first - all.begin(), last - all.begin() };
   }
-  /** The mean fraction of a sample, in bytes. */
+  /** Returns the mean of a sample's fractions, in bytes. */
   double ComputeFraction(
     const CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k) const
   {
@@ -190,7 +190,7 @@ void CarvePart(
   const std::int64_t ny = part[3] - part[2] + 1;
   const int components = left->GetNumberOfComponents();
   auto* const values = static_cast<T*>(left->GetVoidPointer(0)) + removed.Component;
-  // A sample may have shares in several bricks.
+  // The fractions of a sample may lie in several bricks.
   std::vector<bool> isDone(static_cast<std::size_t>(left->GetNumberOfTuples()), false);
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)

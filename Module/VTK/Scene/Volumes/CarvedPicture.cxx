@@ -44,7 +44,7 @@ vtkImageData* GetImage(vtkVolumeMapper* mapper, int port)
     : nullptr;
 }
 
-/** What a mapper shows of the image on a port. */
+/** Returns what a mapper shows of the image on a port. */
 vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
 {
   vtkImageData* const image = GetImage(mapper, port);
@@ -64,12 +64,12 @@ bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
 }
 
 /**
- * The most renderings in a row that may show all tissue; beyond, VTK uploads the array in each of
- * them.
+ * The most renderings in a row that may show all tissue; if there are more, VTK uploads the array
+ * in each rendering.
  */
 constexpr int MostMissed = 3;
 
-/** Types whose textures VTK fills from the array itself, or from floats made of it. */
+/** Whether VTK fills the textures of a type from the array itself, or from floats made of it. */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())

@@ -152,7 +152,7 @@ private:
 class CarvedPicture
 {
 public:
-  /** @param shown the array that the mapper shows; null for the touched one itself */
+  /** @param shown the array that the mapper shows; null stands for the touched array itself */
   CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDataArray* shown = nullptr);
   ~CarvedPicture();
   CarvedPicture(const CarvedPicture&) = delete;

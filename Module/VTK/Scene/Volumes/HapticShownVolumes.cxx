@@ -172,7 +172,7 @@ bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
   return false;
 }
 
-/** Whether a filter leaves out the same regions of an image. */
+/** Whether a filter leaves out the regions that a mapper leaves out. */
 bool FeelsCropping(
   vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt)
 {

@@ -31,10 +31,10 @@ class HapticShownVolumes
 {
 public:
   /**
-   * Returns a warning for each visible volume of a renderer that shows an image, or an image with
-   * the same scalars, in a way that the filter does not feel. It names the new differences since
-   * the last call, and the cures. Pictures of a moving volume show the image, too, and so do copies
-   * of what a tool has left of it, and the followed volume.
+   * Returns a warning for each visible volume of a renderer that shows the image, or an image with
+   * the same scalars, otherwise than the filter feels it. It names the new differences since the
+   * last call, and the cures. These volumes also count as showing the image: time steps of a moving
+   * volume, copies of what a tool has left of it, and the followed volume.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
@@ -62,7 +62,8 @@ private:
     vtkMTimeType Time = 0;
     bool HasAny = false;
   };
-  Blanks Last[2]; ///< of points and of cells; stored, because counting takes a pass over the image
+  Blanks Last[2]; ///< the blanks of points and of cells; stored, because counting takes a pass over
+                  ///< the image
   struct Filled
   {
     vtkMTimeType Time = 0;

@@ -86,7 +86,7 @@ void HideBinary(const T* mask, vtkUnsignedCharArray* flags)
 }
 
 /**
- * Visibility by label: the opacity of the label's own function, if it has one, at the voxel's
+ * Hides voxels by label: by the opacity of the label's own function, if it has one, at the voxel's
  * value.
  */
 void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedCharArray* flags)
@@ -114,7 +114,7 @@ void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedChar
   }
 }
 
-/** Hides what is outside all isosurfaces: below the lowest one. */
+/** Hides the voxels outside all isosurfaces: those below the lowest one. */
 void HideBelow(const DrawnImage& drawn, vtkUnsignedCharArray* flags)
 {
   vtkContourValues* const values = drawn.Property->GetIsoSurfaceValues();
@@ -563,7 +563,7 @@ void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCha
     this->Placed->Initialize();
     this->Placed->SetExtent(extent);
     points->ShallowCopy(shown->GetCellData());
-    points->RemoveArray(name); // flags of points are others
+    points->RemoveArray(name); // the flags of the points are others
   }
   else
   {
@@ -590,7 +590,7 @@ void TouchedVolume::Place(
   vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Get(drawn);
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
-  // What is sheared stays where its image is: the style warns of it.
+  // A sheared image stays at its own place: the style warns of it.
   if (!PlaceImage(this->Drawn.Matrix, shown, place))
   {
     place->CopyStructure(shown);

@@ -68,7 +68,7 @@ private:
     int Component = 0;
     bool operator==(const Source& other) const;
   };
-  /** Flags of the image's cells, likewise. */
+  /** Computes the flags of the image's cells. */
   vtkUnsignedCharArray* ComputeCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 
@@ -83,12 +83,15 @@ vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper);
 /** The mask whose labels have opacities of their own; null if there is none. */
 vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
-/** Whether a mask fits an image: it has a voxel for each of the image's, whatever its own place. */
+/**
+ * Whether a mask fits an image: it has one voxel for each voxel of the image, wherever it is
+ * placed.
+ */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
 /**
- * Whether a mapper hides blanked points and cells. If it draws cell data, it hides only blanked
- * cells, since VTK 9.2.
+ * Whether a mapper hides blanked points and cells. Since VTK 9.2, a mapper that draws cell data
+ * hides only blanked cells.
  */
 bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells);
 
@@ -98,24 +101,24 @@ public:
   TouchedVolume();
   ~TouchedVolume();
 
-  /** The volume that is followed from now on; null for none, which leaves the filter as it is. */
+  /** Follows a volume from now on; null follows none, and leaves the filter unchanged. */
   void Set(vtkVolume* volume) { this->Volume = volume; }
   vtkVolume* Get() const { return this->Volume; }
 
   /**
-   * Looks for the volume among those that are drawn, which say where it is and what shows it; false
-   * if it is none of them. Then it is where its own matrix puts it.
+   * Searches the drawn volumes for this volume: they tell its place and its mapper. False if it is
+   * not among them; its own matrix then gives its place.
    */
   bool FindPlace(const std::vector<DrawnVolume>& drawn);
   /** Whether FindPlace() has found data that a mapper shows. */
   bool HasData() const { return this->Drawn.GetData() != nullptr; }
 
   /**
-   * Gives the filter the volume's data at their place, the array and the component that are drawn,
-   * its opacity, its cropping, its clipping planes and the voxels that are hidden, as far as they
-   * have changed. Images of a moving volume, which the mapper shows in the place of its own input,
-   * are left alone. A copy that shows what a tool has left of the image stands for the image. Data
-   * that are no image stay where they are.
+   * Passes to the filter what has changed of: the volume's data at their place; the array and the
+   * component that are drawn; opacity, cropping and clipping planes; and the hidden voxels. Images
+   * of a moving volume, which the mapper shows instead of its own input, are ignored. A copy that
+   * shows what a tool has left of the image stands for the image. Data that are no image keep their
+   * place.
    */
   void Update(vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
     const CarvedPictures& carved);
@@ -124,12 +127,14 @@ private:
   /** Returns the drawing mapper's input, as the application set it; null if there is none. */
   vtkAlgorithmOutput* GetGivenInput(const CarvedPictures& carved) const;
   void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
-  /** Touches the array, and of its components the one, that the mapper draws. */
+  /**
+   * Makes the filter touch the array that the mapper draws, and the drawn one of its components.
+   */
   void ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter);
   int ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
   /**
-   * The image, with these flags of its points instead of its own, if there are any; or with its
-   * cell arrays as point arrays of an image of the cells' centres.
+   * Copies the image. If `flags` are given, they replace those of its points. If `areCells`, the
+   * copy is an image of the cells' centres, with the cell arrays as point arrays.
    */
   void CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags);
   void Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter);
@@ -137,25 +142,25 @@ private:
   vtkSmartPointer<vtkVolume> Volume;
   DrawnVolume Drawn;
   vtkNew<vtkImageData> Placed; ///< the image where the volume's matrix puts it
-  vtkMTimeType PlacedTime = 0; ///< of the image, when that was placed
+  vtkMTimeType PlacedTime = 0; ///< the image's change time when it was placed
   bool ArePlacedCells = false;
   vtkSmartPointer<vtkUnsignedCharArray> PlacedFlags;
   DrawnVoxels Voxels;
 };
 
 /**
- * The world position of an image under a matrix, written to another image: origin, spacing and
- * direction. False if voxels are no boxes there, because the matrix shears them.
+ * Writes the place of an image under a matrix to another image: origin, spacing and direction.
+ * False if the matrix shears the voxels, so that they are no boxes.
  */
 bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed);
 
 /**
- * The array that a mapper shows of its data, of composite ones that of the first block; null if
- * there is none.
+ * Returns the array of its data that a mapper shows (of composite data, the array of the first
+ * block); null if there is none.
  */
 vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
 
-/** Whether what a filter touches is an isosurface at its IsoValue. */
+/** Whether a filter touches an isosurface, at its IsoValue. */
 bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
 
 /** Whether a filter feels an array of its image, or one that the array stands for. */
@@ -165,15 +170,15 @@ bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array);
 bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component);
 
 /**
- * The component of an array that a mapper draws, where it has opacity: the wanted one, if it is
- * among them.
+ * Returns the component of an array that a mapper draws with opacity; if there are several, the
+ * wanted one if it is among them.
  */
 int ChooseDrawnComponent(
   vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted);
 
 /**
- * The planes of a mapper's regions, along the axes of the data of another image of its shape, or of
- * the centres of its cells.
+ * Copies the planes of a mapper's regions to the axes of another image of the same shape, or of the
+ * image of its cells' centres.
  */
 void MapCropping(
   vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt, double planes[6]);

@@ -54,8 +54,8 @@ struct RegionParts
 };
 
 /**
- * Computes the flags for a box (lower and upper bounds along x, y and z) and an eye; or the
- * direction to the eye, if it is infinitely far away.
+ * Computes the flags for a box (lower and upper bounds along x, y and z) and an eye, or a direction
+ * to an eye that is infinitely far away.
  */
 RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDirection)
 {
@@ -196,8 +196,8 @@ void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
       image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], origin);
     this->Next->SetOrigin(origin);
     this->Next->SetDirectionMatrix(image->GetDirectionMatrix());
-    // A region never changes. Keep it until the next one is there, so that no other has its
-    // address.
+    // A region never changes. It is kept until the next one is there, so that no other array gets
+    // its address.
     const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
     const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
     this->Work.Poll(key,
@@ -227,7 +227,9 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** The coarse volume's parts before the box; drawn by the mapper of the parts behind. */
+/**
+ * The parts of the coarse volume in front of the box; the mapper of the parts behind draws them.
+ */
 class FrontParts : public vtkVolume
 {
 public:
@@ -260,7 +262,8 @@ private:
 vtkStandardNewMacro(FrontParts);
 
 /**
- * The matrix from the plain block of an image's voxels, which all mappers draw alike, to its place.
+ * Returns the matrix from the plain block of an image's voxels, which all mappers draw alike, to
+ * the image's place.
  */
 void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
@@ -275,7 +278,10 @@ void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
   }
 }
 
-/** The box of a block in other coordinates; false if it would not be parallel to their axes. */
+/**
+ * Computes the box of a block in other coordinates; false if it would not be parallel to their
+ * axes.
+ */
 bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
 {
   const double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
@@ -352,15 +358,15 @@ public:
   }
 
   vtkImageData* GetFine() const { return this->LeftFine.Get(); }
-  /** The remaining tissue of the region's copy, which lies in the world. */
+  /** Shows the remaining tissue in the region's copy, which lies in the world. */
   void UpdateFine(vtkImageData* copy, const RemovedTissue& removed)
   {
     this->LeftFine.Update(copy, copy, removed, CarvedCover::Nearest);
   }
 
   /**
-   * The remaining tissue of the coarse image. All of it is copied and uploaded, so not after
-   * changes within the box, where only the fine image is seen.
+   * Shows the remaining tissue in the coarse image, all of which is copied and uploaded. So it does
+   * nothing after changes within the box, where only the fine image is visible.
    */
   void UpdateCoarse(vtkImageData* copy, const RemovedTissue& removed)
   {
@@ -424,7 +430,7 @@ public:
   /** Whether bricks have changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
-    // The box in shares, reduced by a brick on each side. Empty without a copy.
+    // The box in fractions of tissue, reduced by a brick on each side. Empty without a copy.
     double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
     if (copy)
     {

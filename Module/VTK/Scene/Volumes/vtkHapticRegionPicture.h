@@ -14,15 +14,14 @@
  *   picture->SetVolume(coarse);
  *   picture->SetRenderer(renderer);
  *
- * From then on the box follows the hand, before each frame. A thread copies its samples, so that
- * neither servo nor GUI thread waits; there are two copies at most: the shown one and the next one.
- * Only the coarse image is shown where it replaces late samples, and if the axes of the two images
- * are not parallel.
+ * From then on the box follows the hand, before each picture. A thread copies the samples of the
+ * box, so that neither servo nor GUI thread waits; at most two copies exist, the shown and the next
+ * one. Only the coarse image is shown where it replaces late samples, and if the axes of the two
+ * images are not parallel.
  *
- * The parts of the coarse volume behind the box are drawn first, then the box, then the parts in
- * front of it: whichever of the 26 parts around the box lies on the viewer's side of all planes
- * that divide it from the box. So the picture looks like one volume from all sides. The mappers of
- * box and parts have the class of the volume's mapper.
+ * The planes of the box divide the coarse volume around it into 26 parts. The parts behind the box
+ * are drawn first, then the box, then the parts in front of it, so that the picture looks like one
+ * volume from all sides. The mappers of box and parts have the class of the volume's mapper.
  *
  * @sa vtkHapticRegionSource
  */
@@ -49,16 +48,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** What is felt. Default: none. */
+  /** The source of the felt samples. Default: none. */
   void SetSource(vtkHapticRegionSource* source);
   vtkHapticRegionSource* GetSource();
   ///@}
 
   ///@{
   /**
-   * The filter that feels the source. What its tools have removed (vtkHapticBurr) is then neither
-   * shown finely nor coarsely: the volume's mapper gets a copy of its image with what is left, of
-   * each coarse voxel the mean, until this leaves it. Default: none, so that all tissue is shown.
+   * The filter that feels the source. Tissue that its tools have removed (vtkHapticBurr) is then
+   * shown neither finely nor coarsely: the volume's mapper gets a copy of its image in which each
+   * coarse voxel has the mean of what is left. The mapper gets its image back when this object
+   * releases the volume. Default: none, so that all tissue is shown.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
@@ -66,35 +66,39 @@ public:
 
   ///@{
   /**
-   * What shows the coarse image, with a mapper whose image has no direction of its own (the
-   * volume's matrix may turn it). Its cropping belongs to this. Default: none.
+   * The volume that shows the coarse image. The image of its mapper has no direction of its own;
+   * the volume's matrix may turn it. This class sets the mapper's cropping. Default: none.
    */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
   ///@}
 
   ///@{
-  /** Where it is shown; null takes the box out of it again. It is not kept alive. Default: none. */
+  /**
+   * The renderer that shows the box; nullptr removes it. The renderer is not kept alive. Default:
+   * none.
+   */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
 
   ///@{
   /**
-   * The most voxels of the box, 1000 to 2^30. Default 262144. Of a larger one every second one is
-   * shown along each axis, or every third one, and so on: mappers compute gradients within a frame.
+   * The most voxels of the box, 1000 to 2^30. Default 262144. A larger box shows every second voxel
+   * along each axis, or every third one, and so on, because mappers compute all gradients within
+   * one picture.
    */
   vtkSetClampMacro(MaximumVoxels, vtkIdType, 1000, 1073741824);
   vtkGetMacro(MaximumVoxels, vtkIdType);
   ///@}
 
-  /** Follow source and camera. It is called before each frame of the renderer. */
+  /** Follow source and camera. The renderer calls this before each picture. */
   void Update();
 
-  /** Whether a box is shown finely. */
+  /** Get whether a box is shown finely. */
   bool IsRefined();
 
-  /** The volume of the box; it shares the property of the coarse one. */
+  /** Get the volume of the box, which has the property of the coarse volume. */
   vtkVolume* GetFineVolume();
 
 protected:

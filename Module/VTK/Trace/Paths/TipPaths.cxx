@@ -123,7 +123,9 @@ bool IsInOrder(vtkPolyData* path)
   return isInOrder;
 }
 
-/** A day at 1 kHz: more ticks mean a wrong unit of time, and would not fit into memory. */
+/**
+ * The ticks of a day at 1 kHz: more ticks mean a wrong unit of time, and would not fit into memory.
+ */
 constexpr double MostTicks = 1e8;
 
 /** Checks several numbers at once, by the processor's wide instructions. */
@@ -329,7 +331,8 @@ std::size_t TipPathLines::CountStrokes() const
 
 std::string DescribeLackOfMemory(double ticks)
 {
-  // Counts a Vector3 of the path; 25 numbers, 3 flags and an index of the trace: see HapticTrace.
+  // The bytes of a tick: a Vector3 of the path; 25 numbers, 3 flags and an index of the trace
+  // (HapticTrace).
   constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
   std::ostringstream message;
   message << "There is not enough memory for the " << std::setprecision(10) << ticks

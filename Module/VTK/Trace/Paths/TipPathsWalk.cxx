@@ -33,24 +33,32 @@ double ComputeDataTime(const HapticModel& model, double time)
         timeSteps.front().Time, timeSteps.back().Time);
 }
 
-/** Long enough that handing a stretch to a thread costs nothing beside it. */
+/**
+ * The most ticks in a stretch: long enough that handing it to a thread costs nothing in comparison.
+ */
 constexpr vtkIdType LongestStretch = 1000;
-/** Towards the end of a round, stretches are shorter: all threads wait for the last one. */
+/** Towards the end of a round, stretches are shorter, because all threads wait for the last one. */
 constexpr vtkIdType ShortestStretch = 64;
-/** So many rounds at most, if one path is long. */
+/** The most rounds, if one path is long. */
 constexpr vtkIdType WalkRounds = 100;
 /** The least number of rounds of several paths. */
 constexpr vtkIdType LeastRounds = 8;
-/** So many paths for each thread are on their way at a time. */
+/** The number of paths that each thread has on their way at a time. */
 constexpr std::size_t RunnersOfAThread = 16;
-/** Ticks for each thread in a round: beginning and ending it costs nothing beside them. */
+/**
+ * Ticks for each thread in a round, enough that beginning and ending the round costs nothing in
+ * comparison.
+ */
 constexpr vtkIdType TicksOfAThread = 65536;
-/** No stretch begins later (ns) in a round, so that the caller can stop slow methods, too. */
+/**
+ * The time (ns) after which no stretch begins in a round, so that the caller can stop slow methods,
+ * too.
+ */
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 
 /**
- * The removal from which a path goes on, which no other one changes: that of the model, or of the
- * recording. Null if nothing is removed.
+ * Makes a path's own copy of the removal with which it begins: the model's, or the recording's.
+ * Null if nothing is removed.
  */
 std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const BakedVolume& baked, const RecordedPath* recording)
@@ -64,7 +72,7 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
     recording ? recording->InitialTissue : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
-  // What only feels tissue needs no room to remove any.
+  // A tool that only feels tissue needs no room to remove any.
   const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(fractions.size(), 1));
   auto removal = isChanged
     ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
@@ -338,10 +346,11 @@ struct TipPathsWalk::Runner
   }
 
   const std::size_t Path;
-  const std::shared_ptr<TissueRemoval> Removal; ///< of this path alone; null if there is none
+  const std::shared_ptr<TissueRemoval> Removal; ///< the removal of this path alone; null if there
+                                                ///< is none
   const ModelFinder Finder;
   TipPathWalk Walk;
-  std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
+  std::shared_ptr<const HapticModel> Model; ///< the model, placed as a recording says
   WorkMeter Work;
   bool IsTaken = false; ///< by a thread
 };
@@ -358,7 +367,7 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
   this->Threads = this->Finder || count == 1
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  // Each has a removal of its own, of several megabytes.
+  // Each runner with a removal of its own takes several megabytes.
   const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
   this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
@@ -407,7 +416,7 @@ TipPathsWalk::Runner* TipPathsWalk::Claim(vtkIdType& stretch)
     return nullptr;
   }
   this->Fill();
-  // The one with the longest way to go: else it would be the last, and alone.
+  // Prefers the path with the longest way to go: otherwise it would be the last, and alone.
   Runner* longest = nullptr;
   vtkIdType left = 0;
   for (const std::unique_ptr<Runner>& runner : this->Running)
@@ -466,7 +475,8 @@ void TipPathsWalk::Advance()
   this->RoundEnd = ServoClock::Now() + RoundTime;
   if (this->Threads == 1)
   {
-    // Here: a single path needs no thread, and a finder may throw what no thread of VTK's may.
+    // On this thread: a single path needs no other, and a finder may throw what no thread of VTK
+    // may throw.
     this->AdvanceStretches();
     return;
   }
@@ -478,7 +488,7 @@ void TipPathsWalk::Advance()
       {
         this->AdvanceStretches();
       }
-      catch (const std::bad_alloc&) // which no thread of VTK's may throw
+      catch (const std::bad_alloc&) // no thread of VTK may throw this
       {
         const std::lock_guard<std::mutex> lock(this->Mutex);
         this->HasFailed = true;

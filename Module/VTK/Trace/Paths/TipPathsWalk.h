@@ -166,17 +166,19 @@ public:
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
   /** From 0 to 1. */
   double GetProgress() const;
-  /** A round. Throws std::bad_alloc, and what the finder of models throws. */
+  /** Advances the paths by a round. Throws std::bad_alloc, and what the finder of models throws. */
   void Advance();
-  /** A tick of a recording that gave numbers that are not finite; -1 if there is none. */
+  /** Returns a tick of a recording that gave numbers that are not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
 
-  /** What is left of the tissue at the end of the only path, if that is of a burr; or null. */
+  /**
+   * Returns the tissue that is left at the end of the only path; null unless a burr went along it.
+   */
   const std::vector<BrickTissue>* GetFinalTissue() const
   {
     return this->FinalTissue ? &*this->FinalTissue : nullptr;
   }
-  /** The rows of the trace that are written, of each path. */
+  /** Returns the written rows of the trace, for each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
 
 private:
@@ -201,15 +203,15 @@ private:
   vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
-  vtkIdType Flaw = -1; ///< of the one path of a recording
+  vtkIdType Flaw = -1; ///< GetFlaw(), for the only path of a recording
 
-  // Changed with the mutex only.
+  // These members are changed with the mutex only.
   std::mutex Mutex;
   vtkIdType RoundTicksLeft = 0;
   std::int64_t RoundEnd = 0; ///< ServoClock
   std::size_t NextPath = 0;
   std::vector<std::unique_ptr<Runner>> Running;
-  bool HasFailed = false; ///< for lack of memory
+  bool HasFailed = false; ///< whether memory ran out
   std::optional<std::vector<BrickTissue>> FinalTissue;
 };
 

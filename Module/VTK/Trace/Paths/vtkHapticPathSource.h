@@ -11,15 +11,9 @@
  *   path->SetRadius(10.0); // world units
  *   filter->SetPathConnection(path->GetOutputPort());
  *
- * The hand moves with constant speed along the path; the output has a point for its position at
- * each tick,
- *
- *   x_i = x(i L / n),  i = 0 ... n,
- *   n = the least whole number with L / n <= Speed / PointsPerSecond,
- *
- * with L the length of the path. The points form one polyline, with the point array Time (s), i /
- * PointsPerSecond. So the filter resamples the path if its ServoRate differs, and the hand's speed
- * stays the same.
+ * The output is one polyline with a point for each tick, at equal distances of at most Speed /
+ * PointsPerSecond. The point array Time (s) advances by 1 / PointsPerSecond from point to point:
+ * the filter resamples the path if its ServoRate differs, and the hand's speed stays the same.
  *
  * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, an
  * unusable file) give one error that names the settings and the cure, and an empty output.
@@ -105,7 +99,7 @@ public:
 
   ///@{
   /**
-   * The direction that the CIRCLE or the SPIRAL is across, of any length but 0. Default (0, 0, 1).
+   * The normal of the plane of the CIRCLE or the SPIRAL, of any length but 0. Default (0, 0, 1).
    */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);
@@ -122,8 +116,8 @@ public:
 
   ///@{
   /**
-   * How often the CIRCLE or the SPIRAL goes round, more than 0 and up to 10000; parts of a turn
-   * count. Default 3.
+   * How many turns the CIRCLE or the SPIRAL has, more than 0 and up to 10000; fractions count.
+   * Default 3.
    */
   vtkSetMacro(Turns, double);
   vtkGetMacro(Turns, double);
