@@ -117,7 +117,7 @@ if [ "$python" = ON ]; then
   package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
   site=$(dirname "$(dirname "$package")")
   installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
-  expected=$(printf './%s\n' __init__.py __main__.py _grids.py _hosts.py _identify.py _labels.py _large.py _paths.py \
+  expected=$(printf './%s\n' __init__.py __main__.py _files.py _grids.py _hosts.py _identify.py _labels.py _large.py _paths.py \
     _plotting.py _qt.py _tools.py _touch.py _trame.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti \
     data/README.txt \
     examples.py py.typed pyvista.py web.py | sort)
