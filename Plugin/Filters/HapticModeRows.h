@@ -51,7 +51,7 @@ private:
     vtkWeakPointer<vtkDataObject> Data;
     vtkMTimeType Time = 0;
 
-    /** Whether the data have changed. */
+    /** Stores the data and their change time. Returns whether the data have changed. */
     bool Record(vtkDataObject* data);
   };
 

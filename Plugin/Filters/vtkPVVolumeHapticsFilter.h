@@ -74,8 +74,9 @@ public:
 
   ///@{
   /**
-   * On (default): distinctness keeps noise from being felt, and the function of distinctness is not
-   * used. PerMillimeter: as in vtkHapticProperty, for that function.
+   * Set DistinctnessFromNoise: on (default), distinctness keeps noise from being felt, and the
+   * function of distinctness is not used. PerMillimeter, as in vtkHapticProperty, is for that
+   * function.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessPerMillimeter(bool perMillimeter);
@@ -93,7 +94,7 @@ public:
   ///@}
 
   ///@{
-  /** Side, component, shift, scale and ramp: see vtkHapticProperty. */
+  /** Set side, component, shift, scale and ramp: see vtkHapticProperty. */
   void SetSurfaceSide(int side);
   void SetComponent(int component);
   void SetScalarShift(double shift);

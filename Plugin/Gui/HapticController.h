@@ -41,7 +41,7 @@ public:
   struct DeviceChoice
   {
     QString Id;
-    QString Name;  ///< maker, product, place
+    QString Name;  ///< maker, product, and where it is plugged in
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
   /** Searches for devices again. "virtual" is first. */
@@ -52,15 +52,15 @@ public:
   {
     bool Attached = false;
     bool Armed = false;
-    bool Touches = false; ///< the mouse leads the tip
+    bool Touches = false; ///< whether the mouse leads the tip
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
-    bool HasTouch = false; ///< there is a filter, attached or for the active source
+    bool HasTouch = false; ///< whether there is a filter, attached or for the active source
     QString Preset;        ///< preset of that filter
     int Method = 0;        ///< method of that filter
-    bool CanShow = false;  ///< there is a volume, and a render view
-    bool IsVolume = false; ///< the view renders the volume as a volume
+    bool CanShow = false;  ///< whether there is a volume, and a render view
+    bool IsVolume = false; ///< whether the view renders the volume as a volume
     QString Recorded;      ///< file of the last recording, if it was written
     QString Felt;          ///< names of the volume and of the filter; empty if nothing is attached
     QString Status;
@@ -70,7 +70,7 @@ public:
     long long MissedTicks = 0;
   };
 
-  /** Polls the device. */
+  /** Polls the device and returns its state. */
   Figures look();
 
   /** Filters events of the application: detects Escape. */
@@ -112,7 +112,9 @@ public Q_SLOTS:
   void release();
 
 Q_SIGNALS:
-  /** Emitted with the failure and its cure; empty if there is none. */
+  /**
+   * Emitted with a message for the user, such as a failure and its cure; empty if there is none.
+   */
   void told(const QString& message);
 
 private Q_SLOTS:

@@ -46,12 +46,12 @@ private:
   void addChoices(QGridLayout* grid, int row);
   /** Shows preset and method of a filter; without a filter, the choice for the next one stays. */
   void showChoices(const HapticController::Figures& now);
-  /** The name of a file that the user chooses; empty if none was chosen. */
+  /** Asks the user for the name of a file; empty if none was chosen. */
   QString askFile(const char* name, const QString& title, const QString& kinds, bool isNew);
 
   HapticController* Controller;
   QTimer Timer;
-  QString Told; ///< kept until the next action
+  QString Told; ///< message of the controller, shown until the next action
   QComboBox* Device;
   QPushButton* Attach;
   QPushButton* Arm;

@@ -17,7 +17,7 @@ namespace HapticPipeline
 {
 
 ///@{
-/** The kind of a pipeline object. */
+/** Tell the kind of a pipeline object: a device, a VolumeHaptics filter, or a volume. */
 bool IsDevice(pqPipelineSource* source);
 bool IsTouch(pqPipelineSource* source);
 bool IsVolume(pqPipelineSource* source);

@@ -50,7 +50,9 @@ public:
   /** Watch the changes of the proxy's settings; nullptr ends the watch. */
   void Watch(vtkSMProxy* touch);
 
-  /** Null without a proxy, or if it is no vtkVolumeHapticsFilter. */
+  /**
+   * Returns the filter in the client; null without a proxy, or if it is no vtkVolumeHapticsFilter.
+   */
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 
@@ -88,7 +90,7 @@ public:
    */
   void Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
-  /** The filter in the client; null while there is nothing to touch. */
+  /** Returns the filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter() const { return this->Touch.GetFilter(); }
 
   /** Whether a proxy is touched, or is the view that shows the touched data. */

@@ -114,10 +114,10 @@ public:
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 
-  /** The view where the opacity was found; null if there is none. */
+  /** Returns the view where the opacity was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
-  /** The representation; null if there is none. */
+  /** Returns the representation with the opacity; null if there is none. */
   vtkSMProxy* GetRepresentation() const { return this->Representation; }
 
 private:

@@ -39,14 +39,14 @@ public:
   /** The names of the properties. */
   static constexpr const char* Names[] = { "Armed", "Recording", "Running" };
 
-  /** `canReach` returns whether the server can be reached; if not, nothing is armed. */
+  /** `canReachServer` returns whether the server can be reached; if not, nothing is armed. */
   HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device, HapticReport& report,
     std::function<bool()> canReachServer);
   ~HapticOrderLink() { this->Leave(); }
   HapticOrderLink(const HapticOrderLink&) = delete;
   HapticOrderLink& operator=(const HapticOrderLink&) = delete;
 
-  /** Call when the proxy is being deleted: its properties no longer follow the device. */
+  /** Ends the link when the proxy is being deleted: its properties no longer follow the device. */
   void Leave();
 
   /** Open and start the device if Running is 1 and it does not run. */

@@ -19,7 +19,10 @@ namespace VolumeHapticsLive
 class HapticRecordingLink
 {
 public:
-  /** Begin. isWhole: the device touches the whole volume. IsOn returns whether this succeeded. */
+  /**
+   * Begins a recording or, if the device does not touch the whole volume (isWhole), a log. IsOn
+   * returns whether this succeeded.
+   */
   void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
   void Stop(vtkHapticDevice* device, std::string& error);
   bool IsOn() const { return this->IsRecording; }
@@ -27,7 +30,7 @@ public:
   /** Record the device's new states. */
   void Continue(vtkHapticDevice* device) { this->Log.Continue(device); }
 
-  /** Call it after vtkHapticDevice::Stop, which ends the device's own recording. */
+  /** Closes the log, after vtkHapticDevice::Stop has ended the device's own recording. */
   void Close(vtkHapticDevice* device, std::string& error);
 
 private:

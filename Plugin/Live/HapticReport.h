@@ -27,7 +27,7 @@ public:
   std::string DrainNewError();
 
   ///@{
-  /** The present problem; empty if there is none. */
+  /** Set and get the present problem; empty if there is none. */
   void SetProblem(const std::string& problem) { this->Problem = problem; }
   bool HasProblem() const { return !this->Problem.empty(); }
   const std::string& GetProblem() const { return this->Problem; }

@@ -23,11 +23,11 @@ namespace VolumeHapticsLive
 class HapticStateLog
 {
 public:
-  /** False, with an error, if the file can't be written. */
+  /** Begins the file. False, with an error, if it can't be written. */
   bool Start(const std::string& file, vtkHapticDevice* device, std::string& error);
   /** Write the ticks since the last call. */
   void Continue(vtkHapticDevice* device);
-  /** Does nothing without a file. False, with an error, if the file is incomplete. */
+  /** Completes the file, if there is one. False, with an error, if it is incomplete. */
   bool Stop(vtkHapticDevice* device, std::string& error);
   bool IsOpen() const { return this->File.is_open(); }
 

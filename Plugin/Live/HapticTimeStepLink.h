@@ -38,12 +38,12 @@ public:
     vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device);
   /** Moves from one image to another image at another time. */
   void Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device);
-  /** Replaces the regions of the two images between which it moves. */
+  /** Replaces the regions of the two images between which the servo moves. */
   void Replace(vtkImageData* from, vtkImageData* to);
   /** Makes the next image the first one. */
   void Clear();
 
-  /** Whether it has begun for this filter. */
+  /** Whether Begin() was called for this filter. */
   bool HasBegun(vtkVolumeHapticsFilter* filter) const
   {
     return this->Source && this->Filter == filter;
@@ -52,7 +52,7 @@ public:
   bool IsFirst() const { return this->IsBeginning; }
   /** Whether the servo has reached the last image, so that it can move on. */
   bool IsThere(vtkHapticDevice* device);
-  /** The last image and its time, and the previous time. */
+  /** Return the last image and its time, and the previous time. */
   vtkImageData* GetImage() const { return this->To; }
   double GetTime() const { return this->ToTime; }
   double GetTimeBefore() const { return this->FromTime; }

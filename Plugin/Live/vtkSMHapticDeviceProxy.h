@@ -45,10 +45,10 @@ public:
   vtkTypeMacro(vtkSMHapticDeviceProxy, vtkSMSourceProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The device. Set the properties of this proxy to open, start and arm it. */
+  /** Get the device. Set the properties of this proxy to open, start and arm it. */
   vtkHapticDevice* GetDevice();
 
-  /** The filter in the client; null while there is nothing to touch. */
+  /** Get the filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter();
 
   /**

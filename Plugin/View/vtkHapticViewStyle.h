@@ -50,7 +50,10 @@ public:
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
-  /** Call it before the end of a session whose server may be lost: then nothing is sent to it. */
+  /**
+   * Forgets the volumes, before the end of a session whose server may be lost: nothing is sent to
+   * it.
+   */
   void ForgetVolumes();
 
   ///@{

@@ -33,7 +33,7 @@ public:
   vtkTypeMacro(vtkSMHapticViewProxy, vtkSMProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The object that the properties control. */
+  /** Get the object that the properties control. */
   vtkHapticViewLink* GetLink();
 
   void UpdateVTKObjects() override;

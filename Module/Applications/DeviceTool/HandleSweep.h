@@ -21,25 +21,26 @@
 class HandleSweep
 {
 public:
-  static constexpr double Speed = 4e-3;   ///< m/s, of the spring's fixed end
+  static constexpr double Speed = 4e-3;   ///< speed of the spring's fixed end (m/s)
   static constexpr double Reach = 1.5e-3; ///< m
   static constexpr double Window = 1e-3;  ///< m
 
-  /// A way up and the way down before it.
+  /// The mean of a way up and of the way down before it.
   struct Reading
   {
     std::array<double, 3> Force{}; ///< N, without friction
-    double Friction = 0.0;         ///< N, along the axis
+    double Friction = 0.0;         ///< friction along the axis (N)
   };
 
-  /// Sweeps past a place (m), `pairs` times up and down, starting from a shift (m).
+  /// Begins `pairs` sweeps up and down past a place (m), with the spring's fixed end at `shift`
+  /// (m).
   void Begin(int axis, double place, double shift, int pairs);
   void Step(const HeldSample& sample);
 
   /// The shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
-  /// Whether the handle does not follow.
+  /// Whether the handle does not follow: the present way takes longer than MostTime.
   bool IsStuck() const { return this->WayTime > MostTime; }
   const std::vector<Reading>& GetReadings() const { return this->Readings; }
 
@@ -55,9 +56,9 @@ private:
   double Direction = 1.0;
   double WayTime = 0.0;
   int Ways = 0;
-  std::array<double, 3> Sum{}; ///< N s, on this way
+  std::array<double, 3> Sum{}; ///< force times time in the window, on this way (N s)
   double SumTime = 0.0;
-  std::array<double, 3> Down{}; ///< N, on the way before
+  std::array<double, 3> Down{}; ///< mean force on the last way (N)
   std::vector<Reading> Readings;
 };
 

@@ -38,7 +38,7 @@ public:
     double Weight = 0.0;    ///< N
     int Axis = 1;           ///< the vertical axis
     double MostForce = 0.0; ///< N, the largest force that the device may be asked for
-    double Patience = 60.0; ///< s, for the user's part
+    double Patience = 60.0; ///< how long the user may take to hang or to remove the weight (s)
   };
 
   explicit HungWeight(const Settings& settings);
@@ -50,14 +50,13 @@ public:
   const char* GetRequest() const;
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
 
-  /// @{
-  /// After the end: the fault and the cure, or else the factor and half of the range of the single
-  /// readings.
+  /// Return the result once IsOver(): the fault and the cure, or else the factor and half of the
+  /// range of the single readings.
   const std::string& GetFault() const { return this->Fault; }
   double GetFactor() const { return this->Factor; }
   double GetDoubt() const { return this->Doubt; }
   ///@}
-  /// N that the device was asked for.
+  /// Returns the friction, in newtons that the device was asked for.
   double GetFriction() const { return this->Friction; }
 
 private:
@@ -91,7 +90,7 @@ private:
   HandleSweep Sweep;
   std::vector<HandleSweep::Reading> Without;
   std::vector<HandleSweep::Reading> With;
-  std::size_t CountBefore = 0; ///< of Without
+  std::size_t CountBefore = 0; ///< number of readings in Without from before the weight
   double Friction = 0.0;
   double Factor = 0.0;
   double Doubt = 0.0;

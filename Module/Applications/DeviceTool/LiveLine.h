@@ -12,13 +12,13 @@
 
 class vtkHapticDevice;
 
-/// Tip (mm, the device's axes), force (N), buttons, rate (Hz), report period and round trip (ms),
-/// and the cap of the stiffness (N/m) if there is one, from the latest state; and whether the
-/// newtons are uncalibrated.
+/// Describes the latest state in one line: tip (mm, the device's axes), force (N), buttons, rate
+/// (Hz), report period and round trip (ms), the cap of the stiffness (N/m) if there is one, and
+/// whether the newtons are uncalibrated.
 std::string DescribeState(vtkHapticDevice* device);
 
-/// A line that is overwritten on a terminal; elsewhere a new line is written whenever it has
-/// changed.
+/// Writes a line over and over in the same place of a terminal; elsewhere, writes each changed line
+/// below the last one.
 class LiveLine
 {
 public:

@@ -19,7 +19,8 @@ public:
   {
   }
   void Reset() { this->Time = -1.0; }
-  /// Returns true if it rests.
+  /// Adds a place (m) and a force (N), `elapsed` s after the last ones. Returns whether the handle
+  /// rests.
   bool Step(double place, double force, double elapsed)
   {
     const bool isFirst = this->Time < 0.0;

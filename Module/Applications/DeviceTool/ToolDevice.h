@@ -19,7 +19,7 @@ struct ToolStreams
   std::ostream& Out;
   std::ostream& Errors;
 
-  /// Waits for Enter; false if the input ends before.
+  /// Shows a wish and waits for Enter. False, with an error, if the input ends before.
   bool AskForEnter(const char* wish);
 };
 
@@ -43,7 +43,7 @@ private:
 
 /// Pushes gently along each axis, until it is known whether the device moves with the force.
 bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
-/** Whether the facts about an open device are stored, in words. */
+/** Says in words whether the user's file stores facts about the open device. */
 const char* DescribeMemory(ToolDevice& device);
 
 #endif

@@ -26,8 +26,8 @@ struct ToolOptions
   Command What = Command::Help;
   std::string Id;
   std::string File;                 ///< file of the recording
-  std::string Firmware;             ///< empty: that of the environment variable
-  std::string VendorPath;           ///< empty: that of the environment variable
+  std::string Firmware;             ///< file of the firmware; empty: from the environment variable
+  std::string VendorPath;           ///< folder of plug-ins; empty: from the environment variable
   double Seconds = 0.0;             ///< 0: not given
   double HomingTime = 120.0;        ///< s, for each step
   double ServoRate = 1000.0;        ///< Hz
@@ -43,11 +43,11 @@ struct ToolOptions
 /// The usage of the program, for --help.
 extern const char* const ToolUsage;
 
-/// Reads the command line. False, with the fault and the cure.
+/// Reads the command line. False, with the fault and the cure, for wrong usage.
 bool ReadToolOptions(
   const std::vector<std::string>& arguments, ToolOptions& options, std::string& error);
 
-/// Reads a number that is the whole text and is within a range (both ends included).
+/// Reads a number within a range (both ends included). False if the text is anything else.
 bool ReadNumberInRange(const std::string& text, double least, double most, double& number);
 
 #endif

@@ -16,10 +16,10 @@ struct Options
 {
   bool Help = false;
   bool CheckDisplay = false; // test the display and do nothing else
-  bool Live = false;         // also in real time through the servo loop
+  bool Live = false;         // also tick in real time, through the servo loop
   bool Inspect = false;      // say what the file holds, and do nothing else
-  bool Json = false;         // of Inspect: for programs
-  bool Large = false;        // read it around the hand only, whatever its size
+  bool Json = false;         // write what Inspect says as JSON, for programs
+  bool Large = false;        // read the volume around the hand only, whatever its size
   std::string VolumePath;
   int Series = 0;                     // number of the series in a DICOM folder; 0: the largest
   std::string Array;                  // the array to show and feel
@@ -32,18 +32,18 @@ struct Options
   std::vector<std::string> Materials; // files of tables for the labels
   std::string Folder = "explore-pictures";
   bool Pictures = false;       // write pictures even if there is a display
-  DeviceChoice Device;         // the window's
+  DeviceChoice Device;         // device of the window
   std::string Setup;           // file of the window's functions, settings and camera
   std::string Measurements;    // file of what is measured in the window
   std::string Script;          // file of the window's demonstration
   std::string Movie;           // movie of the window, from its beginning to its end
   std::string Replay;          // a recording to show in the window
-  std::string Stereo;          // the window's
-  bool Slices = false;         // in the window
-  CutKind Cut = CutKind::None; // in the window
-  bool Sound = false;          // in the window
+  std::string Stereo;          // stereo mode of the window
+  bool Slices = false;         // show slices in the window
+  CutKind Cut = CutKind::None; // cut of the volume in the window
+  bool Sound = false;          // play sound in the window
   std::string Tool;            // tool in the window: "needle", "burr", a file, or empty for a point
-  std::string SoundFile;       // for the sound along the path
+  std::string SoundFile;       // file for the sound along the path; empty: none
   std::string WrittenVolume;   // file for the volume alone, if it is only converted
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;

@@ -179,8 +179,8 @@ public:
   }
 
   /**
-   * Does the same as Forget(), but keeps the work until it has returned, so that IsUnderWay() sees
-   * it.
+   * Cancels the work and discards its result like Forget(), but keeps the work until it has
+   * returned, so that IsUnderWay() sees it.
    */
   void Abandon()
   {

@@ -73,7 +73,7 @@ struct HapticSetting : SettingFacts
   double (*Get)(Owner*);
   void (*Set)(Owner*, double);
   ///@{
-  /** Null if a model does not keep the setting unchanged. */
+  /** copies the setting to a model's description; null if a model does not keep it unchanged */
   void (*Bake)(Owner*, HapticModelDescription&);
   bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
   ///@}
@@ -140,7 +140,7 @@ struct SettingAccess<Getter, Setter, Baked>
   static double Get(Owner* owner) { return static_cast<double>((owner->*Getter)()); }
   static void Set(Owner* owner, double value) { (owner->*Setter)(static_cast<Value>(value)); }
 
-  /** The member of a model's description, or of the settings in it. */
+  /** Returns the member of a model's description, or of the settings in the description. */
   template <typename Description>
   static auto& Get(Description& description)
   {
@@ -217,11 +217,11 @@ struct VectorAccess
     name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
 #define HapticFlagMacro(name, standard, baked, text) \
   HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
-// The names of the choices are in an array NAMENames.
+// Makes the row of a choice, whose names are in an array NAMENames.
 #define HapticChoiceMacro(name, standard, baked, text)         \
   HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
     static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
-// `type` is that of the numbers; those of the default come last.
+// Makes the row of a vector. `type` is the type of its numbers; the default's numbers come last.
 #define HapticVectorMacro(name, type, size, minimum, maximum, unit, text, ...)                   \
   VectorAccess<Owner, type, size, static_cast<type* (Owner::*)()>(&Owner::Get##name),            \
     static_cast<void (Owner::*)(const type*)>(&Owner::Set##name)>::Make(#name, minimum, maximum, \

@@ -59,7 +59,7 @@ class OutsideFiller
 public:
   /** Returns the array, or the copy in which its outside samples are filled. */
   vtkSmartPointer<vtkDataArray> Fill(vtkImageData* image, vtkDataArray* scalars, int component);
-  /** What was outside in the last array. */
+  /** Returns which samples were outside in the last array. */
   const OutsideSamples& GetLast() const { return this->Last; }
   /** Returns DescribeOutside() of the last array the first time, then an empty text. */
   std::string DrainNotice();

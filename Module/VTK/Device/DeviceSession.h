@@ -92,10 +92,10 @@ public:
     const Affine3& deviceToWorld);
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
-  /** False in a process that was forked from the servo's process. */
+  /** Whether this process started the servo, or none runs; false in a fork of that process. */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
-  /** Null if the servo does not run. */
+  /** Returns the loop of the servo; null if the servo does not run. */
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
   /**
    * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
@@ -119,7 +119,7 @@ public:
    */
   ForceCaps GetCaps() const;
 
-  /** Ticks per second of the running servo. */
+  /** Returns the ticks per second of the running servo. */
   double GetRate() const { return this->Rate; }
 
   /** Reports that the owner is present: see vtkHapticDevice::SetAttentionTime. */
@@ -180,10 +180,13 @@ public:
     }
   }
 
-  /** Reads the latest state from the servo; uses the placement if there is no model. */
+  /**
+   * Reads the latest state from the servo; uses the placement if there is no model. False if there
+   * is no new state.
+   */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
-  /** The model of the latest state; null without one. */
+  /** Returns the model of the latest state; null without one. */
   const HapticModel* FindModel()
   {
     return this->Servo ? this->Servo->GetTicks().FindModel(this->State.Generation) : nullptr;

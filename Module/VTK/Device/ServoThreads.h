@@ -42,7 +42,7 @@ public:
 
   ServoLoop& GetLoop() { return this->Loop; }
   TickCollector& GetTicks() { return this->Ticks; }
-  /** False in a process that was forked from the threads' process. */
+  /** Whether this process started the threads; false in a fork of that process. */
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   /**

@@ -98,7 +98,7 @@ public:
   /** Ends the work on any other image, which the program may remove, without waiting for it. */
   void EndUnless(vtkImageData* image);
 
-  /** Progress of the search, 0 to 1; 1 if no search is under way. */
+  /** Returns the progress of the search, 0 to 1; 1 if no search is under way. */
   double GetProgress() const;
 
 private:

@@ -67,7 +67,10 @@ private:
     std::vector<double> Distances; ///< squared distance of each point to the brush's line
   };
 
-  /** Calls a function for each part within a distance of two positions. */
+  /**
+   * Calls `visit` for each part of the isosurface within `distance` of the box around two
+   * positions.
+   */
   template <typename F>
   void Visit(const Vector3& from, const Vector3& to, double distance, F&& visit);
   Part& Get(const Block& block);

@@ -19,7 +19,10 @@ namespace VolumeHaptics
 class HapticModel;
 struct NeedleState;
 
-/** See vtkHapticNeedle::MakeTrack. Returns the fault and the cure; empty if there is none. */
+/**
+ * Makes the track of a needle from a trace: see vtkHapticNeedle::MakeTrack. Returns the fault and
+ * the cure; empty if there is none.
+ */
 std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track);
 
 /**

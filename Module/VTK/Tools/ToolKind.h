@@ -33,22 +33,22 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A function of a tool against the scalar value. Its values are 0 or more. */
+/** A function of a tool against the scalar value. The function's values are 0 or more. */
 struct ToolFunction
 {
   const char* Name; ///< as in Get... and Set...
   const char* Unit;
   vtkPiecewiseFunction* (*Get)(vtkHapticTool*);
-  double Default = 0.0; ///< without points
+  double Default = 0.0; ///< value of a function without points
 };
 
-/** What a tool is described to. */
+/** What Describe() needs to make a tool for a model, and the result. */
 struct ToolPlan
 {
-  vtkHapticProperty* Property;           ///< of the material
+  vtkHapticProperty* Property;           ///< property with the material
   const HapticModelDescription& Model;   ///< has its settings, material, time steps and geometry
-  std::shared_ptr<const BakedTool> Tool; ///< to be made
-  std::string Error;                     ///< the reason and the cure, if it can't be felt
+  std::shared_ptr<const BakedTool> Tool; ///< result, set by Describe(); null before
+  std::string Error;                     ///< reason and cure, if the tool can't be felt
 };
 
 /** A kind of tool; its class is vtkHapticNAME. */
@@ -68,7 +68,7 @@ public:
   virtual void Print(std::ostream& os, vtkIndent indent, vtkHapticTool* tool) const = 0;
   /** Writes or reads all settings of a setup. */
   virtual void Pass(SetupNode& node, vtkHapticTool* tool) const = 0;
-  /** Sets a number by its name, as in setups; false if there is none. */
+  /** Sets a number by its name, as in setups; false if the tool has no such number. */
   virtual bool Set(vtkHapticTool* tool, const std::string& name, double value) const = 0;
   /** Copies from the earlier tool what setups do not hold, such as a mesh. */
   virtual void TakeOver(vtkHapticTool* /*tool*/, vtkHapticTool* /*before*/) const {}
@@ -88,14 +88,16 @@ public:
 
   ///@{
   /**
-   * How the scene shows a tool: the mesh relative to the hand, in world units (null: a stylus is
-   * drawn); and the distance of the farthest touching point from the hand (0 for a point).
+   * Say how the scene shows a tool: the mesh relative to the hand, in world units (null: a stylus
+   * is drawn); and the distance of the farthest touching point from the hand (0 for a point).
    */
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
   virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
-  /** Whether its mesh turns with the stylus, and spins, instead of with the felt orientation. */
+  /**
+   * Whether the tool's mesh turns with the stylus, and spins, instead of with the felt orientation.
+   */
   virtual bool TurnsWithStylus() const { return false; }
-  /** Whether it looks different when it is turned. */
+  /** Whether the tool looks different when it is turned. */
   virtual bool IsTurnable() const { return false; }
   ///@}
 
@@ -103,11 +105,14 @@ public:
   const char* const Text; ///< as the user sees it
 
 protected:
-  /** Reads a function in units of the scalars; an empty one if it has a fault. */
+  /**
+   * Reads a function in units of the scalars; 0 everywhere, with an error in the plan, if it has a
+   * fault.
+   */
   Polyline ReadFunction(const ToolFunction& function, vtkHapticTool* tool, ToolPlan& plan) const;
 };
 
-/** Sets the setting of a list that has a name; false if there is none. */
+/** Sets the setting of this name; false if the list has no such setting. */
 template <typename Owner, std::size_t Size>
 bool SetSetting(
   Owner* owner, const HapticSetting<Owner> (&settings)[Size], const std::string& name, double value)
@@ -159,9 +164,9 @@ public:
   }
 };
 
-/** All kinds, in the order of their arrays in traces. */
+/** Returns all kinds, in the order of their arrays in traces. */
 const std::vector<const ToolKind*>& GetToolKinds();
-/** The kind of a tool; null for null, and for an application's own class. */
+/** Returns the kind of a tool; null for null, and for an application's own class. */
 const ToolKind* FindToolKind(vtkHapticTool* tool);
 
 /** Prints the settings and functions of a tool, for PrintSelf. */

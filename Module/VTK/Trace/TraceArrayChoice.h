@@ -42,7 +42,7 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 }
 
 ///@{
-/** Number and names of the arrays, in the order of the bits. */
+/** Return the number and the names of the arrays, in the order of the bits. */
 std::size_t GetNumberOfTraceArrays();
 /** Returns the index of the array of a mode's force. */
 std::size_t GetModeForceArray(std::size_t mode);

@@ -24,11 +24,16 @@ std::vector<char> PackRegion(vtkImageData* image);
 /** Packs an error instead of an image. */
 std::vector<char> PackError(const std::string& error);
 
-/** False, with an error, if the message is an error, or no image. */
+/**
+ * Unpacks the image of a message. False, with an error, if the message is an error, or no image.
+ */
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
-/** False if the other side has ended. A message that does not fit into memory becomes an error. */
+/**
+ * Receives a message. False if the other side has ended. A message that does not fit into memory
+ * becomes an error.
+ */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 
 } // namespace VolumeHapticsLive

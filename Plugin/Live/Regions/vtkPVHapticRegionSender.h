@@ -57,11 +57,14 @@ private:
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
-  /** Whether any process has data that are no image; collective. */
+  /** Whether any process has data that are no image. Call it on all processes together. */
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);
-  /** Collective; the first process has the image. */
+  /**
+   * Resamples a region of data that are no image; the first process gets the image. Call it on all
+   * processes together.
+   */
   static bool Resample(Instant& instant, bool hasPiece, const char* array, const int region[6],
     vtkImageData* image, std::string& error);
 #endif

@@ -50,7 +50,7 @@ struct Exploration
   ViewFrame View;
   TipPath Tip;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
-  vtkSmartPointer<vtkPolyData> Trace; // the filter's
+  vtkSmartPointer<vtkPolyData> Trace; // output of the filter
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
   std::string Method;     // the method of the trace, for users
@@ -59,8 +59,8 @@ struct Exploration
   double FilterSeconds = 0.0;
 };
 
-/// Analyses the values, plans a tip path and feels along it. Throws InputError. Calls `progress`,
-/// if there is one, with each step that begins and the fraction of the work that is done.
+/// Analyses the values, plans a tip path and feels along it. Throws InputError. `progress`, unless
+/// null, gets each step that begins and the fraction of the work that is done.
 using Progress = std::function<void(const std::string& step, double fraction)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);

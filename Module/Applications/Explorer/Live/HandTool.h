@@ -35,7 +35,7 @@ public:
   HandTool(const HandTool&) = delete;
   HandTool& operator=(const HandTool&) = delete;
 
-  /// For vtkInteractorStyleHaptic::SetApplicationKeys.
+  /// Returns the lines for vtkInteractorStyleHaptic::SetApplicationKeys.
   std::string ListKeys() const
   {
     return std::string("Tool\nN\tneedle; burr; ") + (this->HasShape() ? "its shape; " : "") +
@@ -60,7 +60,7 @@ private:
   vtkNew<vtkHapticNeedle> Needle;
   vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
-  double WrittenVolume = 0.0; ///< mm^3, the removal written last
+  double WrittenVolume = 0.0; ///< removed volume that was written last (mm^3)
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore

@@ -37,7 +37,7 @@ public:
   /// Restores the work, as F11 does.
   void BringBack();
 
-  /// Call this when the window has closed: stores unsaved work, and reports it. `isSetUp`: the
+  /// Stores unsaved work, and reports it; call this when the window has closed. `isSetUp`: the
   /// functions were saved to the file of --setup.
   void KeepAtEnd(bool isSetUp);
 
@@ -53,9 +53,9 @@ private:
   LookSwitch& Look;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   std::string Folder;            ///< folder for this volume's work, without its number; empty: none
-  std::string Offered;           ///< a folder; empty if there is none, or after it was restored
-  std::string Brought;           ///< a folder
-  std::vector<double> Functions; ///< the functions at the beginning
+  std::string Offered;           ///< folder of the offered work; empty: none, or restored
+  std::string Brought;           ///< folder of the restored work
+  std::vector<double> Functions; ///< values of the functions at the beginning
   KeyBinding Key;
 };
 } // namespace Explore

@@ -43,7 +43,7 @@ struct DemoEvent
   std::string Name;               ///< for Key, Press and Release
 };
 
-/// Throws InputError, with the line, for a file that is not such a script.
+/// Reads a script. Throws InputError, with the line, if the file is not one.
 std::vector<DemoEvent> ReadDemoScript(const std::string& file);
 
 /// Plays a script in a window, from its first timer event on.

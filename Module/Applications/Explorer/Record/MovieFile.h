@@ -18,7 +18,7 @@ class MovieFile
 public:
   virtual ~MovieFile() = default;
 
-  /// Pictures a second.
+  /// Number of pictures a second.
   static constexpr int RATE = 20;
 
   /// Whether this program can write movies.

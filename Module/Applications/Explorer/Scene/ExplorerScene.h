@@ -20,8 +20,8 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  // The GPU's mapper if the window and the volume allow it, else the CPU's. In a window for
-  // touching, the CPU's mapper also if OpenGL runs on the CPU.
+  // Chooses the GPU's mapper if the window and the volume allow it, else the CPU's. In a window for
+  // touching, chooses the CPU's mapper also if OpenGL runs on the CPU.
   Auto,
   GPU,
   CPU

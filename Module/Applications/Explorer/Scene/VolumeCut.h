@@ -50,7 +50,7 @@ public:
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
-  /// The interactor for handles and keys; null for none.
+  /// Sets the interactor whose mouse and keys move the cut; null for none.
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /// Cuts away everything between the viewer and the middle of the body.
@@ -59,7 +59,7 @@ public:
   bool HasRegions() const { return this->HasBox; }
   void TurnOver();
 
-  /// The list of keys, as in vtkHapticHeadUpDisplay::HelpText.
+  /// Returns the list of keys, as in vtkHapticHeadUpDisplay::HelpText.
   const char* ListKeys() const;
 
 private:

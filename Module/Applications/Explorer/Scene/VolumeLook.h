@@ -20,8 +20,8 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
 /// hidden, and for fields.
 bool HasInside(const Analysis& analysis);
 
-/// Shows only the dense parts instead. vtkHapticProperty::SetVisibilityFrom makes the same parts
-/// felt.
+/// Shows only the dense parts of the volume. vtkHapticProperty::SetVisibilityFrom makes the same
+/// parts felt.
 void SetInsideLook(const Analysis& analysis, vtkVolumeProperty* property);
 
 /// Sets the colours of labels, each from half a number below its own to half a number above.

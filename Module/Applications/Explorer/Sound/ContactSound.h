@@ -59,7 +59,7 @@ public:
   static double ComputePitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
-  /// Call this instead of Feed while no ticks come, with the time since the last call (s).
+  /// Lets the noise fade for a time (s) without ticks; call this instead of Feed.
   void Rest(double seconds) noexcept;
   void Render(float* samples, std::size_t count) noexcept;
 
@@ -81,7 +81,7 @@ private:
   double Burst = 0.0;             // effective value of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
   double TouchTime = -1.0;        // s since the first touch, while its impact is measured
-  double Impact = 0.0;            // N
+  double Impact = 0.0;            // largest normal force since the first touch (N)
   double Peak = 0.0;              // N, the peak while a surface is penetrated
   SurfaceContact Contact = SurfaceContact::Free;
   double Pitch; // Hz, the pitch of the last surface

@@ -26,15 +26,15 @@ public:
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// For the thread with the ticks: adds a tick, in order. If 4096 ticks wait already, the tick is
+  /// Adds a tick, in order; for the thread with the ticks. If 4096 ticks wait already, the tick is
   /// lost.
   void Push(const SoundTick& tick) noexcept;
 
-  /// For any thread.
+  /// Mutes the sound or lets it be heard; for any thread.
   void SetMuted(bool muted) noexcept { this->Muted.store(muted, std::memory_order_relaxed); }
   bool IsMuted() const noexcept { return this->Muted.load(std::memory_order_relaxed); }
 
-  /// For the thread that plays: writes the next samples, each in -0.9 ... 0.9.
+  /// Writes the next samples, each in -0.9 ... 0.9; for the thread that plays.
   void Render(float* samples, std::size_t count) noexcept;
   double GetSampleRate() const noexcept { return this->SampleRate; }
 
@@ -53,11 +53,11 @@ private:
   SoundTick Next;
   bool HasNext = false;
   bool HasBegun = false;
-  double Position = 0.0; // s, in the time of the ticks
+  double Position = 0.0; // time of the played sound, on the clock of the ticks (s)
   double Starved = 0.0;  // s without a tick
   double Pace = 1.0;
   double WindowTime = 0.0;   // s since the search for LeastBacklog began
-  double LeastBacklog = 0.0; // s
+  double LeastBacklog = 0.0; // least backlog in that time (s)
   double Gain = 0.0;
 };
 } // namespace Explore

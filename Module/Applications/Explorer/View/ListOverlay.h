@@ -28,7 +28,7 @@ public:
   /// Moves the mark up (negative) or down. It stays within the list.
   void Move(int lines);
   int GetMarked() const { return this->Marked; }
-  /// Returns the line at a position (pixels), -1 for none.
+  /// Returns the number of the line at a position (pixels); -1 if there is none.
   int Find(int x, int y) const;
 
 private:

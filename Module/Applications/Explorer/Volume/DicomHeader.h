@@ -124,8 +124,8 @@ struct DicomSegment
 /// Reads the segments of a segmentation file: PS3.3, section C.8.20.2.
 std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
 
-/// Says what a DICOM file is that has no pixels of a volume, such as "an RT plan", and the cure.
-/// Empty if it is no DICOM file, or is a slice.
+/// What a DICOM file without pixels of a volume is, such as "an RT plan", and the cure. The texts
+/// are empty for a slice, and for a file that is not DICOM.
 struct DicomObject
 {
   std::string Name;

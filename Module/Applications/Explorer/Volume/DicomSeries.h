@@ -20,7 +20,7 @@ struct DicomSeries
   std::vector<double> Times = {};
   std::string PhasesBy = {};
   bool HaveTimes = false;
-  std::string Kind = {};           // which of several volumes in a series, such as "EchoTime 4.6"
+  std::string Kind = {};           // tells volumes in a series apart, such as "EchoTime 4.6"
   std::size_t Copies = 0;          // slices that were found twice
   bool IsPlacedByLocation = false; // whether places are from SliceLocation
 

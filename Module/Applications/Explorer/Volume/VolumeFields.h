@@ -20,14 +20,15 @@ public:
   /// If an image has no active scalars, but a field, sets the scalars to the magnitude of its first
   /// field, so that something is visible. Returns whether it did.
   bool Use(vtkImageData* image);
-  /// Does the same with a named point array: its values, or the magnitude of a field, become the
-  /// scalars. Returns whether it is a field. Throws InputError, with the existing arrays, if it
-  /// does not exist.
+  /// Makes a named point array the scalars of an image: its values, or the magnitude of a field.
+  /// Returns whether the array is a field. Throws InputError, with the existing arrays, if it is
+  /// missing.
   bool UseWith(const std::string& name, const std::string& path, vtkImageData* image);
   /// Returns the first vectors, or those with this name if it is given; empty if there are none.
   static std::string FindFlow(vtkImageData* image, const std::string& name);
-  /// Copies the fields to the image that was made from the other one, along the axes of the world.
-  /// Vectors do not change, because their components are along the axes of the world.
+  /// Copies the fields to `aligned`, the same image with its axes along those of the world
+  /// (AlignToAxes). Vectors do not change, because their components are along the axes of the
+  /// world.
   void GiveTo(vtkImageData* aligned) const;
 
 private:

@@ -47,7 +47,7 @@ struct Volume
   std::vector<Phase> Phases = {};
   std::string Modality = {}; // DICOM's modality, such as "CT"; empty if not known
   bool IsGrid = false;       // whether the volume was resampled from cells
-  bool IsField = false; // its values come from a grid or are the magnitude of a field, of no tissue
+  bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   // For a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this
   // is.
@@ -72,8 +72,8 @@ struct NiftiTimes
   double Spacing = 0.0; // s; 0 if there is one volume
 };
 
-/// Reads them from the header. `unknown` is the spacing if the header does not give it. Any other
-/// file has one volume.
+/// Reads the number and the spacing of the volumes from a file's header; `unknown` is the spacing
+/// if the header does not give it. A file of any other format has one volume.
 NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
 
 /// Places the image along the axes of the world, straightened if its axes are sheared, with a note.

@@ -32,7 +32,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 /// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// Says if a NRRD file's space was turned into left-posterior-superior; else empty.
+/// Returns a note if a NRRD file's space is turned into left-posterior-superior; else empty.
 std::string DescribeNrrdTurn(const std::string& path);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or

@@ -47,8 +47,8 @@ class TimeSpanPreparation
 {
 public:
   /**
-   * Prepares the time steps; whether Drain() has all that takes long. If not, it is being made.
-   * Call this often.
+   * Prepares the time steps; call this often. Returns whether Drain() would be quick now; if not,
+   * a worker still makes what takes long.
    * @param last the volume that these time steps continue; null if they begin a new volume
    * @param kept a time span that has been made of the same source; may be null. Its time steps are
    *   not copied again.
@@ -70,7 +70,7 @@ public:
   /** Returns the time steps of Poll(); if there are none, reads them now. */
   PreparedTimeSpan Drain(
     vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept);
-  /** Whether the source had further time steps when they were taken. */
+  /** Whether the source had further time steps when Drain() took the last ones. */
   bool WasBehind() const { return this->TookLate; }
   /** Ends the preparation without waiting for the worker, and discards the time steps. */
   void End();

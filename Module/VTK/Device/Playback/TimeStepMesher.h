@@ -33,7 +33,7 @@ public:
    */
   vtkImageData* Show(const ImageTimeStep& timeStep, bool isComponent, vtkImageData* shape);
   void Clear();
-  /** Returns the array of the time step; null without one. */
+  /** Returns the shown array; null without a time step. */
   vtkDataArray* GetArray() const { return this->Array; }
 
 private:

@@ -133,7 +133,7 @@ public:
 
   /** Appends the compressed bytes; returns their number. */
   std::size_t Compress(const void* data, std::size_t size, std::string& to);
-  /** False if the block does not expand to this size. */
+  /** Expands a block to `size` bytes. False if it does not have exactly this size. */
   bool Expand(const std::string& block, void* data, std::size_t size);
 
 private:

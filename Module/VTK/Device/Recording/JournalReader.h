@@ -50,7 +50,7 @@ public:
   void Remove(const std::string& journal) const;
 
   const RecordingAbout& GetAbout() const { return this->About; }
-  /** Null if there is no tick. */
+  /** Returns what a replay begins from; null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
   /** Number of contacts of a tool with a shape in the first state. */

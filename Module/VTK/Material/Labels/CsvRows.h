@@ -26,7 +26,7 @@ public:
 
   /** Reads the next row. False at the end of the text. */
   bool Next(std::vector<std::string>& cells);
-  /** Line in which the last row begins, counted from 1. */
+  /** Returns the line in which the last row begins, counted from 1. */
   int GetLine() const { return this->RowLine; }
   /** Whether a quote was opened but never closed. */
   bool IsCutOff() const { return this->CutOff; }

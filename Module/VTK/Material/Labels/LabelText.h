@@ -26,7 +26,7 @@ public:
   }
   /** Reads the next line without its end, and without blanks around it. False if there is none. */
   bool Next(std::string_view& line);
-  /** Number of the last line read, counted from 1. */
+  /** Returns the number of the last line read, counted from 1. */
   int GetNumber() const { return this->Number; }
 
 private:
@@ -65,7 +65,7 @@ std::string MakeLabelName(std::string_view text);
 /** Returns the beginning of a text in quotes, for a message. */
 std::string Quote(std::string_view text);
 
-/** "Line 3: ", for a message. */
+/** Returns the beginning of a message about a line, such as "Line 3: ". */
 std::string InLine(int number);
 
 } // namespace VolumeHaptics

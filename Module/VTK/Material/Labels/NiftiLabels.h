@@ -33,7 +33,7 @@ enum class NiftiTable
   Names
 };
 
-/** Finds a table between header and samples. */
+/** Finds a table between header and samples. Returns its format, and its text in `table`. */
 NiftiTable FindNiftiTable(std::string_view bytes, std::string_view& table);
 
 } // namespace VolumeHaptics

@@ -42,7 +42,8 @@ struct LargeVolume
    */
   std::array<std::int64_t, 3> ChunkSize{};
   /**
-   * Whether it is known to have no noise, and its outside value is known: then nothing is surveyed.
+   * Whether the volume is known to have no noise, and its outside value is known, so that no survey
+   * is needed.
    */
   bool IsSmooth = false;
   bool AreLabels = false; ///< no label counts as outside

@@ -42,8 +42,9 @@ bool FindFirstContact(vtkRenderer* renderer, const Vector3& through, vtkVolumeHa
   Vector3& position, Press* press = nullptr);
 
 /**
- * Walks in the same way, from a position on. True with the position of the contact, and the unit
- * normal of the surface, outwards; a zero vector if the normal is not known.
+ * Walks along the line of sight like FindFirstContact(), from a position on. True with the position
+ * of the contact and the unit normal of the surface, outwards (a zero vector if it is not known);
+ * false if nothing can be felt ahead.
  */
 bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
   Vector3& contact, Vector3& normal, Press* press = nullptr);

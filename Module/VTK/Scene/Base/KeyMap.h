@@ -24,7 +24,7 @@ namespace VolumeHaptics
 class KeyMap
 {
 public:
-  /** All actions, in the order of the style's documentation. */
+  /** Returns the names of all actions, in the order of the style's documentation. */
   static std::vector<std::string> ListActions();
 
   /**
@@ -39,16 +39,16 @@ public:
    * has one of the keys.
    */
   bool Set(const std::string& action, const std::string& keys, std::string& error);
-  /** The keys of an action; empty if it has none, or if the action does not exist. */
+  /** Returns the keys of an action; empty if it has none, or if the action does not exist. */
   std::string Get(const std::string& action) const;
 
-  /** The default key of the action that a key has now; empty if the key has no action. */
+  /** Returns the default key of the action that a key has now; empty if the key has no action. */
   std::string Find(const std::string& pressed) const;
-  /** The label of an action's first key for people, such as "?"; empty if it has none. */
+  /** Returns the label of an action's first key for people, such as "?"; empty if it has none. */
   std::string Name(const std::string& defaultKey) const;
   /**
-   * The labels of all keys of the actions with these default keys, such as "?  F1"; empty if none
-   * of them has a key.
+   * Returns the labels of all keys of the actions with these default keys, such as "?  F1"; empty
+   * if none of them has a key.
    */
   std::string Describe(const std::vector<std::string>& defaultKeys) const;
 
@@ -109,8 +109,8 @@ struct KeyedParts
 };
 
 /**
- * The text of vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning.
- * Leaves out actions without a key.
+ * Returns the text of vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its
+ * meaning. Leaves out actions without a key.
  */
 std::string ListKeys(const KeyedParts& parts, const KeyMap& keys);
 

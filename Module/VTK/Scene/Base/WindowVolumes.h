@@ -57,7 +57,7 @@ struct DrawnVolume
   vtkSmartPointer<vtkMatrix4x4> Matrix; ///< maps the data to the world
   vtkVolume* Whole = nullptr;           ///< the prop: the volume, or the vtkMultiVolume around it
 
-  /** The mapper's input; null without a mapper or an input. */
+  /** Returns the mapper's input; null without a mapper or an input. */
   vtkDataObject* GetData() const
   {
     return this->Mapper && this->Mapper->GetNumberOfInputConnections(this->Port) > 0

@@ -66,17 +66,17 @@ double ComputeFeltValue(vtkHapticDevice* device);
 /** Returns the value in the surface, if there is one, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
-/** The filter whose modes are felt; null for other methods. */
+/** Returns the filter whose modes are felt; null for other methods. */
 vtkVolumeHapticsFilter* GetModesFilter(vtkHapticDevice* device);
-/** The names of all modes, each one unique. */
+/** Returns the names of all modes, each one unique. */
 std::vector<std::string> NameModes(vtkHapticDevice* device);
-/** The names of active modes; the names of inactive modes are empty. */
+/** Returns the names of active modes; the names of inactive modes are empty. */
 std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
-/** A line for each mode, with its force. */
+/** Returns a line for each mode, with its force. */
 std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);
-/** The names and values of measurements, one a line, and what is being measured. */
+/** Returns the names and values of measurements, one a line, and what is being measured. */
 std::string ListMeasurements(vtkHapticMeasurements* measurements);
-/** A line on the time of a moving volume; empty for other volumes. */
+/** Returns a line on the time of a moving volume; empty for other volumes. */
 std::string DescribeTime(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics

@@ -54,18 +54,18 @@ public:
   explicit HapticForceChart(Ground ground);
   ~HapticForceChart();
 
-  /** Call once, as soon as charts can be drawn. */
+  /** Makes the chart. Call it once, as soon as charts can be drawn. */
   void Build();
   /**
    * Draws the curves of modes, too, which then replace all parts of the force. Call it after Build,
    * with the names of HapticForceTable::SetModes; an empty name leaves its curve out.
    */
   void SetModes(const std::vector<std::string>& names);
-  /** The size of a panel in a viewport of this size, with its left and lower margins. */
+  /** Returns the size of a panel in a viewport of this size, with its left and lower margins. */
   static std::array<int, 2> PanelSize(int width, int height, double scale = 1.0);
   /**
-   * Fits the chart into a viewport of this size (pixels). `from`: the lower left corner of a panel
-   * with its margins. Returns whether the chart changes.
+   * Fits the chart into a viewport of this size (pixels); `from` is the lower left corner of a
+   * panel with its margins. Returns whether the chart changes.
    */
   bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
   /**
@@ -73,14 +73,14 @@ public:
    * changes.
    */
   bool SetOnLight(bool isOnLight);
-  /** The upper right corner of the chart (pixels). */
+  /** Returns the upper right corner of the chart (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
    * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
    * whether the chart changes.
    */
   bool Show(vtkTable* table, const Extent& extent, const std::string& title);
-  /** Names the phases above the chart and draws lines between them. Call once, after Show. */
+  /** Names the phases above the chart and draws lines between them. Call it once, after Show. */
   void ShowPhases(const std::vector<Phase>& phases);
 
   vtkContextActor* GetActor() { return this->Actor; }
@@ -95,7 +95,7 @@ private:
   const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
-  vtkNew<HapticCurveNames> Names; ///< above a panel; a page has a title and a legend
+  vtkNew<HapticCurveNames> Names; ///< labels above a panel; a page has a title and a legend
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that give the same
                                                         ///< picture
@@ -107,7 +107,7 @@ private:
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };
   double Height = 1.0;
-  vtkTable* Shown = nullptr; ///< the source of the lines
+  vtkTable* Shown = nullptr; ///< the drawn table
   vtkMTimeType ShownTime = 0;
   Extent ShownExtent;
   std::string ShownTitle;

@@ -36,7 +36,7 @@ public:
   vtkTable* Get() { return this->Table; }
   vtkFloatArray* GetTime() { return this->Columns[0]; }
   vtkFloatArray* GetForce(int curve) { return this->Columns[1 + curve]; }
-  /** The curves of the table, including those of modes. */
+  /** Returns the number of curves, including those of modes. */
   int GetCurves() const { return this->Count; }
   /**
    * Names the modes whose curves follow the first four. If the names change, removes all rows and
@@ -46,10 +46,12 @@ public:
   /** Removes all rows. After adding rows, call Get()->Modified(). */
   void Clear();
 
-  /** Every tick of a trace with the arrays of vtkVolumeHapticsFilter's output. */
+  /**
+   * Replaces the rows by the ticks of a trace with the arrays of vtkVolumeHapticsFilter's output.
+   */
   void Read(vtkPolyData* trace);
 
-  /** A force that a chart can draw; 0 if it is not finite. */
+  /** Returns a force that a chart can draw; 0 if it is not finite. */
   static double MakeDrawable(double force);
 
 private:
@@ -82,13 +84,13 @@ public:
    */
   void Add(const State& state, double span);
   void Clear();
-  /** See HapticForceTable. */
+  /** Names the modes of the table: see HapticForceTable::SetModes. */
   void SetModes(const std::vector<std::string>& names);
   std::size_t GetSize() const { return this->States.size(); }
 
   /** Updates the table: time relative to the last state, then the curves. */
   vtkTable* Plot(double span);
-  /** The upper end of an axis for all forces in the span (N). */
+  /** Returns the upper end of an axis for all forces in the span (N). */
   double GetRange() const;
 
 private:

@@ -36,11 +36,11 @@ private:
 
   struct Line
   {
-    std::string Key; ///< or the title
+    std::string Key; ///< name of the key, or the title
     std::string Meaning;
     bool IsTitle;
   };
-  /** The lines from one up to another, in a column. */
+  /** A column of lines: from Begin up to, but not including, End. */
   struct Column
   {
     std::size_t Begin;
@@ -55,14 +55,14 @@ private:
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
   void SetLetters(vtkContext2D* painter, bool isBold) const;
-  /** Pixels. */
+  /** Returns the height of letters (pixels). */
   float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
 
   std::vector<Line> Lines;
   std::string Text; ///< text of the lines
   int Viewport[2] = { 0, 0 };
   float Scale = 1.0f; ///< pixels for each point
-  int Letters = 0;    ///< points; 0 before Fit
+  int Letters = 0;    ///< size of the letters (points); 0 before Fit
   std::vector<Column> Columns;
 };
 

@@ -34,11 +34,14 @@ public:
   HapticModeList();
   ~HapticModeList();
 
-  /** Draws the lines from a height (pixels) downwards; call it in the overlay pass. */
+  /**
+   * Draws the lines from a height (pixels) downwards; call it in the overlay pass. Returns how many
+   * texts were drawn.
+   */
   int Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport);
   /** Removes the lines, so that a click hits none. */
   void Hide() { this->Count = 0; }
-  /** The number of the line at a position of the viewport (pixels); -1 if there is none. */
+  /** Returns the number of the line at a position of the viewport (pixels); -1 if there is none. */
   int Find(int x, int y) const;
   void Release(vtkWindow* window);
 

@@ -25,7 +25,10 @@ namespace VolumeHaptics
 class HapticWrappedText
 {
 public:
-  /** Room in pixels. Its upper part, Free high, lies above what the text should not cover. */
+  /**
+   * The room for a text in pixels. Its upper part, Free high, lies above what the text should not
+   * cover.
+   */
   struct Room
   {
     int Width;
@@ -37,7 +40,7 @@ public:
   /** Gives the actor the text and the size of its letters. */
   void Fit(vtkTextActor* actor, const std::string& text, const Room& room);
 
-  static constexpr int Largest = 14; ///< letters, points
+  static constexpr int Largest = 14; ///< largest size of letters (points)
   static constexpr int Smallest = 7;
 
 private:

@@ -195,34 +195,35 @@ public:
   vtkGetCharFromStdStringMacro(Notice);
   ///@}
 
-  /** The number of states in the plot. */
+  /** Get the number of states in the plot. */
   vtkIdType GetNumberOfStates();
   /**
-   * The plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and one for each
-   * mode of PRIMITIVES, under its name, such as "1 vector follow, velocity" (N). They hold the
+   * Get the plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and one for
+   * each mode of PRIMITIVES, under its name, such as "1 vector follow, velocity" (N). They hold the
    * smallest and the largest value in each of a few hundred intervals, so that no peak is lost.
    */
   vtkTable* GetPlotTable();
-  /** Upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
+  /** Get the upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
   double GetForceRange();
-  /** The text as it would be shown, and the plot's title: the name of the method. */
+  /** Get the text as it would be shown, and the plot's title: the name of the method. */
   std::string GetText();
   std::string GetPlotTitle();
 
   /**
-   * The number of the mode whose line in the list is at a position (pixels of the viewport, from
-   * its lower left corner); -1 if there is none.
+   * Get the number of the mode whose line in the list is at a position (pixels of the viewport,
+   * from its lower left corner); -1 if there is none.
    */
   int FindMode(int x, int y);
 
   /**
-   * Whether the text, hint or plot of the last picture overlaps a box of the viewport (pixels from
-   * its lower left corner: left, right, bottom, top). Always true while the list of keys is shown.
+   * Get whether the text, hint or plot of the last picture overlaps a box of the viewport (pixels
+   * from its lower left corner: left, right, bottom, top). Always true while the list of keys is
+   * shown.
    */
   bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
 
   ///@{
-  /** Called by the renderer. */
+  /** Draw the display, and release its graphics resources; the renderer calls these. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

@@ -71,7 +71,10 @@ public:
   int GetNumberOfShownLabels();
 
   ///@{
-  /** Called by the renderer. */
+  /**
+   * Give the bounds of the measurements, draw them, and release their graphics resources; the
+   * renderer calls these.
+   */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;

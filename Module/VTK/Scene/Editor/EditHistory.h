@@ -40,7 +40,10 @@ public:
   EditHistory& operator=(const EditHistory&) = delete;
 
   ///@{
-  /** Call before and after an edit. An edit that changed nothing makes no step. */
+  /**
+   * Begin and end a step: call them before and after an edit. An edit that changed nothing makes no
+   * step.
+   */
   void Begin(const EditedObjects& objects);
   void End(const EditedObjects& objects);
   ///@}
@@ -53,7 +56,7 @@ public:
   bool Reset(const EditedObjects& objects);
   ///@}
 
-  /** Forgets all steps, for other objects. */
+  /** Forgets all steps, before other objects are edited. */
   void Forget();
 
 private:

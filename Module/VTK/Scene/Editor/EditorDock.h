@@ -35,7 +35,7 @@ public:
   EditorDock(const EditorDock&) = delete;
   EditorDock& operator=(const EditorDock&) = delete;
 
-  /** The renderer that has the editor; the editor docks in its window. Not kept alive. */
+  /** Sets the renderer that has the editor; the editor docks in its window. Not kept alive. */
   void SetHost(vtkRenderer* host);
   /**
    * Takes the room, or returns it, as the editor's settings say; call before each frame of the
@@ -45,7 +45,7 @@ public:
   bool IsTaken() const { return this->HasRoom; }
 
   ///@{
-  /** The editor's rectangle in pixels of its viewport: left, bottom, width and height. */
+  /** Returns the editor's rectangle in pixels of its viewport: left, bottom, width and height. */
   std::array<int, 4> GetRectangle();
   /** Whether a position on the display is in the editor. */
   bool Contains(int x, int y);

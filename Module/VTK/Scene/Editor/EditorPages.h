@@ -56,7 +56,7 @@ public:
   void PollCount();
   /** Ends the search in an image that is no longer shown; the program may delete it. */
   void EndOtherCount();
-  /** The fraction of the image that was searched, 0 to 1. */
+  /** Returns the fraction of the image that was searched, 0 to 1. */
   double GetCountedFraction() const;
   ///@}
 
@@ -65,7 +65,7 @@ public:
   vtkObject* GetEdited() const override;
   std::string GetTitle() const override;
   const char* GetHint() const override { return "Click on a label to edit its material"; }
-  /** A text such as "5 liver". */
+  /** Returns a text such as "5 liver". */
   std::string Describe(int label) const override;
   std::array<double, 3> GetColor(int label) const override;
   bool HasBoxes() const override { return true; }
@@ -100,8 +100,8 @@ public:
   {
   }
 
-  vtkSmartPointer<vtkHapticProperty> Property; ///< takes a proposal; may be null
-  vtkSmartPointer<vtkImageData> Image;         ///< may be null
+  vtkSmartPointer<vtkHapticProperty> Property; ///< receives an accepted proposal; may be null
+  vtkSmartPointer<vtkImageData> Image;         ///< searched image; may be null
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   ///@{
@@ -117,11 +117,14 @@ public:
   double GetProgress() const { return this->Search.GetProgress(); }
   ///@}
 
-  /** Waits until no search uses an image that was removed. */
+  /** Ends the search in an image that was removed. */
   void EndOtherSearch() { this->Search.EndUnless(this->Image); }
 
   ///@{
-  /** A proposal that is neither accepted nor dropped. Drop() also ends the search. */
+  /**
+   * Tell of, accept and drop a proposal that is neither accepted nor dropped yet. Drop() also ends
+   * the search.
+   */
   bool IsThere() const { return this->Proposal != nullptr; }
   bool Apply();
   bool Drop();
@@ -160,22 +163,22 @@ public:
   HapticLabelList LabelList;
   HapticTissueList TissueList{ Proposed.Property };
 
-  /** The page: vtkHapticFunctionEditor::FunctionType. */
+  /** Sets the page, a vtkHapticFunctionEditor::FunctionType. */
   void SetPage(int page) { this->Page = page; }
   /** Whether there is something to edit on a page. */
   bool Has(int page) const;
   const char* GetTitle() const;
 
-  /** The function of the page, or none. */
+  /** Returns the function of the page; null if it has none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
   /** Returns the functions that can be edited on the page. */
   EditedObjects GetEditable() const;
-  /** The error in stiffness and viscosity, on their pages; empty if there is none. */
+  /** Returns the error in stiffness and viscosity, on their pages; empty if there is none. */
   std::string GetWarning() const;
   /** Gives the axis of values the scale of the page's functions. */
   void ScaleValues();
-  /** The time of the last edit. */
+  /** Returns the time of the last edit. */
   vtkMTimeType GetEditTime() const;
 
   ///@{
@@ -184,21 +187,24 @@ public:
   void Count();
   void PollCounts();
   double GetCountedFraction() const;
-  /** Stops work on an image that was removed. */
+  /** Ends the work on an image that was removed. */
   void EndOtherCounts();
   ///@}
 
   /** Fits the page into a rectangle: left, bottom, width and height. */
   void Show(const int rectangle[4], bool isDragged, double scale = 1.0);
-  /** The actors that draw the page. */
+  /** Returns the actors that draw the page. */
   std::vector<vtkContextActor*> GetActors();
   std::vector<vtkContextActor*> GetAllActors();
 
-  /** Like HapticFunctionChart::SendMouse; events after a press go to the part that was pressed. */
+  /**
+   * Passes a mouse event to the part under the mouse, as HapticFunctionChart::SendMouse does; after
+   * a press, to the part that was pressed.
+   */
   void SendMouse(int event, int button, int x, int y);
   void Turn(int x, int y, double steps);
 
-  /** The page's list with sliders; null if it has none. */
+  /** Returns the page's list with sliders; null if it has none. */
   HapticMaterialSheet* GetSheet();
   HapticMaterialSheet& GetLabels() { return this->Labels; }
   HapticMaterialSheet& GetTissues() { return this->Tissues; }
@@ -210,7 +216,7 @@ private:
   HapticMaterialSheet Labels{ LabelList };
   HapticMaterialSheet Tissues{ TissueList };
   int Page = 0;
-  bool HasBoth = false;    ///< chart and tissues
+  bool HasBoth = false;    ///< whether chart and tissues are shown side by side
   int Split = 0;           ///< x coordinates between chart and tissues
   bool HoldsSheet = false; ///< true between press and release
 };

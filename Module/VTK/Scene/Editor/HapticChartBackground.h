@@ -45,13 +45,13 @@ public:
   void ScaleValues(const VolumeHaptics::ValueScale& scale);
 
   /**
-   * The gradient magnitudes at which distinctness begins and becomes full (scalar units per world
-   * unit).
+   * Shows the gradient magnitudes at which distinctness begins and becomes full (scalar units per
+   * world unit).
    */
   void ShowDistinctness(double start, double full);
 
   ///@{
-  /** Called by the chart. */
+  /** Draw the plot and give its bounds; the chart calls them. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}
@@ -69,13 +69,13 @@ private:
     double Value;
     double Fraction; // relative to the largest shown gradient magnitude
   };
-  /** A scalar in VTK's scale for single precision. */
+  /** Returns a scalar in VTK's scale for single precision. */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 
   vtkNew<vtkImageData> Picture;
   std::vector<std::vector<ArcPoint>> Arcs;
-  double Values[2] = { 0.0, 1.0 }; // scalars
+  double Values[2] = { 0.0, 1.0 }; // range of the shown scalars
   VolumeHaptics::ValueScale ToValue;
   double MostSlope = 1.0;
   double Distinctness[2] = { 0.0, 0.0 };
@@ -95,14 +95,14 @@ public:
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
   /**
-   * Sets the tissues of a property, or none; the axis' values for scalars; the ends of the axis;
-   * the size of letters.
+   * Shows the tissues of a property, or none. `toValue`: the axis' values for scalars; `range`: the
+   * ends of the axis; `letters`: the size of the names.
    */
   void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
     const double range[2], int letters);
 
   ///@{
-  /** Called by the chart. */
+  /** Draw the bands and give their bounds; the chart calls them. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}

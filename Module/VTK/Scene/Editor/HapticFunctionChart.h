@@ -66,7 +66,7 @@ public:
 
   vtkContextActor* GetActor() { return this->Actor; }
 
-  /** The rectangle in pixels of the viewport: x, y, width, height. */
+  /** Sets the rectangle in pixels of the viewport: x, y, width, height. */
   void Place(const int rectangle[4], double scale = 1.0);
 
   ///@{
@@ -80,7 +80,7 @@ public:
   void PollCount();
   /** Ends the count of a previous image, which the program may delete. */
   void EndCountUnless(vtkImageData* image);
-  /** The fraction of the values that is counted, 0 to 1. */
+  /** Returns the fraction of the values that is counted, 0 to 1. */
   double GetCountedFraction() const;
   ///@}
 
@@ -104,7 +104,7 @@ public:
   /** Shows an error of the function; empty: no error. */
   void ShowWarning(const std::string& warning) { this->Warning = warning; }
 
-  /** The range of the data (scalar units). */
+  /** Returns the range of the data (scalar units). */
   const double* GetDataRange() const { return this->Data.Range; }
 
   /** Sets which values the axis shows for the scalars. */
@@ -126,12 +126,12 @@ public:
    */
   void SendMouse(int event, int button, int x, int y);
   /**
-   * The wheel stretches the axis of values about a position, or the axis of the function if over
+   * Stretches by the wheel the axis of values about a position, or the axis of the function under
    * it.
    */
   void Turn(int x, int y, double steps);
 
-  /** The position in the viewport of a point of the curve. */
+  /** Computes the position in the viewport of a point of the curve. */
   void GetPosition(double x, double y, double position[2]);
 
 private:
@@ -146,7 +146,7 @@ private:
     Function
   };
   AxisKind FindAxis(int x, int y);
-  /** True if the event was for an axis. */
+  /** Moves the axes by a mouse event. True if the event was for an axis. */
   bool MoveAxes(int event, int button, int x, int y);
   void ChooseValues(double from, double to);
   void ChooseTop(double top);
@@ -172,7 +172,7 @@ private:
   vtkImageData* ShownImage = nullptr; // never dereferenced, only compared
   int ShownComponent = 0;
   vtkTimeStamp DataTime;
-  vtkSmartPointer<vtkDataArray> Counted; // while its values are counted
+  vtkSmartPointer<vtkDataArray> Counted; // counted array, while its values are counted
   KeyedWork<vtkMTimeType, ValueCounts> Counting;
   bool HasData = false;
   bool HasEdges = false;
@@ -185,7 +185,7 @@ private:
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
   int Letters = 8;              ///< points
-  bool HasChosenValues = false; ///< the user has moved the axis of values: it stays
+  bool HasChosenValues = false; ///< whether the user has moved the axis of values, so that it stays
   std::map<const EditedQuantity*, double> ChosenTops; ///< functions' axes that the user has chosen
   AxisKind DraggedAxis = AxisKind::None;
   vtkVector2i LastMouse{ 0, 0 };

@@ -47,20 +47,22 @@ public:
   virtual int GetKey(vtkIdType row) const = 0;
   /** Whether the rows show the current data. */
   virtual bool IsCounted() const { return true; }
-  /** The object whose MTime advances with edits; may be null. */
+  /** Returns the object whose MTime advances with edits; may be null. */
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /** What to paint: the title, or why there are no rows; and the text and colour of each row. */
+  /**
+   * Return what to paint: the title, or why there are no rows; and the text and colour of each row.
+   */
   virtual std::string GetTitle() const = 0;
-  /** A hint how to select a row. */
+  /** Returns a hint how to select a row. */
   virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;
   ///@}
 
   ///@{
-  /** Whether rows have boxes (felt, forbidden), and the values of the boxes. */
+  /** Tell whether rows have boxes (felt, forbidden), and get and change the values of the boxes. */
   virtual bool HasBoxes() const { return false; }
   virtual bool IsFelt(int) const { return true; }
   virtual bool IsForbidden(int) const { return false; }
@@ -69,16 +71,21 @@ public:
   ///@}
 
   ///@{
-  /** In rows with boxes: whether a row has a material of its own, which can be removed. */
+  /**
+   * Tell, in lists with boxes, whether a row has a material of its own, and remove this material.
+   */
   virtual bool HasMaterial(int) const { return true; }
   virtual void RemoveMaterial(int) {}
   ///@}
 
-  /** The row of a key; -1 if it is not listed. */
+  /** Returns the row of a key; -1 if it is not listed. */
   vtkIdType FindRow(int key) const;
 
   ///@{
-  /** The window of rows; its first row is moved so that all of them exist, if possible. */
+  /**
+   * Set and get the window of rows; its first row is moved so that all rows of the window exist, if
+   * possible.
+   */
   void SetVisibleRows(vtkIdType rows);
   vtkIdType GetVisibleRows() const { return this->VisibleRows; }
   void ScrollTo(vtkIdType first);
@@ -86,7 +93,10 @@ public:
   ///@}
 
   ///@{
-  /** The selected key, if it is listed. Select also scrolls to it, and returns whether it is. */
+  /**
+   * Select and get the key of a listed row. Select also scrolls to the row; false if the key is not
+   * listed.
+   */
   bool Select(int key);
   std::optional<int> GetSelected() const;
   ///@}
@@ -98,7 +108,10 @@ public:
   ///@}
 
   ///@{
-  /** The end of a slider. It stays while the slider is dragged; FitEnds fits it to the value. */
+  /**
+   * Return the end of a slider, and fit the ends to the values. A slider's end stays while it is
+   * dragged.
+   */
   double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
   void FitEnds();
   ///@}
@@ -114,14 +127,14 @@ private:
   std::array<double, Quantities> Ends{ 1.0, 1.0, 1.0, 1.0 };
 };
 
-/** The colour of a tissue by number, in lists and bands: RGB, 0 to 1. */
+/** Returns the colour of a tissue by number, in lists and bands: RGB, 0 to 1. */
 std::array<double, 3> GetTissueColor(int tissue);
 
 /** The tissues that the function editor lists, and the material of the selected one. */
 class HapticTissueList : public HapticMaterialList
 {
 public:
-  /** The property may be null. */
+  /** Borrows the property, which may be null. */
   explicit HapticTissueList(const vtkSmartPointer<vtkHapticProperty>& property)
     : Property(property)
   {

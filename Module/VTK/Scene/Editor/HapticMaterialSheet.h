@@ -53,7 +53,7 @@ public:
   HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list, double scale = 1.0);
 
   int GetFontSize() const { return this->Font; }
-  /** The number of rows that fit. */
+  /** Returns the number of rows that fit. */
   vtkIdType GetRoom() const { return this->Room; }
 
   vtkRectf GetTitle() const;
@@ -70,7 +70,7 @@ public:
   vtkRectf GetSlider(int quantity) const;
 
   MaterialPart Find(float x, float y) const;
-  /** The first visible row for a position on the scroll bar. */
+  /** Returns the first visible row for a position on the scroll bar. */
   vtkIdType GetFirstRowAt(float y) const;
 
 private:
@@ -89,13 +89,13 @@ private:
 class HapticMaterialSheet
 {
 public:
-  /** The list has to outlive the sheet. */
+  /** Borrows the list, which has to outlive the sheet. */
   explicit HapticMaterialSheet(HapticMaterialList& list);
   ~HapticMaterialSheet();
 
   vtkContextActor* GetActor() { return this->Actor; }
 
-  /** The rectangle in pixels of the viewport: x, y, width, height. */
+  /** Sets the rectangle in pixels of the viewport: x, y, width, height. */
   void Place(const int rectangle[4], double scale = 1.0);
   HapticMaterialLayout GetLayout() const { return { this->Rectangle, this->List, this->Scale }; }
 
@@ -104,13 +104,13 @@ public:
    * Other buttons do nothing.
    */
   void SendMouse(int event, int button, int x, int y);
-  /** The wheel at a position in the viewport. */
+  /** Turns the wheel at a position in the viewport. */
   void Turn(int x, int y, double steps);
 
   ///@{
   /**
-   * The position in the viewport of a row's name or one of its boxes, or of a value on the slider
-   * of a quantity. False if it is not shown.
+   * Computes the position in the viewport of a row's name or one of its boxes, or of a value on the
+   * slider of a quantity. False if it is not shown.
    */
   bool GetRowPosition(int key, MaterialPart::KindType part, double position[2]) const;
   bool GetSliderPosition(int quantity, double value, double position[2]) const;
@@ -130,7 +130,7 @@ private:
   vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
   double Scale = 1.0;
-  MaterialPart Held; ///< between press and release: the scroll bar or a slider
+  MaterialPart Held; ///< scroll bar or slider that holds the mouse from press to release
 };
 
 } // namespace VolumeHaptics

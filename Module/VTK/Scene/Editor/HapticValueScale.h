@@ -33,8 +33,8 @@ struct ValueScale
 };
 
 /**
- * The title of a chart's axis: the array's name, its unit (vtkDataArray::UNITS_LABEL), or both.
- * Leaves out names that VTK's readers give to all arrays: they describe the storage, not the
+ * Returns the title of a chart's axis: the array's name, its unit (vtkDataArray::UNITS_LABEL), or
+ * both. Leaves out names that VTK's readers give to all arrays: they describe the storage, not the
  * meaning. "Value" if nothing is known.
  */
 inline std::string NameValues(vtkDataArray* values)
@@ -56,7 +56,7 @@ inline std::string NameValues(vtkDataArray* values)
   return unit.empty() || unit == name ? name : name + " (" + unit + ")";
 }
 
-/** The next round number. */
+/** Returns the next round number. */
 inline double RoundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

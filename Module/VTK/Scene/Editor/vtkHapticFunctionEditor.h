@@ -351,9 +351,9 @@ public:
 
   ///@{
   /**
-   * The position on the display (pixels) of a label's name or one of its boxes, of a tissue's name,
-   * and of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a
-   * render. False if it is not shown: it is scrolled away, no label or tissue is selected, or the
+   * Get the position on the display (pixels) of a label's name or one of its boxes, of a tissue's
+   * name, and of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after
+   * a render. False if it is not shown: it is scrolled away, no label or tissue is selected, or the
    * image was replaced or has changed since the render.
    */
   bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
@@ -362,7 +362,7 @@ public:
   ///@}
 
   ///@{
-  /** Called by the renderer. */
+  /** Draw the editor, and release its graphics resources; the renderer calls these. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

@@ -63,7 +63,7 @@ public:
   }
   /** Forgets the frame. */
   void Clear() { this->Whole.reset(); }
-  /** The time of the frame with all its rays, s; empty while too few are cast. */
+  /** Returns the time of the frame with all its rays (s); empty while too few are cast. */
   const std::optional<double>& GetWhole() const { return this->Whole; }
 
 private:
@@ -79,7 +79,10 @@ struct RayPace
 {
   static constexpr double MostSteps = 6.0; ///< 8 pixels; a step multiplies the distance by sqrt(2)
 
-  /** The distance for the next frame, pixels. `longest`: the most time for that frame, s. */
+  /**
+   * Returns the distance between rays for the next frame (pixels). `longest`: the most time (s)
+   * that this frame may take.
+   */
   double Next(double longest)
   {
     if (this->Time > longest || this->Time < 0.6 * longest)
@@ -139,7 +142,10 @@ public:
     Armed
   };
 
-  /** `touch` reports before each frame whether the scene is touched; On also if it plays. */
+  /**
+   * Borrows a function that tells, before each frame, whether the scene is touched; On also if it
+   * plays.
+   */
   explicit FrameQuality(std::function<Touch()> touch);
   ~FrameQuality();
   FrameQuality(const FrameQuality&) = delete;
@@ -159,7 +165,7 @@ public:
     Slow,   ///< too slow: the next frame casts fewer rays
     Resized ///< the window's size, so that the frame was drawn coarsely first
   };
-  /** Why a frame was to be drawn again since the last call. */
+  /** Returns why a frame has to be drawn again since the last call. */
   Interruption DrainInterruption();
 
 private:
@@ -199,9 +205,12 @@ private:
   void Interrupt();
   /** Records which fraction of its rows a mapper has cast; 0 when it begins. */
   void RecordProgress(vtkObject* mapper, double fraction);
-  /** The time of the frame with all its rays (s), if known before its end. */
+  /**
+   * Estimates the time of the frame with all its rays (s); empty if it is not known before the
+   * frame's end.
+   */
   std::optional<double> EstimateTime() const;
-  /** Time since the beginning of the frame, s. */
+  /** Returns the time since the beginning of the frame (s). */
   double GetElapsed() const;
   void Restore();
   template <typename Mapper>
@@ -217,7 +226,7 @@ private:
   bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;
-  /** The window, if its frames are adjusted now. */
+  /** Returns the window, if its frames are adjusted now; otherwise null. */
   vtkRenderWindow* GetWindow() const;
 
   vtkWeakPointer<vtkRenderWindow> Window;
@@ -237,13 +246,13 @@ private:
    * rest.
    */
   int SlowFrames = 0;
-  double CoarseTime = 0.0; ///< s, for frames in motion with coarse kept rays
-  bool IsFine = false;     ///< the frame in motion keeps the fine rays of rest
-  bool IsExposed = false;  ///< the interactor is about to draw the window
-  bool IsResized = false;  ///< the frame is drawn as in motion for a changed size
+  double CoarseTime = 0.0; ///< time of frames in motion with coarse kept rays (s)
+  bool IsFine = false;     ///< whether the frame in motion keeps the fine rays of rest
+  bool IsExposed = false;  ///< whether the interactor is about to draw the window
+  bool IsResized = false;  ///< whether the frame is drawn as in motion because the size has changed
   bool Moves = false;
   bool IsArmed = false;
-  bool IsGivenUp = false; ///< ended because the frame takes too long
+  bool IsGivenUp = false; ///< whether the frame was ended because it takes too long
   Interruption Interrupted = Interruption::None;
 };
 

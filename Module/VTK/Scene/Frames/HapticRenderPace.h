@@ -41,8 +41,8 @@ public:
     0.03; ///< s: time for the hand to move before a stroke's first frame
 
   /**
-   * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
-   * changed. `isIdle`: no input waits.
+   * Decides how to draw at the time `now` (s). `moves`: something has moved since the last frame.
+   * `isNew`: figures have changed. `isIdle`: no input waits.
    */
   Frame Next(double now, bool moves, bool isNew, bool isIdle = false)
   {
@@ -62,7 +62,7 @@ public:
     return isNew && isDue ? Frame::Still : Frame::None;
   }
 
-  /** Call it after a frame: the time of its end, and its duration. */
+  /** Records a drawn frame. `now`: when the frame ended (s). `cost`: how long drawing took (s). */
   void Drawn(bool quickly, double now, double cost)
   {
     this->LastDrawn = now;
@@ -91,14 +91,14 @@ public:
       (this->IsStill || now - this->LastDrawn > LongestStep);
   }
 
-  /** Call it after an interrupted or coarse frame: the frame becomes due again after a rest. */
+  /** Records that the last frame was interrupted or coarse: a frame is due again after a rest. */
   void Interrupted(double now)
   {
     this->LastDrawn = now;
     this->IsStill = false;
   }
 
-  /** Call it after a frame that took too long: if nothing moves, a coarser frame is due at once. */
+  /** Records that the last frame was given up: if nothing moves, a coarser frame is due at once. */
   void GivenUp()
   {
     this->LastDrawn = -std::numeric_limits<double>::infinity();
@@ -107,8 +107,8 @@ public:
 
 private:
   double LastDrawn = 0.0;
-  double Cost = 0.0;      ///< s, cost of a still frame
-  double QuickCost = 0.0; ///< s
+  double Cost = 0.0;      ///< time that the last frame at rest took (s)
+  double QuickCost = 0.0; ///< time that the last frame in motion took (s)
   bool IsStill = true;
 };
 

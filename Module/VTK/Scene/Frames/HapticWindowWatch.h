@@ -32,8 +32,8 @@ class HapticWindowWatch
 {
 public:
   /**
-   * The function is called at each sign of an end, so perhaps twice. The owner is kept alive during
-   * the call.
+   * Watches for an owner. `end` is called at each sign of an end, so perhaps twice; the owner is
+   * kept alive during the call.
    */
   HapticWindowWatch(vtkObject* owner, std::function<void()> end);
   ~HapticWindowWatch();
@@ -44,12 +44,15 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * Call it often: notices that the interactor has another window, or that its loop was told to
-   * end.
+   * Notices that the interactor has another window, or that its loop was told to end; call this
+   * often.
    */
   void Look();
 
-  /** Call it often with the renderer that is touched; nullptr for none. */
+  /**
+   * Notices that the touched renderer was taken out of its window; null for no renderer. Call this
+   * often.
+   */
   void LookAt(vtkRenderer* renderer);
 
   /**

@@ -56,7 +56,7 @@ public:
   /** Whether the image still shows the current state of the volume. */
   bool IsCurrent() const;
   ///@{
-  /** Distances in the image: pixels between rays, and world units between samples. */
+  /** Return the distances in the image: pixels between rays, and world units between samples. */
   float GetImageDistance() const { return this->ImageDistance; }
   float GetSampleDistance() const { return this->SampleDistance; }
   ///@}
@@ -74,7 +74,7 @@ private:
   /** An image, and its conditions. */
   struct Picture
   {
-    Words Look;                ///< empty: there is none
+    Words Look;                ///< view and look of the image; empty: there is none
     Words Image;               ///< spread of its rays
     std::vector<float> Depths; ///< depths where rays end, row by row
     std::vector<unsigned short> Pixels;
@@ -89,23 +89,27 @@ private:
 
   void Begin();
   void End();
-  /** The view and the volume's look: all conditions of rays that are known before a frame. */
+  /**
+   * Describes the view and the volume's look: all conditions of rays that are known before a frame.
+   */
   Words DescribeLook() const;
-  /** The spread of the rays. */
+  /** Describes how the rays are spread over the image. */
   Words DescribeImage() const;
-  /** The memory of the mapper's image. */
+  /** Describes where the pixels of the mapper's image are in memory. */
   Words DescribeStorage() const;
-  /** Copies the mapper's image to the coarse one, if it is coarse. */
+  /** Copies the mapper's image to the coarse image, if the mapper's is coarse. */
   void StoreCoarse();
-  /** Copies the coarse image to the mapper's, if the mapper is to draw it. */
+  /**
+   * Copies the coarse image to the mapper's, if the mapper is to draw it. Returns whether it did.
+   */
   bool CopyCoarse(const Words& look, const Words& image);
-  /** The conditions of the mapper's table of shades. */
+  /** Describes what the mapper's table of shades depends on. */
   Words DescribeShades() const;
   /** Whether the mapper draws this volume in this window now. */
   bool IsDrawn() const;
   /** Whether frames may be kept at all. */
   bool CanKeep() const;
-  /** Depths where the rays of the image in use end, row by row. */
+  /** Reads the depths where the rays of the image in use end, row by row. */
   void ReadDepths(std::vector<float>& depths) const;
   /** Collects the runs of rays whose depth has changed. */
   void CollectChanges(const std::vector<float>& depths);
@@ -125,9 +129,9 @@ private:
   float SampleDistance = 0.0F;
   std::vector<float> NewDepths;
   std::vector<std::vector<Run>> Rows; ///< runs to cast in this frame
-  std::vector<int> OwnBounds;         ///< the mapper's own bounds of its rows
+  std::vector<int> OwnBounds;         ///< bounds of its rows that the mapper has computed
   std::size_t Passes = 0;
-  bool IsCasting = false; ///< further passes of one frame
+  bool IsCasting = false; ///< whether further passes of the frame follow
   bool IsExpected = false;
   bool IsWhole = false;
 };

@@ -27,14 +27,14 @@ class ColoredTubes
 public:
   explicit ColoredTubes(int sides);
 
-  /** The polylines; their cell scalars are their colours: NewColors(). */
+  /** Returns the polylines, whose cell scalars are their colours: NewColors(). */
   vtkPolyData* GetLines() const { return this->Lines; }
   static vtkSmartPointer<vtkUnsignedCharArray> NewColors();
   void SetRadius(double radius) { this->Tubes->SetRadius(radius); }
   bool AreShown() const { return this->Lines->GetNumberOfLines() > 0; }
 
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy. */
+  /** Draws the faint copy over objects that hide the lines. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);

@@ -13,13 +13,16 @@ class vtkHapticTool;
 namespace VolumeHaptics
 {
 
-/** The tool in the hand of a device; null for a point. */
+/** Returns the tool in the hand of a device; null for a point. */
 vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
 
 /** Whether a tool looks different when it is turned. */
 bool IsTurnable(vtkHapticTool* tool);
 
-/** World units: from the hand to the farthest touching point of a tool; 0 without a shape. */
+/**
+ * Returns the distance (world units) from the hand to the farthest touching point of a tool; 0
+ * without a shape.
+ */
 double ComputeToolReach(vtkHapticTool* tool);
 
 } // namespace VolumeHaptics

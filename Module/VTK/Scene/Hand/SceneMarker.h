@@ -37,7 +37,7 @@ public:
     Stylus ///< a pen with a button, which points along its -z
   };
   SceneMarker(Shape shape, double red, double green, double blue);
-  /** A shape in world coordinates. */
+  /** Makes a marker of a shape in world coordinates. */
   SceneMarker(vtkAlgorithmOutput* shape, double red, double green, double blue);
 
   void SetColor(const double color[3]);
@@ -51,7 +51,7 @@ public:
   void Show(bool shown) { this->Shown = shown; }
 
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy. */
+  /** Draws the faint copy over objects that hide the marker. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   /** Grows the box to hold the marker, if the marker is shown. */

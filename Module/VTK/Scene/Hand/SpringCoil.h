@@ -30,7 +30,7 @@ public:
   void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
   void Show(bool shown) { this->Marker.Show(shown); }
 
-  /** The centre line of the wire, for tests. */
+  /** Returns the centre line of the wire, for tests. */
   vtkPolyData* GetWire() { return this->Wire; }
 
   void RenderOpaque(vtkViewport* viewport) { this->Marker.RenderOpaque(viewport); }

@@ -189,7 +189,10 @@ public:
   ///@}
 
   ///@{
-  /** Called by the renderer. */
+  /**
+   * Give the bounds of the markers, draw them, and release their graphics resources; the renderer
+   * calls these.
+   */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;

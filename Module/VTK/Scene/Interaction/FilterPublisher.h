@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /** Call it for a new device: its servo has no model yet. */
+  /** Forgets what was published, for a new device, whose servo has no model yet. */
   void Reset();
 
   /**
@@ -53,7 +53,7 @@ public:
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 
 private:
-  /** The time when the filter, its image or its surface last changed. */
+  /** Returns when the filter, its image or its surface last changed. */
   vtkMTimeType GetChangeTime() const;
 
   /**
@@ -66,7 +66,10 @@ private:
     int Solver = 0;
     std::string Before;
     std::string Wanted; ///< text of the new method
-    /** Undoes a change of more than the method; with the name of the settings. */
+    /**
+     * Undoes a change of more than the method to the settings Name; null if only the method
+     * changes.
+     */
     std::function<void()> Undo = nullptr;
     std::string Name = {};
   };
@@ -102,7 +105,7 @@ public:
   /** See vtkInteractorStyleHaptic::SwapSettings. The function shows a notice; "" removes it. */
   bool Swap(const std::function<void(const std::string&)>& notify);
 
-  /** "A" or "B", or nothing if none are compared. */
+  /** Returns "A" or "B"; empty if nothing is compared. */
   std::string GetName() const;
 
   /** Discards the settings that are not felt; call this for a new device, too. */
@@ -112,7 +115,7 @@ public:
   void Report();
 
 private:
-  /** The filter of the device; null without one. */
+  /** Returns the filter of the device; null without one. */
   vtkVolumeHapticsFilter* GetFilter() const;
 
   TouchedScene& Scene;

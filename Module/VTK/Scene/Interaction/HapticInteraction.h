@@ -41,7 +41,9 @@ namespace VolumeHaptics
 class HapticStateWatch
 {
 public:
-  /** The events (vtkInteractorStyleHaptic::HapticEvents) of the table's rows, oldest first. */
+  /**
+   * Returns the events (vtkInteractorStyleHaptic::HapticEvents) of the table's rows, oldest first.
+   */
   std::vector<unsigned long> Watch(vtkTable* states);
   void Reset() { *this = HapticStateWatch(); }
 
@@ -74,7 +76,10 @@ public:
   HapticInteraction& operator=(const HapticInteraction&) = delete;
 
   ///@{
-  /** False if nothing changed. A device that is set during an update changes at its end. */
+  /**
+   * Set the objects. False if nothing changed. A device that is set during an update changes at the
+   * update's end.
+   */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
@@ -85,9 +90,7 @@ public:
   /** Stops observing the device and the editor, before the style is deleted. */
   void Leave();
 
-  /**
-   * Leaves the touch mode and disarms. For the end of the window, or if another style takes over.
-   */
+  /** Leaves the touch mode and disarms, at the end of the window or if another style takes over. */
   void LetGo();
 
   /** Leaves the touch mode and lets the force fade, for a view that is no longer seen. */
@@ -99,9 +102,9 @@ public:
   bool DoubleClickLeftButton();
   bool PressRightButton();
   bool ReleaseRightButton();
-  /** `steps` count away from the viewer. */
+  /** Turns the wheel; `steps` count away from the viewer. */
   bool TurnWheel(double steps);
-  /** Keys have X11's names. */
+  /** Presses a key by X11's name. */
   bool PressKey(const std::string& pressed);
   bool ReleaseKey(const std::string& released);
   /** Whether a press repeats the last used press, because the key is held. */
@@ -109,7 +112,7 @@ public:
   {
     return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
   }
-  /** True for a key that the superclass must not get, because it would use the key differently. */
+  /** Whether the superclass must not get a typed key, because it would use the key differently. */
   bool TypeKey(const std::string& typed) const;
 
   ///@{
@@ -150,7 +153,7 @@ private:
 
   PlaybackKeys Playback;
   KeyRepeat Repeat;
-  std::string UsedKey; ///< the last pressed key, if it was used
+  std::string UsedKey; ///< the last pressed key that was used
   ModeKeys Modes;
   EditorKeys Editor;
   SliceMouse Slices;
@@ -158,12 +161,12 @@ private:
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
   int Reader = 0;       ///< this reader's number for the device's states
-  double Updated = 0.0; ///< s, the device's time at the last update
+  double Updated = 0.0; ///< the device's time at the last update (s)
   bool IsUpdating = false;
   /// device that an observer of the present update has set
   std::optional<vtkSmartPointer<vtkHapticDevice>> NextDevice;
   bool EditorHasMouse = false;
-  bool ListHasMouse = false; ///< the list of modes has the mouse
+  bool ListHasMouse = false; ///< whether the list of modes has the mouse
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
   /// the device without force while the editor counts

@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /** False if the key is none of them, or without a list of measurements. */
+  /** Carries out a key. False for a key of other parts, and without a list of measurements. */
   bool Press(const std::string& key);
   /** Adds an update's states to the path, or to the brushed area. */
   void Update(vtkTable* states);
@@ -46,7 +46,7 @@ private:
   void BeginOrEnd(MeasuredKind kind);
   /** Adds the measurement in progress to the list. */
   void Finish();
-  /** The brush on the touched surface; null without a 3D image that has point scalars. */
+  /** Makes the brush on the touched surface; null without a 3D image that has point scalars. */
   std::unique_ptr<PaintedPatch> MakeBrush(const Vector3& proxy, double surfaceValue);
   void PaintTo(const Vector3& proxy, double surfaceValue);
   /** Shows the measurement in progress in displays. */
@@ -55,8 +55,8 @@ private:
 
   TouchedScene& Scene;
   SceneFrames& Frames;
-  Measurement Begun;        ///< has no points for an area
-  bool IsFollowing = false; ///< a path or an area is under way
+  Measurement Begun;        ///< measurement in progress; an area has no points here
+  bool IsFollowing = false; ///< whether a path or an area is under way
   std::unique_ptr<PaintedPatch> Brush;
   Vector3 Painted; ///< last position of the brush
   double BrushStep = 0.0;

@@ -27,7 +27,7 @@ class HapticWindowWatch;
 class SceneFrames
 {
 public:
-  /** The function draws the scene, quickly (true) or finely. */
+  /** `drawScene` draws the scene, quickly (true) or finely. */
   SceneFrames(
     TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
 
@@ -38,7 +38,7 @@ public:
   }
   void Draw(bool quickly);
   /**
-   * Call it from the timer: draws a frame if one is due, and returns whether it did. `isNew`: the
+   * Draws a frame if one is due, and returns whether it did; the timer calls this. `isNew`: the
    * device has a new state.
    */
   bool DrawIfDue(bool isNew);

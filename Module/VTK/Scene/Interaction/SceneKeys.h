@@ -34,19 +34,21 @@ public:
   {
   }
 
-  /** False if the key is none of them, or without a display. */
+  /** Carries out a key. False for a key of other parts, and without a display. */
   bool Press(const std::string& key);
   void HideKeys();
-  /** The list of keys for the current scene. */
+  /** Returns the list of keys for the current scene. */
   std::string ListKeys() const;
   /** Shows what to do next, until something is touched. */
   void UpdateHint();
 
-  std::string ApplicationKeys; ///< listed after the style's keys
+  std::string ApplicationKeys; ///< keys of the application, listed after the style's
 
 private:
   std::string ChooseHint();
-  /** A line about the key of an action, by its default key; empty if it has none. */
+  /**
+   * Returns a line about the key of an action, by its default key; empty if the action has no key.
+   */
   std::string DescribeKey(const char* before, const char* defaultKey, const char* after) const;
 
   TouchedScene& Scene;
@@ -54,7 +56,7 @@ private:
   const ToolTurn& Turn;
   const KeyMap& Keys;
   bool WasTouching = false; ///< state at the last call of UpdateHint
-  bool HasTouched = false;  ///< something was touched since the touch mode, or arming, began
+  bool HasTouched = false;  ///< whether something was touched since touch mode or arming began
   std::string Shown;        ///< the last hint
 };
 
@@ -68,7 +70,7 @@ public:
   {
   }
 
-  /** False if the key is none of them, or without an editor. */
+  /** Carries out a key. False for a key of other parts, and without an editor. */
   bool Press(const std::string& key);
   /** Reports the end of the search for functions; call it in each update. */
   void PollProposal();
@@ -83,7 +85,7 @@ private:
   void Report(bool isDone, const char* notice);
   /** Searches for a proposal in the editor, or accepts the proposal that it shows. */
   void Propose();
-  /** Replaces the notice about the search by another notice, or by none. */
+  /** Replaces the notice about the search by another one; null for none. */
   void EndProposing(const char* notice);
   /** Shows the labels in the editor, with the touched label selected, or hides the editor. */
   void ToggleLabels();
@@ -131,7 +133,7 @@ public:
   {
   }
 
-  /** False if the key is none of them, or without a moving volume. */
+  /** Carries out a key. False for a key of other parts, and without a moving volume. */
   bool Press(const std::string& key);
 
 private:

@@ -48,7 +48,7 @@ private:
     WindowLevel
   };
 
-  /** The slice under the mouse; -1 if there is none. */
+  /** Returns the number of the slice under the mouse; -1 if there is none. */
   int Find(int x, int y) const;
   void GoTo(int x, int y);
   /** Leads the tip to a position; if the mouse does not lead the tip, moves the slices there. */
@@ -58,7 +58,7 @@ private:
   TouchedScene& Scene;
   TouchMode& Touch;
   Drag Dragged = Drag::None;
-  bool IsRight = false;  ///< the button that drags
+  bool IsRight = false;  ///< whether the right button drags
   int Slice = 0;         ///< the slice in which the drag began
   int From[2] = {};      ///< start of the drag
   double Before[2] = {}; ///< window and level at the start
@@ -76,13 +76,14 @@ public:
 
   /** Whether the hand holds a tool that only the mouse can turn. */
   bool HasTool() const;
-  /** Whether, in addition, the key Alt is held. */
+  /** Whether HasTool() is true and the key Alt is held. */
   bool IsOn() const;
 
   ///@{
   /**
    * Turns the tool from one position of the pointer to the next (pixels), like a ball under the
-   * pointer: about the view's axes up and right, and about the line of sight. Less with Shift.
+   * pointer, about the view's axes up and right; and by steps of the wheel about the line of sight.
+   * Shift makes the turn smaller.
    */
   void Roll(const int from[2], const int to[2]);
   void Twist(double steps);
@@ -91,7 +92,7 @@ public:
 private:
   /** Turns by an angle vector (rad) along right, up and towards the viewer. */
   void TurnBy(const Vector3& angles);
-  /** The orientation at which the next turn begins (world). */
+  /** Returns the orientation at which the next turn begins (world). */
   Quaternion FindStart();
 
   TouchedScene& Scene;

@@ -35,17 +35,18 @@ public:
   /** Ends the mode without calling the old device, for a new device. */
   void Reset() { this->IsTouching = this->IsPressed = false; }
   /**
-   * Call it if something disarmed the device: a touch mode that is beginning then does not arm it.
+   * Keeps a touch mode that is beginning from arming the device; call this if something disarmed
+   * it.
    */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now; a condition of the next functions. */
+  /** Whether the mouse leads the tip now. The next functions need this. */
   bool LeadsTip() const;
   /** Leads the tip to a position in the world. */
   void LeadTo(const Vector3& world);
-  /** The target of the tip (world). */
+  /** Returns the target of the tip (world). */
   const Vector3& GetLead() const { return this->Lead; }
-  /** The time (s) that the hand takes from the last seen tip to the target. */
+  /** Returns the time (s) that the hand takes from the last seen tip to the target. */
   double GetTravelTime() const;
   /** Moves along the line of sight, away from the viewer; a step is one of the wheel. */
   void MoveInDepth(double steps);
@@ -54,16 +55,19 @@ public:
    * of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
   void MoveInPlane(const int from[2], const int to[2]);
-  /** The fraction of a motion that is made: less with Shift. */
+  /** Returns the fraction of a motion that is made, which is smaller with Shift. */
   double GetFineness() const;
   /** Makes the mouse's button the device's button, until it is released or the mode ends. */
   void PressButton();
-  /** False if the button was not pressed. */
+  /** Releases the button. False if it was not pressed. */
   bool ReleaseButton();
 
-  /** Called before the mode begins, unless null: it sets TouchedScene::Hidden. */
+  /** Called before the mode begins, unless null, to set TouchedScene::Hidden. */
   std::function<void()> BeforeBegin;
-  /** Called before a tip lands on something along the line of sight there, unless null. */
+  /**
+   * Called, unless null, before a tip lands on the first surface along the line of sight through a
+   * position.
+   */
   std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
 
 private:
@@ -72,15 +76,15 @@ private:
   double GetDepthStep() const;
   /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
-  /** The tip's target on the surface, instead of a position in the plane of the view. */
+  /** Returns the tip's target on the surface, instead of a position in the plane of the view. */
   Vector3 ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const;
 
   TouchedScene& Scene;
   HapticWindowWatch& Window;
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
-  bool IsPressed = false;   ///< the button, pressed by PressButton
-  bool IsBeginning = false; ///< Begin runs, and nothing has cancelled it yet
+  bool IsPressed = false;   ///< whether PressButton has pressed the button
+  bool IsBeginning = false; ///< whether Begin runs, and nothing has cancelled it yet
   Vector3 Lead;             ///< world; target of the tip
 };
 

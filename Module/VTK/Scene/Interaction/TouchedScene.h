@@ -26,8 +26,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Shared by the parts of a HapticInteraction. The application may set each of the objects to null
- * at any time, also in an observer of an event that a part causes.
+ * The objects that the parts of a HapticInteraction share. The application may set each of them to
+ * null at any time, also in an observer of an event that a part causes.
  */
 class TouchedScene
 {
@@ -43,23 +43,23 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  bool TurnsView = true; ///< with the right button in the touch mode; not beside another style
+  bool TurnsView = true; ///< whether the right button turns the view in the touch mode
   std::string Hidden;    ///< why the touched volume is not seen, and the cure; empty if it is seen
 
   /**
-   * The renderer of the last button event, or the default one, or the window's first. VTK has no
-   * current renderer before the first button event.
+   * Returns the renderer of the last button event, or the default one, or the window's first. VTK
+   * has no current renderer before the first button event.
    */
   vtkRenderer* ChooseRenderer() const;
 
-  /** The image of the device's filter; null without one. */
+  /** Returns the image of the device's filter; null without one. */
   vtkImageData* GetImage() const;
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
 
   ///@{
-  /** Read from the device's last state; there must be a device. */
+  /** Read the device's last state; there must be a device. */
   bool IsArmed() const;
   Vector3 GetTip() const; ///< world
   Vector3 GetProxy() const;

@@ -52,15 +52,18 @@ public:
    * filter whenever that changes. Call Set() before, and Update() afterwards.
    */
   void AddAlike(vtkVolume* volume);
-  /** The felt volume; null if there is none. */
+  /** Returns the felt volume; null if there is none. */
   vtkVolume* Get() const;
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
-  /** The tissue that tools have removed, by the filters of the volumes and the device's filter. */
+  /**
+   * Returns the tissue that tools have removed, from the filters of the volumes and the device's
+   * filter.
+   */
   std::vector<CarvedArray> CollectCarved() const;
   /**
-   * Gives the filters what their volumes show now. Sets TouchedScene::Hidden if the felt volume is
-   * not shown.
+   * Passes what the volumes show now to their filters. Sets TouchedScene::Hidden if the felt volume
+   * is not shown.
    */
   void Update();
   /** If the felt volume is not shown, feels the first shown volume, if there is any. */
@@ -78,7 +81,7 @@ private:
     bool IsShown = true;
     bool IsAlike = false; ///< whether its filter has the settings of the first volume's filter
   };
-  /** The felt volume; null if there is none. */
+  /** Returns the felt volume; null if there is none. */
   const Entry* FindFelt() const;
   /** Whether a volume can be touched; if not, reports why. */
   bool CanTouch(vtkVolume* volume) const;
@@ -86,7 +89,7 @@ private:
   /** Adds the ports of the touched vtkMultiVolume that are new. */
   void FollowPorts();
   void CopySettings();
-  /** The depth of the press that compares surfaces: four of the smallest voxels. */
+  /** Returns the press that compares surfaces, four of the smallest voxels deep. */
   Press ComputePress() const;
   /** Makes the device feel with this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);

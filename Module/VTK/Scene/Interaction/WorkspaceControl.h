@@ -42,10 +42,13 @@ bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool r
 class HapticWorkspace
 {
 public:
-  /** The map from the device (m) to the world, at a scale (world units per metre). */
+  /** Returns the map from the device (m) to the world, at a scale (world units per metre). */
   vtkMatrix4x4* Place(vtkCamera* camera, double scale);
 
-  /** Call after the clutch: the hand has moved from one world position to another. */
+  /**
+   * Moves the workspace by the way of the hand, from one world position to another; call it after
+   * the clutch.
+   */
   void Shift(vtkCamera* camera, const Vector3& from, const Vector3& to);
   void Recenter() { this->Offset = {}; }
 
@@ -71,7 +74,7 @@ public:
    */
   bool Update(vtkRenderer* renderer);
 
-  /** World units per metre of the device. There must be a device. */
+  /** Returns the world units per metre of the device. There must be a device. */
   double GetScale() const;
   void Recenter();
 
@@ -87,7 +90,7 @@ private:
   HapticWorkspace Workspace;
   vtkMTimeType Placed = 0; ///< change time of camera and settings at the last placement
   bool IsPlaced = false;
-  bool IsOn = false;   ///< the clutch
+  bool IsOn = false;   ///< whether the clutch is on
   Vector3 ClutchedTip; ///< world
 };
 

@@ -59,9 +59,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * On() and Off() call this. It stays off, with an error, without an interactor, or if the device
-   * does not open. If the window shows no volume yet, hand and display are added when the touch
-   * mode begins.
+   * Switches the widget on or off; On() and Off() call this. The widget stays off, with an error,
+   * without an interactor, or if the device does not open. If the window shows no volume yet, hand
+   * and display are added when the touch mode begins.
    */
   void SetEnabled(int enabling) override;
 

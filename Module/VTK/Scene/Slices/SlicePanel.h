@@ -49,9 +49,9 @@ struct SliceAxes
 };
 
 /**
- * The slices along the index axes k, j and i of an image. If the world's axes point to a patient's
- * left, back and head: the axial, coronal and sagittal slice as radiologists look at them, each
- * along the index axis nearest to the world's axis.
+ * Returns the slices along the index axes k, j and i of an image. If the world's axes point to a
+ * patient's left, back and head: the axial, coronal and sagittal slice as radiologists look at
+ * them, each along the index axis nearest to the world's axis.
  */
 std::array<SliceAxes, 3> ComputeSliceAxes(vtkImageData* image, bool anatomical);
 
@@ -68,7 +68,7 @@ public:
 
   /**
    * Checks how much tissue a tool of the device's filter has removed from the shown image. Returns
-   * whether this has changed.
+   * whether the removed tissue has changed.
    */
   bool PollRemoval(vtkHapticDevice* device);
 
@@ -76,14 +76,14 @@ public:
   bool HasSamples() const { return this->Samples != nullptr; }
 
   /**
-   * The image along its own axes, with its origin in index (0, 0, 0) and without its direction, so
-   * that a slice of it is a rectangle: VTK 9.1's mappers of slices ignore directions.
+   * Returns the image along its own axes, with its origin in index (0, 0, 0) and without its
+   * direction, so that a slice of it is a rectangle: VTK 9.1's mappers of slices ignore directions.
    */
   vtkImageData* GetPlain() const { return this->Plain; }
 
   /**
-   * An image with a slice across one of its axes: the plain image, or if tissue was removed, an
-   * image of that slice alone, with the remaining tissue.
+   * Returns an image with a slice across one of its axes: the plain image, or if tissue was
+   * removed, an image of that slice alone, with the remaining tissue.
    */
   vtkImageData* GetLayer(int axis, int number);
 
@@ -106,7 +106,10 @@ public:
    * magnitude of all components if UsesMagnitude is true.
    */
   double GetValue(const std::array<double, 3>& index) const;
-  /** "magnitude " or "component 1 of 3: " in front of a value; empty for plain scalars. */
+  /**
+   * Returns the text in front of a value, "magnitude " or "component 1 of 3: "; empty for plain
+   * scalars.
+   */
   std::string DescribeComponents() const;
   bool UsesMagnitude() const { return this->IsMagnitude; }
   int GetComponent() const { return this->Component; }
@@ -171,8 +174,8 @@ public:
   void Fit();
 
   /**
-   * The continuous index at a position in the window (pixels), in the shown slice; it may be
-   * outside the image.
+   * Computes the continuous index at a position in the window (pixels), in the shown slice. The
+   * index may be outside the image.
    */
   std::array<double, 3> ComputeIndex(int x, int y) const;
   bool Contains(int x, int y) const;

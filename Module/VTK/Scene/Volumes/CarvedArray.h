@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** The nearest value that a type can hold. */
+/** Returns the nearest value that a type can hold. */
 template <typename T>
 T NearestOf(double value)
 {
@@ -83,7 +83,7 @@ enum class BrickContent : std::uint8_t
   Whole
 };
 
-/** The samples of a brick; false if none of them is in the array. */
+/** Computes the box of a brick's samples. False if none of them is in the array. */
 bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
 
 /**
@@ -93,7 +93,7 @@ bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& b
 void CopyBrick(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, std::vector<unsigned char>& to);
 
-/** Writes the same tuples as float, each component times its scale plus its bias. */
+/** Writes the tuples of CopyBrick() as float, each component times its scale plus its bias. */
 void CopyBrickAsFloat(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, const float* scale, const float* bias, std::vector<unsigned char>& to);
 
@@ -176,7 +176,7 @@ public:
   }
 
 private:
-  /** The number of followers that the bricks can still have: a recording needs one. */
+  /** Number of followers that the bricks must still have room for: a recording needs one. */
   static constexpr int KeptFree = 1;
 
   std::shared_ptr<TissueRemoval> Removal;

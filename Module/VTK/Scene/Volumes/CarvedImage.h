@@ -43,12 +43,15 @@ struct RemovedTissue
 };
 
 /**
- * The removed tissue of the whole volume; the samples in memory may be a region of it, or none.
- * Empty while all tissue remains, and for a new volume without a model.
+ * Returns the removed tissue of the whole volume; the samples in memory may be a region of it, or
+ * none. Empty while all tissue remains, and for a new volume without a model.
  */
 RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter);
 
-/** Whether tissue was removed from the filter's present volume. Updates nothing. */
+/**
+ * Collects in `carved` what was removed from the filter's present volume, without an update. False
+ * if no tissue was removed from it.
+ */
 bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
 /** The tissue of the volume that a sample of an image stands for. */
@@ -74,17 +77,19 @@ class CarvedImage
 {
 public:
   /**
-   * Follows an image, which may be null. Returns whether Get() is a new image. An image that is the
-   * same object with the same time is not checked again.
+   * Updates the copy of an image, which may be null. Returns whether Get() is a new image. An image
+   * that is the same object with the same time is not checked again.
    */
   bool Update(
     vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover);
-  /** The image itself while nothing is removed; otherwise a copy, which no longer changes. */
+  /**
+   * Returns the image itself while nothing is removed; otherwise a copy, which no longer changes.
+   */
   vtkImageData* Get() const { return this->Left; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkMTimeType Time = 0; ///< time of the image at the last Follow
+  vtkMTimeType Time = 0; ///< time of the image at the last Update
   RemovedTissue Removed;
   vtkSmartPointer<vtkImageData> Left;
 };

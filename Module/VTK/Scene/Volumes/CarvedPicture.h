@@ -39,10 +39,10 @@ class vtkVolumeTexture;
 namespace VolumeHaptics
 {
 
-/** The port whose image has an array that the mapper shows; -1 if there is none. */
+/** Returns the port whose image has an array that the mapper shows; -1 if there is none. */
 int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
 /**
- * The array that a mapper shows, if it is the touched array or is shown instead of it: see
+ * Returns the array that a mapper shows, if it is the touched array or is shown instead of it: see
  * vtkHapticRemoval::TOUCHED_ARRAY(). Null otherwise.
  */
 vtkDataArray* GetShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
@@ -70,7 +70,7 @@ public:
    */
   bool Update();
   bool IsCopy(vtkDataObject* image) const { return this->Input.IsImage(image); }
-  /** The image that the copy replaces; null if there is none. */
+  /** Returns the image that the copy replaces; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const { return this->Input.GetReplaced(); }
 
 private:
@@ -119,7 +119,10 @@ public:
    * range, or VTK uploads it in each rendering.
    */
   bool IsImpossible() const { return this->HasFailed; }
-  /** Call if the mapper shows something else; it may show the array again later. */
+  /**
+   * Forgets the texture. Call this if the mapper shows something else; it may show the array again
+   * later.
+   */
   void Forget();
   /** Restores all tissue in the texture. */
   void Restore();
@@ -127,7 +130,7 @@ public:
 private:
   void HandleRendering(unsigned long event);
   void EndRendering();
-  /** Detects that VTK has uploaded another texture, or the same one anew. */
+  /** Detects whether VTK has uploaded another texture, or the same one anew. */
   bool DetectUpload();
   /** Whether the last texture can be written to now. */
   bool IsAtHand() const;
@@ -164,13 +167,13 @@ public:
    */
   bool Update();
   vtkVolumeMapper* GetMapper() const { return this->Mapper; }
-  /** The touched array, whose tissue the tool removes. */
+  /** Returns the touched array, whose tissue the tool removes. */
   const CarvedArray& GetArray() const { return this->Touched; }
-  /** The shown array, which may differ from the touched one. */
+  /** Returns the shown array, which may differ from the touched one. */
   vtkDataArray* GetShown() const { return this->Carved.Array; }
   /** Whether an image is the copy that replaces the mapper's own image. */
   bool IsCopy(vtkDataObject* image) const { return this->Copy && this->Copy->IsCopy(image); }
-  /** The image that the copy replaces; null if there is none. */
+  /** Returns the image that the copy replaces; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const
   {
     return this->Copy ? this->Copy->GetReplaced() : nullptr;
@@ -200,7 +203,10 @@ public:
   void Clear() { this->All.clear(); }
 
   ///@{
-  /** The first input of a mapper, as the application has set it. Null if there is none. */
+  /**
+   * Return the first input of a mapper, as the application has set it, and its image; null if there
+   * is none.
+   */
   vtkAlgorithmOutput* GetGivenInput(vtkVolumeMapper* mapper) const;
   vtkImageData* GetImage(vtkVolumeMapper* mapper) const;
   ///@}

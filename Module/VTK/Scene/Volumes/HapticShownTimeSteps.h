@@ -33,9 +33,9 @@ class HapticShownTimeSteps
 {
 public:
   /**
-   * Call it before time steps are read: finds the volumes that show the image of a device's filter.
-   * They have the image, or its scalars; or if its components are time steps, an image of its shape
-   * with one of them.
+   * Finds the volumes that show the image of a device's filter; call this before time steps are
+   * read. They have the image, or its scalars; or if its components are time steps, an image of its
+   * shape with one of them.
    */
   void Collect(vtkRenderer* renderer, vtkHapticDevice* device);
   /**
@@ -54,7 +54,7 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     vtkWeakPointer<vtkVolumeMapper> Mapper;
     vtkWeakPointer<vtkImageData> Image;    ///< the application's image
-    vtkSmartPointer<vtkImageData> Picture; ///< shown instead; null if it does not move yet
+    vtkSmartPointer<vtkImageData> Picture; ///< shown now; null if the volume does not move yet
     vtkSmartPointer<vtkAlgorithm> Before;  ///< the mapper's input; its connection keeps no producer
     int Port = 0;
   };

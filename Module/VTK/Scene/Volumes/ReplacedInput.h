@@ -40,7 +40,7 @@ public:
   bool IsImage(vtkDataObject* image) const { return image && image == this->Image; }
   /** Updates the replaced input, which the mapper no longer updates. Null if there is none. */
   vtkImageData* UpdateReplaced() const;
-  /** The replaced input; null if there is none. */
+  /** Returns the replaced input; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const
   {
     return this->Before ? this->Before->GetOutputPort(this->BeforePort) : nullptr;

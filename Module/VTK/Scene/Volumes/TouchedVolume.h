@@ -40,7 +40,7 @@ struct DrawnImage
   vtkVolumeProperty* Property;
   vtkImageData* Image;
   vtkDataArray* Array; ///< the drawn array; null if there is none
-  bool AreCells;       ///< whether it is an array of cells
+  bool AreCells;       ///< whether the drawn array belongs to the cells
   int Component;
   bool IsIsosurface; ///< whether an isosurface is felt, so that it needs no flags
 };
@@ -49,9 +49,9 @@ class DrawnVoxels
 {
 public:
   /**
-   * Flags of the image's points, or of its cells if these are drawn. Hidden ones have the flag
-   * vtkDataSetAttributes::HIDDENPOINT. Null if the image's own flags are enough. The array stays
-   * the same until something changes.
+   * Returns flags of the image's points, or of its cells if these are drawn. Hidden points or cells
+   * have the flag vtkDataSetAttributes::HIDDENPOINT. Null if the image's own flags are enough. The
+   * array stays the same until something changes.
    */
   vtkUnsignedCharArray* Get(const DrawnImage& drawn);
   /** Whether the flags decide alone, without the property's scalar opacity. */
@@ -77,10 +77,10 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Flags;
 };
 
-/** The mask by which a mapper hides voxels; null if it has none. */
+/** Returns the mask by which a mapper hides voxels; null if it has none. */
 vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper);
 
-/** The mask whose labels have opacities of their own; null if there is none. */
+/** Returns the mask whose labels have opacities of their own; null if there is none. */
 vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
 /**

@@ -28,22 +28,25 @@ struct RecordedPath
   std::vector<Vector3> Tips; ///< tips in device space
   std::vector<double> Times; ///< time of every tick (s)
   std::vector<Affine3> Placements;
-  std::vector<int> PlacementOf;  ///< per tick
-  std::vector<bool> Enabled;     ///< per tick
-  std::vector<bool> Renewed;     ///< per tick
-  std::vector<double> DataTimes; ///< per tick; empty if the volume did not move
-  /// per tick, in device space; NoOrientation for ticks without one; empty if no tick has one
+  std::vector<int> PlacementOf;  ///< number of the placement, per tick
+  std::vector<bool> Enabled;     ///< whether the tick enabled the servo
+  std::vector<bool> Renewed;     ///< whether the tick got a new local surface
+  std::vector<double> DataTimes; ///< data time, per tick; empty if the volume did not move
+  /// orientation of the stylus per tick, in device space; NoOrientation for ticks without one;
+  /// empty if no tick has one
   std::vector<Quaternion> Orientations;
-  std::vector<bool> Spinning;           ///< per tick; whether a burr spins; empty if it never did
-  std::vector<RemovalRequest> Requests; ///< per tick; empty if there was no request
+  std::vector<bool> Spinning;           ///< whether a burr spun, per tick; empty if it never did
+  std::vector<RemovalRequest> Requests; ///< request of each tick; empty if there was none
   ServoState InitialState;
   ///@{
-  /** Belong to the state: the removed tissue, and the value of a sample without tissue, or NaN. */
+  /**
+   * Belong to InitialState: the removed tissue, and the value of a sample without tissue, or NaN.
+   */
   std::vector<BrickTissue> InitialTissue;
   double AirValue = std::numeric_limits<double>::quiet_NaN();
   ///@}
   ///@{
-  /** Belong to the state: what a tool with a shape touched. */
+  /** Belong to InitialState: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;
   double ContactFraction = 1.0; ///< fraction of their energies that counts
   ///@}

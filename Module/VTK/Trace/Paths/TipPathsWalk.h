@@ -164,7 +164,7 @@ public:
   ~TipPathsWalk();
 
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
-  /** From 0 to 1. */
+  /** Returns the fraction of the ticks that are done, 0 to 1. */
   double GetProgress() const;
   /** Advances the paths by a round. Throws std::bad_alloc, and what the finder of models throws. */
   void Advance();
@@ -185,12 +185,15 @@ private:
   struct Runner;
   vtkIdType GetTicksLeft(std::size_t path) const;
   ///@{
-  /** Called with the mutex. Fill lets paths begin; Take returns null at the end of the round. */
+  /**
+   * Let paths begin, get a path to advance (null at the end of the round), and return it. Call them
+   * with the mutex locked.
+   */
   void Fill();
   Runner* Claim(vtkIdType& stretch);
   void GiveBack(Runner* runner);
   ///@}
-  /** Called by each thread: advances paths until the end of the round. */
+  /** Advances paths until the end of the round; each thread calls this. */
   void AdvanceStretches();
   void Advance(Runner& runner, vtkIdType ticks);
 
