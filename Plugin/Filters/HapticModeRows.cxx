@@ -27,7 +27,7 @@ namespace
 /** A kind of mode with settings other than its defaults. */
 struct ModeVariant
 {
-  const char* Name; ///< as in a row
+  const char* Name; ///< name in a row
   int Kind;
   void (*Adjust)(vtkHapticMode*);
 };

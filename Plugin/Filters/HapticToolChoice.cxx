@@ -21,7 +21,7 @@ namespace
 constexpr const char* ShellKind = "Point shell";
 constexpr const char* NoKind = "None";
 
-/** "PointShell" for "Point shell". */
+/** Returns the name of a kind's class, such as "PointShell" for "Point shell". */
 std::string ClassOf(const std::string& kind)
 {
   std::string name;
@@ -37,7 +37,9 @@ std::string ClassOf(const std::string& kind)
   return name;
 }
 
-/** "Burr Specific Energy" for "Burr.SpecificEnergy", as ParaView shows it. */
+/**
+ * Returns a setting's label in ParaView, such as "Burr Specific Energy" for "Burr.SpecificEnergy".
+ */
 std::string LabelOf(const std::string& setting)
 {
   std::string label;
@@ -53,7 +55,7 @@ std::string LabelOf(const std::string& setting)
   return label;
 }
 
-/** The name of a setting of a kind; empty for those of other kinds. */
+/** Returns the name of a setting of a kind; empty for settings of other kinds. */
 std::string NameIn(const std::string& setting, const std::string& kind)
 {
   const bool isOfKind = setting.compare(0, kind.size() + 1, kind + ".") == 0;

@@ -29,7 +29,7 @@ public:
   std::map<std::string, std::string> Functions;
   ///@}
 
-  /** Call after a setting has changed. */
+  /** Records that a setting has changed. */
   void Record() { this->IsDirty = true; }
 
   /** Makes the filter's tool if needed; returns the errors of a tool that can't be made. */

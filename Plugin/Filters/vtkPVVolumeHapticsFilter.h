@@ -194,7 +194,9 @@ private:
 
   template <typename T>
   void Choose(T& setting, const T& value);
-  /** The image on port 0, with its felt array as scalars; null if no preset is fitted to it. */
+  /**
+   * Returns the image on port 0, with its felt array as scalars; null if no preset is fitted to it.
+   */
   vtkSmartPointer<vtkImageData> FindGreyLevels();
   void FillProperty(vtkImageData* levels);
   /** Fills the property if a choice, or the image that the preset is fitted to, has changed. */

@@ -24,7 +24,7 @@ constexpr CropBase ChooseCropBase(int major, int minor)
 }
 
 /**
- * The planes in the coordinates of the data, as
+ * Computes the planes in the coordinates of the data, as
  * vtkImageVolumeRepresentation::UpdateMapperParameters() sets them on its mapper.
  */
 inline void ComputeCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],

@@ -63,7 +63,10 @@ public:
 
 private:
   void RecordChange() { this->IsDirty = true; }
-  /** Called with the name of a chosen command. */
+  /**
+   * Passes a command about removed tissue to the second filter, unless the followed filter is in
+   * this process.
+   */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
   void ShareRemoval();
   /** Returns the followed filter, if it is in this process; else null. */
@@ -118,11 +121,11 @@ private:
   const std::function<void()> Lost;
   HapticTouchLink Touch;
   HapticImageLink Image;
-  HapticLargeLink Large;        // if the volume is larger than memory
-  HapticTimeStepLink TimeSteps; // if the volume has times
+  HapticLargeLink Large;        // for a volume larger than memory
+  HapticTimeStepLink TimeSteps; // for a volume with times
   HapticImageLink Surface;
   HapticImageLink Labels;
-  HapticRegionLink Region; // if the data are on a server
+  HapticRegionLink Region; // for data on a server
   HapticOpacityLink Opacity;
   HapticCropLink Crop;
   vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the opacity that Opacity finds

@@ -76,8 +76,8 @@ class HapticLargeLink
 {
 public:
   /**
-   * If an output comes from a large file, connects the filter with its samples, unless it already
-   * is connected. False for other outputs.
+   * Connects the filter with the samples of a large file, if an output comes from one and the
+   * filter is not connected yet. False for other outputs.
    */
   bool Update(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
 

@@ -24,7 +24,10 @@ namespace
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
 /** The shortest time (s) for measuring the tip's velocity. */
 constexpr double VelocityTime = 0.01;
-/** s: a longer delay, by a busy user interface, does not predict the next one. */
+/**
+ * Longest delay that counts (s): a longer delay, by a busy user interface, does not predict the
+ * next delay.
+ */
 constexpr double LongestInterval = 0.5;
 
 } // namespace

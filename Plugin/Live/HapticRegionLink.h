@@ -85,7 +85,7 @@ private:
   std::array<double, 3> Tip = {};
   std::array<double, 3> Velocity = {};
   double Time = 0.0;
-  double PollTime = 0.0; // s, of this computer
+  double PollTime = 0.0; // s, last call of Poll, by this computer's clock
   double Interval = 0.0; // s, from one call of Poll to the next
   vtkMTimeType SettingsTime = 0;
   bool IsSurveyed = false;

@@ -67,7 +67,7 @@ private:
   vtkSmartPointer<vtkImageData> To;
   double FromTime = 0.0; // time of the data
   double ToTime = 0.0;
-  double SentAt = 0.0;   // s, of this computer
+  double SentAt = 0.0;   // s, when a step was sent, by this computer's clock
   double SeenTime = 0.0; // data time in the servo's latest states
   double SeenAt = 0.0;   // s, servo time since SeenTime stands; 0: not seen since the last step
   bool IsBeginning = false;

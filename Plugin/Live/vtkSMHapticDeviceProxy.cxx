@@ -48,9 +48,9 @@ class HapticSessionWatch
 public:
   struct Calls
   {
-    std::function<void(vtkSMProxy*)> Unregistered; ///< any proxy of the session
-    std::function<void()> Closed;                  ///< the session is about to end
-    std::function<void()> Lost;                    ///< the server does not answer any more
+    std::function<void(vtkSMProxy*)> Unregistered; ///< called with each proxy of the session
+    std::function<void()> Closed;                  ///< called before the session ends
+    std::function<void()> Lost;                    ///< called if the server no longer answers
   };
 
   explicit HapticSessionWatch(Calls calls);

@@ -40,7 +40,10 @@ namespace VolumeHaptics
 class HapticSlices
 {
 public:
-  /** Call it often. Positions outside the filter's image become the nearest ones in it. */
+  /**
+   * Moves the slices to the tip; call this often. Positions outside the filter's image become the
+   * nearest positions in it.
+   */
   void Update(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
 
 private:

@@ -239,8 +239,8 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
   return true;
 }
 
-/// The number of grams that the user types: 1 if there is one, 0 for an empty line, which asks for
-/// another push, and -1 after an error.
+/// Reads the number of grams that the user types. Returns 1 if there is one, 0 for an empty line,
+/// which asks for another push, and -1 after an error.
 int AskForGrams(ToolStreams streams, double& grams)
 {
   for (int i = 0; i < Tries; ++i)

@@ -216,7 +216,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 
 bool Record(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // With a wall to touch, though not armed: a recording needs a volume.
+  // A recording needs a volume: make a wall to touch, though the device is not armed.
   MakeGentleWall(device.GetVolume(), 2);
   device->SetVolumeHaptics(device.GetVolume());
   if (!device->Start() || !device->GetRecorder()->Start(options.File.c_str()))

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// The whole program. Returns 0, 1 if the device failed, or 2 for wrong usage.
+/// Runs the whole program. Returns 0, 1 if the device failed, or 2 for wrong usage.
 int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, std::ostream& out,
   std::ostream& errors);
 

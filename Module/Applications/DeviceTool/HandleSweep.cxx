@@ -8,8 +8,8 @@
 namespace
 {
 
-/// s: after a longer hold-up of the program, the spring must not leap, nor the handle count as
-/// stuck.
+/// Longest step that counts (s): after a longer hold-up of the program, the spring must not leap,
+/// nor the handle count as stuck.
 constexpr double LongestStep = 0.05;
 
 } // namespace

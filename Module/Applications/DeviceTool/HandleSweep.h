@@ -37,7 +37,7 @@ public:
   void Begin(int axis, double place, double shift, int pairs);
   void Step(const HeldSample& sample);
 
-  /// The shift of the spring's fixed end (m).
+  /// Returns the shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
   /// Whether the handle does not follow: the present way takes longer than MostTime.

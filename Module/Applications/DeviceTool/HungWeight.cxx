@@ -9,7 +9,8 @@
 namespace
 {
 
-/// At rest, place (m) and force (fraction of the largest) stay within these, for a time (s).
+/// Ranges within which place (m) and force (fraction of the largest) stay at rest, and for how long
+/// (s).
 constexpr double RestPlace = 0.3e-3;
 constexpr double RestFraction = 0.02;
 constexpr double RestTime = 2.0;

@@ -44,7 +44,7 @@ public:
   explicit HungWeight(const Settings& settings);
 
   void Step(const HeldSample& sample);
-  /// The shift of the spring's fixed end along the axis (m).
+  /// Returns the shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Shift; }
   /// Returns the instruction for the user in this phase.
   const char* GetRequest() const;

@@ -19,8 +19,8 @@ public:
   {
   }
   void Reset() { this->Time = -1.0; }
-  /// Adds a place (m) and a force (N), `elapsed` s after the last ones. Returns whether the handle
-  /// rests.
+  /// Adds a place (m) and a force (N), measured `elapsed` (s) after the last call. Returns whether
+  /// the handle rests.
   bool Step(double place, double force, double elapsed)
   {
     const bool isFirst = this->Time < 0.0;

@@ -35,7 +35,7 @@ public:
   explicit ScalePress(const Settings& settings);
 
   void Step(const HeldSample& sample);
-  /// The shift of the spring's fixed end along the axis (m).
+  /// Returns the shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Given.Direction * this->Way; }
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
   /// Returns the instruction for the user in this phase.

@@ -31,7 +31,7 @@ public:
   vtkHapticDevice* operator->() { return this->Device; }
   vtkHapticDevice* Get() { return this->Device; }
   vtkVolumeHapticsFilter* GetVolume() { return this->Volume; }
-  /// The number of errors and warnings so far.
+  /// Returns the number of errors and warnings so far.
   int CountComplaints() const { return this->Complaints; }
 
 private:

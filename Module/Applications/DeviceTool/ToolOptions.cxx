@@ -72,7 +72,10 @@ bool ReadAxis(const std::string& text, ToolOptions& options)
   return name.size() == 1 && found != std::string::npos;
 }
 
-/** The values that an option takes, if the given one is wrong; else nullptr. */
+/**
+ * Reads the value of an option. Returns the values that the option takes if this one is wrong; else
+ * nullptr.
+ */
 const char* ReadOption(const std::string& name, const std::string& value, ToolOptions& options)
 {
   if (name == "--firmware")
@@ -112,7 +115,7 @@ const char* ReadOption(const std::string& name, const std::string& value, ToolOp
   return ReadNumberInRange(value, 0.001, 1e6, options.Seconds) ? nullptr : "seconds, more than 0";
 }
 
-/** The fault and the cure, if the options don't fit the command; else empty. */
+/** Returns the fault and the cure, if the options don't fit the command; else an empty text. */
 std::string CheckOptions(const ToolOptions& options)
 {
   using Command = ToolOptions::Command;

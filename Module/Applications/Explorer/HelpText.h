@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// The text of --help.
+/// Returns the text of --help.
 std::string HelpText();
 } // namespace Explore
 

@@ -281,8 +281,9 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   WritePictures(exploration, options);
   return isReproduced ? DONE : FAILED;
 }
-/// Runs the volume of the options, and then those that are opened in the window. If a file can't be
-/// opened, the window says so, and goes on with the last one.
+/// Runs the volume of the options, then each volume that is opened in the window. If a file can't
+/// be opened, the window says so, and goes on with the last volume. Returns the code of the last
+/// run.
 int RunAll(Explore::Options options)
 {
   Explore::FileChoice next;

@@ -20,7 +20,7 @@ def is_grid(volume: Any) -> bool:
 
 
 def unwrap(volume: Any) -> Any:
-    """VTK's data set in an object of another library: vedo, tvtk (Mayavi), nibabel (MNE, nilearn); a volume of nibabel
+    """Returns VTK's data set in an object of another library: vedo, tvtk (Mayavi), nibabel (MNE, nilearn); a volume of nibabel
     becomes an image where its affine says, in right-anterior-superior. Other objects are returned as they are."""
     for inner in (getattr(volume, name, None) for name in ("_vtk_obj", "dataset")):
         if isinstance(inner, (vtkDataSet, vtkCompositeDataSet)):

@@ -148,7 +148,7 @@ def _describe(thing: Any) -> str:
 
 
 def _find_plotter(target: Any) -> Any:
-    """PyVista's plotter: the object itself, or the plotter of a figure of MNE; None for other objects."""
+    """Returns PyVista's plotter: the object itself, or the plotter of a figure of MNE; None for other objects."""
     for one in (target, getattr(target, "plotter", None)):
         if hasattr(one, "iren") and any(kind.__module__.split(".")[0] == "pyvista" for kind in type(one).__mro__):
             return one

@@ -86,7 +86,8 @@ def _constant(name: str, material: Mapping[str, float]) -> vtkHapticProperty:
 
 
 def _slab(values: tuple[float, float] | None, margin: int) -> Any:
-    """Values outside and inside of a surface at z = 0 with an edge of one voxel; or surfaces everywhere."""
+    """Makes a volume of the values outside and inside of a surface at z = 0 with an edge of one voxel; without values, one
+    with surfaces everywhere."""
     low = np.array((-margin, -margin, -margin - int(_ABOVE)))
     high = np.array((int(_STROKE) + margin, margin, int(_DEEPEST) + margin))
     z = np.arange(low[2], high[2] + 1, dtype=np.float64)
@@ -134,7 +135,7 @@ def _of_trace(name: str, trace: vtkPolyData) -> list:
 
 
 def _confusion(places: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """d' of each pair and the probabilities of names, from perceived cues at some positions on each material."""
+    """Returns d' of each pair and the probabilities of names, from perceived cues at some positions on each material."""
     mean = np.array([one.mean(axis=0) for one in places])
     variance = 1.0 + np.array([one.var(axis=0) for one in places])
     random = np.random.default_rng(11)

@@ -15,7 +15,7 @@ __all__ = ["inspect"]
 
 
 def inspect(file: str | os.PathLike, *options: str) -> dict[str, Any]:
-    """What volumehaptics-explore --inspect says of a file or a folder, as a dictionary.
+    """Returns what volumehaptics-explore --inspect says of a file or a folder, as a dictionary.
 
     file: any volume that the explorer reads, such as a NIfTI file or a folder of DICOM slices.
     options: further ones of the explorer, such as "--series", "2", or "--as-labels".

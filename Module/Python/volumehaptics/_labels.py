@@ -113,7 +113,7 @@ def _copy(image: vtkImageData) -> vtkImageData:
 
 
 def _count_unpacked(file: str) -> int:
-    """The number of bytes that zlib or gzip packed in a file; -1 if it is cut off or damaged."""
+    """Returns the number of bytes that zlib or gzip packed in a file; -1 if it is cut off or damaged."""
     count = 0
     with open(file, "rb") as packed:
         rest = packed.read(1 << 18)
@@ -134,7 +134,7 @@ def _count_unpacked(file: str) -> int:
 
 
 def _count_held(file: str) -> int:
-    """The most bytes of samples that a file can hold; -1 if it is cut off or damaged: VTK's readers fill missing
+    """Returns the most bytes of samples that a file can hold; -1 if it is cut off or damaged: VTK's readers fill missing
     samples with whatever was in memory."""
     name = file.lower()
     if name.endswith(".nii.gz"):
@@ -180,7 +180,7 @@ def _read_nrrd(file: str) -> tuple[vtkImageData, bool]:
 
 
 def _scale(stored: Any, reader: Any, file: str) -> Any:
-    """The labels that a NIfTI header makes of stored numbers; rounded if it scales them a little, such as by 1.00002."""
+    """Returns the labels that a NIfTI header makes of stored numbers; rounded if it scales them a little, such as by 1.00002."""
     import numpy as np
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
@@ -261,7 +261,7 @@ _READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.
 
 
 def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
-    """A label image where it lies in the volume's world, with its table in its field data."""
+    """Returns a label image where it lies in the volume's world, with its table in its field data."""
     from ._touch import Errors
 
     if not os.path.isfile(file):
@@ -280,7 +280,7 @@ def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
 
 
 def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
-    """The labels of a file, placed in the world of a volume: left-posterior-superior as in ITK and the explorer, or
+    """Returns the labels of a file, placed in the world of a volume: left-posterior-superior as in ITK and the explorer, or
     right-anterior-superior as in nibabel. ValueError: the position can't be determined."""
     if is_file and is_placed and _overlaps(image, volume):
         return image  # both files tell the same world
@@ -330,7 +330,7 @@ def _turn(image: vtkImageData) -> vtkImageData:
 
 
 def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
-    """The matrix from the indices of an image to the indices of a volume."""
+    """Returns the matrix from the indices of an image to the indices of a volume."""
     to_voxels = vtkMatrix4x4()
     vtkMatrix4x4.Invert(volume.GetIndexToPhysicalMatrix(), to_voxels)
     vtkMatrix4x4.Multiply4x4(to_voxels, image.GetIndexToPhysicalMatrix(), to_voxels)

@@ -116,7 +116,7 @@ class Door:
             request.transport.abort()
 
     def _bind(self, web_server: Any) -> None:
-        """Called when wslink's server exists, but does not listen yet."""
+        """Guards wslink's server once it exists, before it listens."""
         application, handlers = getattr(web_server, "app", None), getattr(web_server, "_ws_handlers", None)
         if not isinstance(application, web.Application) or handlers is None:
             raise RuntimeError('a page to touch in is served by aiohttp alone. Cure: server.start(backend="aiohttp"), '

@@ -76,7 +76,7 @@ class Area(AreaAdapter):
         return self.streamer is None or self.streamer.coreServer.network_monitor.pending > WAITING
 
     def reset(self) -> None:
-        """Pictures are independent of one another."""
+        """Does nothing, because pictures are independent of one another."""
 
 
 class View:
@@ -157,7 +157,7 @@ class View:
         return page is None or self.leader in (None, page)
 
     def _lead(self, page: str | None) -> None:
-        """Called after an action of a page: the page leads if the hand touches now."""
+        """Lets a page lead after its action, if the hand touches now and no other page leads."""
         if not self._holds():
             self.leader = None
         elif self.leader is None and page is not None:

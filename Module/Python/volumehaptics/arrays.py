@@ -68,7 +68,7 @@ def image(
     name: str = "Scalars",
     direction: Sequence[float] | None = None,
 ) -> vtkImageData:
-    """A volume that shares the memory of a NumPy array [z, y, x].
+    """Makes a volume that shares the memory of a NumPy array [z, y, x].
 
     array: real numbers of 8 to 64 bits, in C's order. nibabel's arrays are [x, y, z]: pass their .T.
     spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
@@ -133,7 +133,7 @@ def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
 
 
 def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
-    """The path of the stylus' tip, a polyline.
+    """Makes the path of the stylus' tip, a polyline.
 
     points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared if they are contiguous,
         aligned and float64 or float32, else copied.
@@ -167,7 +167,7 @@ def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = Non
 
 
 def arrays(trace: vtkPolyData) -> dict[str, np.ndarray]:
-    """The point arrays of a trace as NumPy arrays by name, and its points as "Proxy" (world units).
+    """Returns the point arrays of a trace as NumPy arrays by name, and its points as "Proxy" (world units).
 
     They share the trace's memory: numbers for each tick, in the units of vtkVolumeHapticsFilter's output.
 

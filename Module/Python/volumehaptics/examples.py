@@ -21,7 +21,7 @@ SKIN = -300.0  # HU, value of the phantom's visible skin
 
 
 def phantom_file() -> str:
-    """The path of the head phantom, a .vti file.
+    """Returns the path of the head phantom, a .vti file.
 
     >>> from volumehaptics import examples
     >>> examples.phantom_file().endswith("HeadPhantom.vti")
@@ -31,7 +31,7 @@ def phantom_file() -> str:
 
 
 def phantom() -> vtkImageData:
-    """The head phantom: 64 x 64 x 64 voxels of 3.75 mm in Hounsfield units (HU), the origin in its middle.
+    """Returns the head phantom: 64 x 64 x 64 voxels of 3.75 mm in Hounsfield units (HU), the origin in its middle.
 
     +x is to the patient's left, +y to the back, +z to the top. RuntimeError: its file can't be read.
 
@@ -48,7 +48,7 @@ def phantom() -> vtkImageData:
 
 
 def _crown() -> float:
-    """The height of the skin above the origin (mm)."""
+    """Returns the height of the skin above the origin (mm)."""
     head = phantom()
     values = head.GetPointData().GetScalars()
     for k in reversed(range(head.GetDimensions()[2])):
@@ -59,7 +59,7 @@ def _crown() -> float:
 
 
 def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, clearance: float = 5.0) -> vtkPolyData:
-    """The path of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
+    """Makes the path of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
 
     depth: how far it presses below the skin (mm), 0 or more. Default 3.
     length: how far it slides (mm), 0 or more. Default 24.

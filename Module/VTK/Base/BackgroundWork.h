@@ -45,13 +45,13 @@ class WorkMonitor
 {
 public:
   ///@{
-  /** For the task: whether the owner has cancelled it. */
+  /** Whether the owner has cancelled the task. The task asks this. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
   void SetProgress(double fraction) noexcept
   {
     this->Fraction.store(fraction, std::memory_order_relaxed);
   }
-  /** For the task: reports its progress (0 to 1). Returns false if the task is cancelled. */
+  /** Reports the task's progress (0 to 1). The task calls this; false if it is cancelled. */
   bool GoesOn(double fraction) noexcept
   {
     this->SetProgress(fraction);
@@ -59,7 +59,7 @@ public:
   }
   ///@}
   ///@{
-  /** For the owner: cancels the task, and reads its progress (0 to 1). */
+  /** Cancel the task, and read its progress (0 to 1). The owner calls these. */
   void Cancel() noexcept { this->Cancelled.store(true, std::memory_order_relaxed); }
   double GetProgress() const noexcept { return this->Fraction.load(std::memory_order_relaxed); }
   ///@}
@@ -103,7 +103,7 @@ public:
   bool HasReturned() const;
   /** Waits until the task has returned, at most this many seconds; returns whether it has. */
   bool WaitFor(double seconds) const;
-  /** Progress of the task, 0 to 1; 0 without a task. */
+  /** Returns the progress of the task, 0 to 1; 0 without a task. */
   double GetProgress() const;
 
 private:
@@ -212,7 +212,7 @@ public:
 
 private:
   std::optional<Key> Of;
-  std::shared_ptr<std::optional<Result>> Made; // the task writes it
+  std::shared_ptr<std::optional<Result>> Made; // result, written by the task
   BackgroundWork Work;                         // the last member, so that it is destroyed first
 };
 

@@ -41,8 +41,8 @@ std::string DescribeError(int number);
 
 ///@{
 /**
- * open(2) and fsync(2), repeated if a signal interrupts them. A file system without fsync counts as
- * success.
+ * Call open(2) and fsync(2), again if a signal interrupts them. A file system without fsync counts
+ * as success.
  */
 int OpenFile(const std::string& file, int flags, mode_t mode = 0);
 int SyncFile(int descriptor);
@@ -54,7 +54,7 @@ int OpenToRead(const std::string& file);
 /** Writes the names in the folder of a file to the disk. Returns 0, or the errno. */
 int SyncFolder(const std::string& file);
 
-/** Resolves links: the file that they lead to, even if it does not exist yet. */
+/** Returns the file that links lead to, even if it does not exist yet. */
 std::string ResolveLinks(const std::string& file);
 
 /** Whether a name belongs to the open file. */

@@ -22,9 +22,9 @@ namespace
 {
 
 /**
- * The array, the address of its values, their number along each axis, component, last change. The
- * time of change is unique to an object, so an object that has the address of a deleted one still
- * gets another key.
+ * Identifies the noise of an array: the array, the address of its values, their number along each
+ * axis, the component, and the last change. The time of change is unique to an object, so an object
+ * that has the address of a deleted one still gets another key.
  */
 using NoiseKey =
   std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;

@@ -31,8 +31,8 @@ namespace VolumeHaptics
 /** One value of a setting that is a choice; the value is its place in the list. */
 struct SettingChoice
 {
-  const char* Name; ///< as in files
-  const char* Text; ///< as the user sees it
+  const char* Name; ///< name in files
+  const char* Text; ///< name for the user
 };
 
 enum class SettingKind
@@ -47,12 +47,12 @@ enum class SettingKind
 struct SettingFacts
 {
   SettingKind Kind;
-  const char* Name; ///< as in Get... and Set...
+  const char* Name; ///< name as in Get... and Set...
   double Minimum;
   double Maximum;
   double Default;
   const char* Unit;             ///< empty if the setting has none
-  const SettingChoice* Choices; ///< of SettingKind::Choice: Maximum + 1 of them
+  const SettingChoice* Choices; ///< Maximum + 1 choices of a SettingKind::Choice
   /**
    * The sentence that ParaView shows. The comment in the public header begins with the same words,
    * but has the names of constants instead of those of choices.
@@ -60,7 +60,9 @@ struct SettingFacts
   const char* Documentation;
 };
 
-/** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */
+/**
+ * Returns the nearest value that a setting may have; for NaN the minimum, which is the safe one.
+ */
 inline double Clamp(const SettingFacts& setting, double value)
 {
   return value > setting.Minimum ? std::min(value, setting.Maximum) : setting.Minimum;
@@ -79,7 +81,7 @@ struct HapticSetting : SettingFacts
   ///@}
 };
 
-/** The largest number of numbers of a vector: a direction matrix. */
+/** The most numbers that a vector setting has: those of a direction matrix. */
 constexpr int LongestVector = 9;
 using SettingVector = std::array<double, LongestVector>;
 
@@ -87,7 +89,7 @@ using SettingVector = std::array<double, LongestVector>;
 template <typename Owner>
 struct HapticVectorSetting
 {
-  const char* Name; ///< as in Get... and Set...
+  const char* Name; ///< name as in Get... and Set...
   int Size;
   ///@{
   /** the limits of each number */
@@ -105,7 +107,7 @@ struct HapticVectorSetting
 template <typename Owner>
 struct HapticTextSetting
 {
-  const char* Name; ///< as in Get... and Set...
+  const char* Name; ///< name as in Get... and Set...
   const char* Default;
   const char* Documentation;
   std::string (*Get)(Owner*);
@@ -119,14 +121,14 @@ struct HapticFunctionSetting
 {
   const char* Name;
   double Maximum;
-  double Default; ///< of a function without points
+  double Default; ///< value of a function without points
   const char* Unit;
   Function* (Owner::*Get)();
   Polyline HapticMaterial::*Baked;
   const char* Documentation;
 };
 
-/** For settings that a model does not keep as they are. */
+/** Stands for the member of a model that does not keep a setting as it is. */
 constexpr std::nullptr_t NotBaked = nullptr;
 
 /** Makes the functions of a setting from the members of its class and of a model. */

@@ -31,9 +31,9 @@ struct NrrdHeader
   /** "field: description"; names in lower case and without blanks, such as "spacedirections". */
   std::map<std::string, std::string> Fields;
   std::map<std::string, std::string> Values; ///< "key:=value", without escapes
-  std::vector<std::string> Files;            ///< of "data file: LIST", with the samples
+  std::vector<std::string> Files;            ///< files with the samples, from "data file: LIST"
   std::size_t Size = 0;                      ///< bytes, including the empty line at the end
-  bool HasEnd = false;                       ///< whether it ends with an empty line
+  bool HasEnd = false;                       ///< whether the header ends with an empty line
 
   /** Returns the description of a field; empty if there is none. */
   std::string GetField(const std::string& name) const;
@@ -54,7 +54,7 @@ struct NrrdSpace
 {
   bool IsPatient = false;    ///< whether its axes are those of a patient
   bool IsLeftHanded = false; ///< whether it is a mirror image of space
-  NrrdVector Signs;          ///< what converts its positions to left-posterior-superior
+  NrrdVector Signs;          ///< factors that turn positions to left-posterior-superior
 };
 
 /** Whether bytes begin like a NRRD file. */
@@ -72,8 +72,8 @@ NrrdSpace FindNrrdSpace(const NrrdHeader& header);
 std::vector<std::string> SplitNrrdVectors(const std::string& text);
 
 /**
- * Returns which three axes are those of space, by their directions or kinds; else the first three.
- * Nothing if space has not three axes.
+ * Returns the numbers of the three axes of space, by their directions or kinds; else of the first
+ * three. Nothing if space has not three axes.
  */
 std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header);
 
@@ -92,7 +92,7 @@ NrrdVector FindNrrdSpacings(const NrrdHeader& header);
  */
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header);
 
-/** Tells the user which unit lengths had; empty if it is the millimetre, or not given. */
+/** Returns a note on the unit of lengths; empty if it is the millimetre, or not given. */
 std::string DescribeNrrdUnits(const NrrdHeader& header);
 
 } // namespace VolumeHaptics

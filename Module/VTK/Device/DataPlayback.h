@@ -67,8 +67,8 @@ public:
   ///@}
 
   /**
-   * Data time of the latest state; after SetTime, the time set there until the servo has reached
-   * it.
+   * Returns the data time of the latest state; after SetTime, the time set there until the servo
+   * has reached it.
    */
   double GetTime() const;
   /** Whether time stands still because time steps have not come yet. */
@@ -104,7 +104,7 @@ public:
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** Call this when the servo's model is no longer one of the last time span. */
+  /** Forgets the last time span, when the servo's model is no longer one of it. */
   void Forget() { this->Span.reset(); }
 
   /** Makes a servo that has just been started continue at the time of the last servo. */

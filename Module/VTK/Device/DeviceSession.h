@@ -45,16 +45,16 @@ public:
   bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
   bool IsOpen() const { return this->Backend != nullptr; }
-  /** A number that changes with each Open or Close. */
+  /** Returns a number that changes with each Open or Close. */
   int GetOpening() const { return this->Opening; }
   const std::string& GetId() const { return this->Id; }
   DeviceLimits GetLimits() const
   {
     return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
   }
-  /** The back end if the program leads its tip; null otherwise. */
+  /** Returns the back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
-  /** See vtkHapticVirtualHand::TakeVibration. */
+  /** Returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->DrainAmplitude() : 0.0; }
 
   ///@{
@@ -103,7 +103,7 @@ public:
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{
-  /** See vtkHapticVirtualHand::SetSpinning. */
+  /** Lets a burr spin or stops it: see vtkHapticVirtualHand::SetSpinning. */
   void Spin(bool on);
   bool IsSpinOrdered() const { return this->Spinning; }
   ///@}
@@ -203,7 +203,7 @@ public:
   /** Returns the status as of the last Update. It refers to this object. */
   DeviceStatus GetStatus() const;
 
-  /** The latest state as users of vtkHapticDevice see it. */
+  /** Returns the latest state as users of vtkHapticDevice see it. */
   vtkHapticState* GetLatest() const { return this->Latest; }
 
 private:

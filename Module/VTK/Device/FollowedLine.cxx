@@ -62,9 +62,9 @@ public:
 
   FollowedShapes* Shapes = nullptr;
   int Mode = 0;
-  Vector3 Start;      ///< m
-  double Voxel = 1.0; ///< m
-  Vector3 Direction;  ///< last one read; fixes the sign of an eigenvector
+  Vector3 Start;      ///< first position (m)
+  double Voxel = 1.0; ///< edge of a voxel (m)
+  Vector3 Direction;  ///< last direction read; fixes the sign of an eigenvector
   int Steps = 0;
   bool IsClosed = false;
   bool IsAtEnd = false;

@@ -40,7 +40,7 @@ public:
 
   /** Installs the handler for the signal's manner in front, unless it is there already. */
   void Install(Deliverer deliverer, Crasher crasher) noexcept;
-  /** Number of earlier handlers that are left; changes with each PutBack. */
+  /** Returns the number of earlier handlers that are left, which changes with each PutBack. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
    * Restores the next earlier handler, if `count` of them are still left, and if no other handler

@@ -76,8 +76,9 @@ public:
 
   ///@{
   /**
-   * Time steps of a volume that moves. PollTimeSteps returns a model with the next time span, if
-   * there is one; LacksTimeSteps says whether the volume should move but the last model does not.
+   * Play the time steps of a volume that moves. PollTimeSteps returns a model with the next time
+   * span, if there is one; LacksTimeSteps says whether the volume should move but the last model
+   * does not.
    */
   DataPlayback& GetPlayback() { return this->Playback; }
   std::shared_ptr<const HapticModel> PollTimeSteps();
@@ -96,14 +97,14 @@ public:
 
   ///@{
   /**
-   * Releases the removals that Make() held: all when the servo has ended, otherwise the unused
-   * ones.
+   * Release the removals that Make() held: all of them when the servo has ended, otherwise the
+   * unused removals.
    */
   void LetRemovalsGo();
   void LetUnusedRemovalsGo();
   ///@}
 
-  /** See vtkHapticDevice::GetMethodText. */
+  /** Returns the felt method's name for users: see vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
   /** DeviceToWorld of the servo's model; without a model, DeviceToWorld of the settings. */

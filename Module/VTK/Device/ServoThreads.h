@@ -68,8 +68,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
-   * After Quench has begun: whether the device has received the order, and no running tick may
-   * still write a force.
+   * Whether the device has received the order of Quench, and no running tick may still write a
+   * force. Call this after Quench has begun.
    */
   bool IsQuenched() noexcept;
 

@@ -139,13 +139,16 @@ public:
   bool Recover(const std::string& part, const std::string& file);
   ///@}
 
-  /** See vtkHapticRecorder::Stop. Writing is announced as long work only if isAnnounced. */
+  /**
+   * Ends the recording: see vtkHapticRecorder::Stop. Writing is announced as long work only if
+   * isAnnounced.
+   */
   bool Stop(bool isAnnounced);
 
   /** Whether there is a recording that this process has to end. */
   bool IsUnderWay() const;
 
-  /** The file of the recording that is under way; empty without one. */
+  /** Returns the file of the recording that is under way; empty without one. */
   const std::string& GetFile() const { return this->File; }
 
   /**
@@ -172,7 +175,7 @@ private:
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   std::string File;
-  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< set until its hashes are handed over
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< felt filter, until its hashes are handed over
   KeyedWork<HashKey, RecordingHashes> Hashing;
   bool IsTroubleTold = false;
 };

@@ -105,7 +105,7 @@ private:
   vtkHapticDevice* FindDevice();
   void Attach(VolumeHaptics::DeviceParts& parts);
   void Detach();
-  /** Call this often: it hands over the volume's hashes when they are known, and reports errors. */
+  /** Hands over the volume's hashes when they are known, and reports errors; call this often. */
   void Update();
   /** Writes the recording if there is one, without announcing long work. */
   void Finish();

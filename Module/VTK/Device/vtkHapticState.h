@@ -208,7 +208,7 @@ protected:
   double Normal[3] = { 0.0, 0.0, 0.0 };
   double SurfacePosition[3] = { 0.0, 0.0, 0.0 };
   double MediumPosition[3] = { 0.0, 0.0, 0.0 };
-  double ModeForces[9][3] = {}; // of at most eight primitives; the last one is zero
+  double ModeForces[9][3] = {}; // forces of at most eight modes; the last row is zero
   bool IsOriented = false;
   bool IsMeasured = false;
   bool Spins = false;

@@ -36,7 +36,7 @@ struct HapticModelOptions
    * builder fills in the volume, the material and the settings of the property.
    */
   HapticModelDescription Description;
-  HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
+  HapticSurface* Surfaces = nullptr; ///< meshes for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< surface to touch; null for the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
   /** Time steps of a volume that moves; the image is at its first step. */
@@ -44,7 +44,7 @@ struct HapticModelOptions
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
   TimeStepSeries Series;         ///< the series of which TimeSteps are a part
   OutsideSamples Outside;        ///< outside samples of TimeSteps, to be filled
-  HapticModes Modes;             ///< for HapticMethod::Primitives
+  HapticModes Modes;             ///< modes for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr; ///< null stands for a point
   vtkHapticRemoval* Removal = nullptr;
   const HapticCut* Cut = nullptr; ///< null if nothing is cut away

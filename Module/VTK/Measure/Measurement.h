@@ -43,7 +43,7 @@ struct Measurement
 {
   MeasuredKind Kind = MeasuredKind::Point;
   std::string Name;
-  std::vector<Vector3> Points;               ///< world
+  std::vector<Vector3> Points;               ///< points in the world
   std::vector<MeasuredSample> Samples;       ///< one for every point, or none at all
   std::vector<std::array<int, 3>> Triangles; ///< triangles of an area
 

@@ -33,7 +33,7 @@ constexpr int BlockSize = 8; ///< voxels
 /** Distance beyond the radius that the surface may have from the hand (voxels). */
 constexpr double Reach = 3.0;
 
-/** Squared distance from a position to the line between two others. */
+/** Returns the squared distance from a position to the line between two other positions. */
 double SquaredDistance(const Vector3& position, const Vector3& from, const Vector3& to)
 {
   const Vector3 line = to - from;

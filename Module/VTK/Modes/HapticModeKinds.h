@@ -37,7 +37,7 @@ struct ModeKindRow
 
 const ModeKindRow& GetModeKind(vtkHapticMode* mode);
 
-/** What a mode reads of the touched image. */
+/** Returns what a mode reads of the touched image. */
 ModeInput GetInput(vtkHapticMode* mode);
 /** Whether an array with some components can be what a mode reads. */
 bool HasComponents(ModeInput input, int components);
@@ -45,7 +45,7 @@ bool HasComponents(ModeInput input, int components);
 /** A strength function of a mode. */
 struct ModeFunction
 {
-  const char* Name; ///< as in files and errors
+  const char* Name; ///< name in files and errors
   const char* Getter;
   double Default; ///< N, the value of a function without points
   vtkPiecewiseFunction* Function;

@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The samples before and after a position on an axis, and the weight of the latter. */
+/** The samples before and after a position on an axis, and the weight of the sample after it. */
 struct AxisPlace
 {
   AxisPlace(double at, std::int64_t last)

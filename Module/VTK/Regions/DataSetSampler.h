@@ -50,13 +50,13 @@ public:
   DataSetSampler& operator=(const DataSetSampler&) = delete;
 
   /**
-   * The sampled arrays. The first holds the scalars of the data or, if there are none, the
+   * Returns the sampled arrays. The first holds the scalars of the data or, if there are none, the
    * magnitude of the second array.
    */
   const std::vector<SampledArray>& GetArrays() const { return this->Arrays; }
   int CountValues() const;
   const SamplingGrid& GetGrid() const { return this->Grid; }
-  /** The smallest scalar, which replaces the scalars outside of all cells. */
+  /** Returns the smallest scalar, which replaces the scalars outside of all cells. */
   double GetLeastScalar() const { return this->LeastScalar; }
 
   /**

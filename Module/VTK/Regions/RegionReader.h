@@ -47,7 +47,8 @@ class RegionReader
 {
 public:
   /**
-   * With given facts, nothing is surveyed. Throws std::system_error if the system gives no thread.
+   * Begins to read a volume; with given facts, nothing is surveyed. Throws std::system_error if the
+   * system gives no thread.
    */
   RegionReader(std::shared_ptr<const LargeVolume> volume, const std::optional<VolumeFacts>& facts);
   ~RegionReader();

@@ -38,7 +38,7 @@ struct VolumeFacts
 class VolumeSurvey
 {
 public:
-  /** The volume must outlive the survey. */
+  /** Begins the survey of a volume, which must outlive it. */
   explicit VolumeSurvey(const LargeVolume& volume);
 
   bool IsDone() const { return this->Next == this->Boxes.size(); }

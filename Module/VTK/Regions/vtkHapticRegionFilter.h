@@ -158,7 +158,7 @@ private:
   void WriteFacts(const int whole[6], vtkImageData* output);
   bool ClipRegion(const int whole[6], int region[6]) const;
 
-  std::vector<double> Noise; // one for each component
+  std::vector<double> Noise; // noise of each component
   std::vector<double> BorderValues;
   std::vector<VolumeHaptics::OutsideSamples> Outside;
   std::vector<VolumeHaptics::BackgroundLevel> Solids;

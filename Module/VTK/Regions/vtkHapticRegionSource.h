@@ -209,7 +209,7 @@ public:
 
   ///@{
   /**
-   * Open a file likewise, also one whose samples can't be read in boxes, because they are
+   * Open a file as OpenFile() does, also one whose samples can't be read in boxes, because they are
    * compressed or written as text: a MetaImage or NRRD file with gzip or ascii. Then all samples
    * are in memory from the first read on.
    */
@@ -221,14 +221,14 @@ public:
 
   /**
    * Get the format of a file, by its ending, or of a folder, by what most of its files are:
-   * "VTKHDF", "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if OpenFile() does not know it. It need
-   * not exist.
+   * "VTKHDF", "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if OpenFile() does not know it. The file
+   * need not exist.
    */
   static std::string GetFileFormat(const char* fileName);
 
   /**
    * Get the length (mm) of a unit, by its name or symbol in files, such as "um", "micrometer" or
-   * "inch"; 0 if it is not known. OpenFile() converts lengths by it.
+   * "inch"; 0 if the unit is not known. OpenFile() converts lengths by it.
    */
   static double GetMillimetersPerUnit(const char* unit);
 

@@ -81,7 +81,7 @@ bool ReadLabel(const std::string& text, int& label)
   return error == std::errc() && stop == end && std::to_string(label) == text;
 }
 
-/** Passes the settings of a label; writing leaves out those that are not set. */
+/** Passes the settings of a label; writing leaves out settings that are not set. */
 void PassLabel(
   SetupNode row, int label, vtkHapticLabelTable* table, bool hasFelt, bool hasForbidden)
 {
@@ -403,7 +403,10 @@ NumberRow ToRow(const double x[3])
 }
 
 //------------------------------------------------------------------------------
-/** The section Haptics; the volume property is the one that visibility can come from, or null. */
+/**
+ * Passes the section Haptics. `visible` is the volume property that visibility can come from, or
+ * null.
+ */
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
@@ -498,7 +501,7 @@ void PassCamera(SetupNode node, vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-/** The entry DeviceToWorld of the root. */
+/** Passes the entry DeviceToWorld of the root. */
 void PassDeviceToWorld(SetupNode& root, vtkMatrix4x4* matrix)
 {
   constexpr std::size_t size = 16;

@@ -53,7 +53,7 @@ struct RemovalData
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /**
    * Creates tissue with these fractions, for a volume with that geometry. False if there are too
-   * many.
+   * many fractions.
    */
   bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */

@@ -277,8 +277,8 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
 }
 
 /**
- * Finds for each position the number of the nearest chosen one. If the chosen ones have only moved,
- * the search begins near the last owner. Empty if it is cancelled.
+ * Finds for each position the number of the nearest chosen position. If the chosen positions have
+ * only moved, the search begins near the last owner. Empty if the search is cancelled.
  */
 std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
@@ -384,7 +384,7 @@ std::vector<ShellPoint> SpreadShellPoints(
   }
   // Each point lies in the middle of its part, but on the surface: sums of a linear function along
   // a plane then equal integrals. On a curved surface that is pressed into a plane, the excess of
-  // the points on it balances the deficit of those at the rim of the contact.
+  // the points on it balances the deficit of the points at the rim of the contact.
   const std::vector<OwnPlaces> own = ComputeMiddles(places, owners, chosen.size());
   std::vector<ShellPoint> points;
   points.reserve(chosen.size());

@@ -36,7 +36,7 @@ namespace VolumeHaptics
 /** A function of a tool against the scalar value. The function's values are 0 or more. */
 struct ToolFunction
 {
-  const char* Name; ///< as in Get... and Set...
+  const char* Name; ///< name as in Get... and Set...
   const char* Unit;
   vtkPiecewiseFunction* (*Get)(vtkHapticTool*);
   double Default = 0.0; ///< value of a function without points
@@ -46,7 +46,7 @@ struct ToolFunction
 struct ToolPlan
 {
   vtkHapticProperty* Property;           ///< property with the material
-  const HapticModelDescription& Model;   ///< has its settings, material, time steps and geometry
+  const HapticModelDescription& Model;   ///< with settings, material, time steps and geometry
   std::shared_ptr<const BakedTool> Tool; ///< result, set by Describe(); null before
   std::string Error;                     ///< reason and cure, if the tool can't be felt
 };
@@ -101,8 +101,8 @@ public:
   virtual bool IsTurnable() const { return false; }
   ///@}
 
-  const char* const Name; ///< as in files
-  const char* const Text; ///< as the user sees it
+  const char* const Name; ///< name in files
+  const char* const Text; ///< name for the user
 
 protected:
   /**

@@ -25,7 +25,7 @@ struct RecordedTips
 {
   std::vector<Vector3> Tips;
   std::vector<double> Times;            ///< time of every tip (s); empty if the file has none
-  std::vector<Quaternion> Orientations; ///< of every tip, not checked; empty if there are none
+  std::vector<Quaternion> Orientations; ///< orientation of every tip, not checked; may be empty
   /** Whether tips and orientations are in device space; otherwise they are in the world. */
   bool InDeviceSpace = false;
 };

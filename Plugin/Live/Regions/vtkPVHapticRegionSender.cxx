@@ -49,7 +49,7 @@ struct vtkPVHapticRegionSender::Instant
   vtkMTimeType SeenTime = 0;
   bool IsNew = false;                             ///< new since Regions was opened
   vtkSmartPointer<vtkHapticRegionSource> Regions; ///< on the first process; null if it failed
-  std::string Problem;                            ///< why it failed
+  std::string Problem;                            ///< why Regions is null
   ///@}
 
   void CopyGrid(vtkDataObject* data)

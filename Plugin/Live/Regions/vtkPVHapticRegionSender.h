@@ -70,7 +70,7 @@ private:
 #endif
 
   std::unique_ptr<Instant> Instants[2];
-  int Latest = 0; ///< index into Instants
+  int Latest = 0; ///< index of the latest instant in Instants
 };
 
 #endif

@@ -22,7 +22,7 @@ constexpr vtkIdType ENOUGH_SAMPLES = 4000000;
 
 using Histogram = std::array<double, BINS>;
 
-/// Returns the finite ones among every n-th value; n is odd, so that it does not stay in one
+/// Returns the finite values among every n-th value; n is odd, so that not all of them are in one
 /// column.
 std::vector<float> SampleValues(vtkDataArray* scalars)
 {

@@ -17,7 +17,7 @@ namespace Explore
 {
 /// Extracts the audible data of ticks. The forces are the device's: none while it is not armed.
 /// Stiffness and strength come from the material: from the filter's functions of SurfaceValue or
-/// from its table of labels. Those in a trace are the felt ones: capped, equalised by SameShape,
+/// from its table of labels. In a trace they are the felt values: capped, equalised by SameShape,
 /// and lowered by distinctness.
 class HeardTicks
 {

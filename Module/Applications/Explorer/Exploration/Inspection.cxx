@@ -20,10 +20,10 @@
 
 namespace
 {
-constexpr int PARTS = 3;       // along each axis, for the local noise
+constexpr int PARTS = 3;       // parts along each axis, for the local noise
 constexpr int SMALL_PART = 16; // samples; smaller parts have too few flat blocks
 
-/// The noise of an image by the filter's own estimate (scalar units).
+/// Returns the noise of an image by the filter's own estimate (scalar units).
 double EstimateImageNoise(vtkImageData* image)
 {
   vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
@@ -36,8 +36,9 @@ double EstimateImageNoise(vtkImageData* image)
   return noise ? noise->GetTuple1(0) : 0.0;
 }
 
-/// The largest gradient magnitude (scalar per world unit), as the filter estimates it, over a sheet
-/// of value 1 between values of 0. `layers` counts its voxels along x; 0: a step from 0 to 1.
+/// Returns the largest gradient magnitude (scalar per world unit), as the filter estimates it, over
+/// a sheet of value 1 between values of 0. `layers` is the number of the sheet's voxels along x; 0:
+/// a step from 0 to 1.
 double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int layers)
 {
   const int radius = like->GetKernelRadius();
@@ -79,7 +80,8 @@ double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int 
   return range[1];
 }
 
-/// Where the filter's distinctness of noise is one half (scalar per world unit); 0 without noise.
+/// Returns the gradient magnitude (scalar per world unit) at which distinctness from noise is one
+/// half; 0 without noise.
 double ComputeFeltGradient(vtkImageData* image, vtkVolumeHapticsFilter* like)
 {
   vtkNew<vtkPoints> points;

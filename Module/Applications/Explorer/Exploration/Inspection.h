@@ -13,22 +13,21 @@ class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
-/// What a file holds, and what of it can be felt. Lengths are in the volume's world, millimetres if
-/// its file says so.
+/// Finds what a file holds, and what of it can be felt. Lengths are in the volume's world,
+/// millimetres if its file says so.
 class Inspection
 {
 public:
-  /// Inspects a volume whose materials are chosen: their name, and the filter that they were
-  /// applied to. For a volume that is read around the hand, the values are those of its coarse
-  /// level.
+  /// Inspects a volume with the name of its materials, and the filter that they were applied to.
+  /// For a volume that is read around the hand, the values are those of its coarse level.
   Inspection(const Volume& volume, const Analysis& values, const std::string& materials,
     vtkVolumeHapticsFilter* filter);
 
-  /// Plain sentences, one a line.
+  /// Returns plain sentences, one a line.
   std::string Describe() const;
-  /// An object of JSON, for programs.
+  /// Returns an object of JSON, for programs.
   std::string ToJson() const;
-  /// A title, and lines of a word, a tab and its value: for the list of keys.
+  /// Returns a title, and lines of a word, a tab and its value, for the list of keys.
   std::string ListFacts() const;
 
 private:
@@ -43,22 +42,22 @@ private:
   std::string Axes;
   std::string Modality;
   std::string ModalityReason;
-  std::string Padding; // empty: none
+  std::string Padding; // what was treated as outside; empty: nothing
   std::string Preset;
   std::string PresetReason;
-  std::string Unit; // of values, with a blank before it; empty: none
+  std::string Unit; // unit of the values, with a blank before it; empty: none
   std::vector<std::string> Notes;
   int Size[3] = { 0, 0, 0 };
   double Spacing[3] = { 1, 1, 1 };
   double Origin[3] = { 0, 0, 0 };
   double Direction[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  double MetersPerUnit = 0.001; // of hand movement
+  double MetersPerUnit = 0.001; // metres of hand movement
   double Range[2] = { 0, 1 };
-  double Usual[2] = { 0, 1 };      // 0.5 and 99.5 %
-  double Noise = 0.0;              // standard deviation
-  double LocalNoise[2] = { 0, 0 }; // the least and the most of the volume's parts; zeros: unknown
-  double SmallestStep = 0.0;       // between the sides of a plane surface; 0: any
-  double SmallestSheetStep = 0.0;  // of a sheet of one voxel
+  double Usual[2] = { 0, 1 };      // values at 0.5 and 99.5 %
+  double Noise = 0.0;              // standard deviation of the noise
+  double LocalNoise[2] = { 0, 0 }; // least and largest noise of parts; zeros: unknown
+  double SmallestStep = 0.0;       // smallest felt step at a plane surface; 0: any
+  double SmallestSheetStep = 0.0;  // smallest felt step of a sheet of one voxel
 };
 } // namespace Explore
 

@@ -18,8 +18,8 @@ std::string ListModes();
 /// texts.
 std::string ListModePresets();
 
-/// Throws InputError if this is not the name of a mode, optionally with an array's name after a
-/// colon, or of a preset.
+/// Checks the name of a mode, optionally with an array's name after a colon, or of a preset. Throws
+/// InputError for any other text.
 void CheckMode(const std::string& mode);
 
 /// Adds modes to a filter, with strengths that suit the image. Without names, the hand follows the

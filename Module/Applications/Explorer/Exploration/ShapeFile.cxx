@@ -88,7 +88,7 @@ bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, s
   return true;
 }
 
-/// The same as SkipBinary, for a line of text.
+/// Whether a line of text has all values of an element; reads the line.
 bool SkipLine(const PlyElements& kind, std::istream& text)
 {
   std::string line;

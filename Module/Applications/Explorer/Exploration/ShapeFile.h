@@ -18,8 +18,8 @@ std::string GetEnding(const std::string& name);
 /// does not exist.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
 
-/// The same as ReadPolyData, but throws InputError, whose text begins with the option that names
-/// the file, and has the cure.
+/// Reads like ReadPolyData, but throws InputError, whose text begins with the option that names the
+/// file, and has the cure.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure);
 } // namespace Explore

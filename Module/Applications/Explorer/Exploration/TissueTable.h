@@ -18,8 +18,8 @@ namespace Explore
 struct Tissue
 {
   std::string Name;
-  double From; // inclusive
-  double To;   // exclusive
+  double From; // least value, inclusive
+  double To;   // upper limit, exclusive
 };
 
 /// Makes the table: for a CT, the project's Hounsfield table; else the classes by the histogram's

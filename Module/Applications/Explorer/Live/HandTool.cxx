@@ -23,7 +23,7 @@ constexpr double SHAFT_FRICTION = 25.0;
 /// drills soft tissue at once and hard bone within seconds: an example, not a measurement.
 constexpr double LEAST_ENERGY = 0.5;
 constexpr double MOST_ENERGY = 10.0;
-/// Voxels.
+/// Radius of the burr (voxels).
 constexpr double BURR_RADIUS = 4.0;
 
 double ComputeVoxel(vtkImageData* image)

@@ -88,7 +88,7 @@ vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
 struct Agreement
 {
   vtkIdType Ticks = 0;  // ticks with the tip of the same offline tick
-  vtkIdType Wrong = 0;  // of these, ticks with another force
+  vtkIdType Wrong = 0;  // ticks of these whose force differs
   vtkIdType Others = 0; // ticks whose tip differs from that of any offline tick
 };
 

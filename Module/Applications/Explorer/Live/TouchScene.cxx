@@ -46,7 +46,7 @@ class PresetSaver
 public:
   PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor);
 
-  /// For vtkInteractorStyleHaptic::SetApplicationKeys.
+  /// Returns the lines for vtkInteractorStyleHaptic::SetApplicationKeys.
   static std::string ListKeys() { return "Preset\nF8\tsave the materials to a file\n"; }
 
 private:
@@ -168,7 +168,7 @@ using Explore::TouchScene;
 /// the head-up display is beside it.
 constexpr double BESIDE_PLOT = -0.14;
 
-/// Adds all parts. The two-dimensional ones are above the volume and below the marker.
+/// Adds all parts. The two-dimensional parts are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   constexpr int labelPort = 3;

@@ -16,7 +16,8 @@ namespace
 {
 using Files = vtksys::SystemTools;
 
-/// Beside the endings of grids, and of the files that vtkHapticRegionSource opens.
+/// Endings of further files that can be touched, besides grids and what vtkHapticRegionSource
+/// opens.
 const char* const FILE_ENDINGS[] = { ".vti", ".nii", ".nii.gz", ".pvd", ".dcm", ".ima" };
 
 bool IsForTouch(const std::string& name)

@@ -88,7 +88,7 @@ private:
 
   // Per sample.
   double Level = 0.0;  // effective value of the noise
-  double Wanted = 0.0; // its target
+  double Wanted = 0.0; // what Level grows or falls to
   double MostStep;     // the largest change of Level per sample
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass

@@ -18,7 +18,7 @@ namespace Explore
 class LoadingScreen
 {
 public:
-  /// Opens the window at its size.
+  /// Opens the window, at the window's own size.
   explicit LoadingScreen(vtkRenderWindow* window);
   /// Leaves the window open and empty.
   ~LoadingScreen();

@@ -109,8 +109,8 @@ double ComputeStep(const std::vector<DicomHeader>& slices)
   return *middle;
 }
 
-/// Returns the slices without those that lie far from the others, such as a topogram with the
-/// number of the series.
+/// Leaves out slices that lie far from the others, such as a topogram with the number of the
+/// series. Returns the other slices.
 std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
 {
   if (slices.size() < 3)
@@ -284,8 +284,8 @@ void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImage
 
 namespace
 {
-/// Says what the DICOM files of a folder are that are no slices, such as "an RT plan (plan.dcm)",
-/// and the cure.
+/// Names the DICOM files of a folder that are no slices, such as "an RT plan (plan.dcm)", with the
+/// cure.
 Explore::DicomObject FindObjects(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -391,7 +391,7 @@ void AddNotes(const DicomSeries& series, Volume& volume)
 void ReadPhases(const std::string& path, const DicomSeries& series,
   const std::vector<double>& along, Volume& volume)
 {
-  constexpr double perSecond = 10.0; // for phases without times
+  constexpr double perSecond = 10.0; // phases a second, if they have no times
   const std::vector<std::string> notes = volume.Notes;
   for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
   {
@@ -482,7 +482,7 @@ Volume ReadDicomFile(const std::string& path, int series)
     // Such a file is a whole volume by itself, whatever lies beside it.
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     Volume volume = LoadSeries(path, own, FindLargest(own));
-    constexpr unsigned long alone = 3; // with the folder itself, and the one above
+    constexpr unsigned long alone = 3; // entries, with the folder itself and the one above
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
     {
       volume.Notes.emplace_back("the file alone is read, not what lies beside it");

@@ -79,7 +79,7 @@ struct DicomHeader
   std::optional<double> DoseScale;       // the slope of a dose
   std::string Units;                     // units of a dose or of PET, as the file names them
   std::optional<double> Padding;         // the sample of pixels that were not measured
-  std::map<std::uint32_t, double> Facts; // which slices at one place may differ in
+  std::map<std::uint32_t, double> Facts; // facts in which slices at one place may differ
   // Position of the first pixel, and directions along rows and columns; axial at 0 if the file does
   // not give them.
   double Position[3] = { 0.0, 0.0, 0.0 };

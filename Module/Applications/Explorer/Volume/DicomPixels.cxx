@@ -62,7 +62,7 @@ struct ValueRange
   double Low = 0.0;
   double High = 0.0;
   bool AreWhole = true;
-  int Bits = 0; // of samples that are floating-point numbers
+  int Bits = 0; // bits of floating-point samples; 0: none are
 };
 
 /// Returns the possible values of the samples of all slices.
@@ -119,7 +119,7 @@ double ToReal(std::uint64_t bits, int count)
   return real;
 }
 
-/// Returns sample number `at` of a slice. Bits above the stored ones may belong to an overlay.
+/// Returns sample number `at` of a slice. Bits above the stored bits may belong to an overlay.
 double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
 {
   const auto size = static_cast<std::size_t>(slice.Bits / 8);
@@ -198,8 +198,8 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
 }
 
 /// Sets pixels outside of the scanner's field of view to the least measured value. The file marks
-/// them only by a value: the same one below all that a CT measures, in more than a thousandth of
-/// the voxels. Returns the number of pixels.
+/// these pixels only by one value, which is below all that a CT measures and occurs in more than a
+/// thousandth of the voxels. Returns the number of pixels.
 template <typename Value>
 vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
 {

@@ -30,8 +30,8 @@ private:
   DicomHeader Unpacked; // describes the samples of that file
 };
 
-/// Returns the bytes that a slice will take in memory, to be checked before: compressed files can
-/// promise any number.
+/// Returns how many bytes one of the slices will take in memory, for a check before they are read:
+/// compressed files can promise any number.
 double MeasureSlices(const std::vector<DicomHeader>& slices);
 
 /// Reads the values of slices in this order into an image without a place, of the smallest type

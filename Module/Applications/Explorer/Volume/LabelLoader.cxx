@@ -54,8 +54,8 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
-/// Rounds labels that a NIfTI header scales a little, such as by 1.00002, if all of them are whole
-/// within 0.001 then.
+/// Rounds labels that a NIfTI header scales a little, such as by 1.00002, if each of them is within
+/// 0.001 of a whole number.
 void RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
 {
   constexpr double most = 0.001;
@@ -86,7 +86,7 @@ void RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
   }
 }
 
-/// The numbers of labels, without 0. Throws InputError for other values, or too many.
+/// Collects the numbers of labels, without 0. Throws InputError for other values, or too many.
 std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
 {
   constexpr std::size_t most = 4096;

@@ -17,8 +17,8 @@ void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
 /// Uses the volume itself as a label image: its values are numbers of labels, with the names and
-/// colours from the file at `path`, and generated ones for other labels. Throws InputError if the
-/// values can't be labels.
+/// colours from the file at `path`. Other labels get generated names and colours. Throws InputError
+/// if the values can't be labels.
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 

@@ -108,7 +108,7 @@ void ChooseScalars(const std::string& path, Volume& volume)
   }
 }
 
-/// Uses the brightness of red, green and blue bytes (perhaps with opacity): the brightness is felt.
+/// Replaces red, green and blue bytes (perhaps with opacity) by their brightness, which is felt.
 void UseBrightness(Volume& volume)
 {
   vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();

@@ -17,8 +17,8 @@ namespace Explore
 class VolumeFields
 {
 public:
-  /// If an image has no active scalars, but a field, sets the scalars to the magnitude of its first
-  /// field, so that something is visible. Returns whether it did.
+  /// Sets the scalars of an image without active scalars to the magnitude of its first array, if
+  /// that is a field, so that something is visible. Returns whether it did.
   bool Use(vtkImageData* image);
   /// Makes a named point array the scalars of an image: its values, or the magnitude of a field.
   /// Returns whether the array is a field. Throws InputError, with the existing arrays, if it is

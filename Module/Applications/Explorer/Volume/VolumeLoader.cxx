@@ -160,7 +160,7 @@ double CountHeld(const std::string& path, const std::string& samples)
   const bool isRaw = isMeta
     ? vtksys::SystemTools::LowerCase(meta.Value({ "BinaryData" })) != "false"
     : IsNifti(lower);
-  // Not checked: files with a header of a told size before packed data.
+  // Files with packed data after a header of a given size are not checked.
   const bool isHere = samples == path && isMeta;
   const bool isPlain = meta.Value({ "HeaderSize" }).empty();
   const std::size_t head = isMeta ? meta.GetSize() : 0;
@@ -283,7 +283,7 @@ bool IsKnownToVTK(const std::string& path)
   return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
 }
 
-/// Reads a whole file as regions of it are read, with what is noted on the way.
+/// Reads a whole file in the way in which regions of it are read, with the notes about it.
 Volume ReadAsRegions(const std::string& path, const std::string& format, const char* cure)
 {
   vtkNew<vtkHapticRegionSource> source;
@@ -300,8 +300,8 @@ Volume ReadAsRegions(const std::string& path, const std::string& format, const c
   return volume;
 }
 
-/// Also reads what VTK's reader can't read: samples of 64 bits, MetaIO's long, and more than three
-/// axes.
+/// Reads a MetaImage, also one that VTK's reader can't read: samples of 64 bits, MetaIO's long, and
+/// more than three axes.
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
@@ -315,7 +315,8 @@ Volume ReadMetaImage(const std::string& path)
   return volume;
 }
 
-/// VTK's reader takes text for samples, and the sizes of four axes from the wrong end.
+/// Reads a NRRD file without VTK's reader, which takes text for samples, and the sizes of four axes
+/// from the wrong end.
 Volume ReadNrrd(const std::string& path)
 {
   if (VolumeHaptics::ReadNrrdHeader(path).Fields.empty())

@@ -84,7 +84,7 @@ void AlignVolume(Volume& volume);
 /// felt. Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
-/// All samples of a volume that can be read in boxes; null, with the reason, if that fails.
+/// Reads all samples of a volume that can be read in boxes; null, with the reason, if that fails.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
 /// Adds notes on what the source assumed when it opened its file.

@@ -218,7 +218,7 @@ TimeSpanPreparation::ChangeTimes TimeSpanPreparation::ComputeChangeTimes(
 
 /**
  * Whether the time steps that were read fit the filter's present state. Newer time steps of a
- * stream don't count: waiting for the last ones could mean waiting for ever.
+ * stream don't count: waiting for the last time steps could mean waiting for ever.
  */
 bool TimeSpanPreparation::IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const
 {

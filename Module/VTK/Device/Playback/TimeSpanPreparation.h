@@ -57,9 +57,9 @@ public:
     const BakedVolume* kept);
   /** Whether Poll() has read time steps that Drain() has not taken yet. */
   bool IsBegun() const { return this->Span.has_value(); }
-  /** Whether neither this nor its worker holds time steps. */
+  /** Whether neither this object nor its worker holds time steps. */
   bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
-  /** Data times of the steps whose time steps have been read; empty before that. */
+  /** Returns the data times of the steps whose time steps have been read; empty before that. */
   std::vector<double> GetTimes() const
   {
     return this->IsBegun() ? this->Span->Steps.Times : std::vector<double>();
@@ -70,7 +70,7 @@ public:
   /** Returns the time steps of Poll(); if there are none, reads them now. */
   PreparedTimeSpan Drain(
     vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept);
-  /** Whether the source had further time steps when Drain() took the last ones. */
+  /** Whether the source had further time steps at the last call of Drain(). */
   bool WasBehind() const { return this->TookLate; }
   /** Ends the preparation without waiting for the worker, and discards the time steps. */
   void End();

@@ -79,7 +79,7 @@ public:
 
   const std::string& GetFile() const { return this->File; }
 
-  /** The number of ticks in the journal. */
+  /** Returns the number of ticks in the journal. */
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
   /**
@@ -117,8 +117,8 @@ private:
   std::mutex QueueMutex;
   std::deque<RecordingRow> Waiting;
   std::vector<PlacementRow> NewPlacements;
-  std::unique_ptr<RecordingHashes> Hashes; // null once they are written
-  std::unique_ptr<RecordingBegin> Begin;   // null once it is written
+  std::unique_ptr<RecordingHashes> Hashes; // hashes to write; null once they are written
+  std::unique_ptr<RecordingBegin> Begin;   // beginning to write; null once it is written
   std::vector<ContactRow> BeginContacts;   // contacts of Begin
   std::vector<BrickTissue> BeginTissue;    // removed tissue of Begin
   std::atomic<std::uint64_t> Missed{ 0 };

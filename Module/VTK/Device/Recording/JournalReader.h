@@ -53,9 +53,9 @@ public:
   /** Returns what a replay begins from; null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
-  /** Number of contacts of a tool with a shape in the first state. */
+  /** Returns the number of contacts of a tool with a shape in the first state. */
   std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
-  /** Number of bricks whose tissue had been removed at the first state. */
+  /** Returns the number of bricks whose tissue had been removed at the first state. */
   std::uint64_t GetNumberOfBricks() const { return this->Bricks; }
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }

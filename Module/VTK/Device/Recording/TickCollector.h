@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class TickCollector
 {
 public:
-  /** The loop must outlive this. */
+  /** Collects the ticks of a loop, which must outlive this object. */
   explicit TickCollector(ServoLoop& loop)
     : Loop(loop)
   {
@@ -58,7 +58,7 @@ public:
   /** Checks whether a recording waits for a copy of the removed tissue; call this now and then. */
   void PollRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
-  /** See HapticRecording::SetHashes. Call it only while a recording is under way. */
+  /** Sets the hashes of the recording that is under way: see HapticRecording::SetHashes. */
   void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
   /** Explains why the recording has failed; empty if it has not. */
   std::string GetRecordingTrouble() const

@@ -56,7 +56,7 @@ public:
     return this->Found == end ? nullptr : &this->Found->second;
   }
 
-  /** Call this when entries are removed. */
+  /** Forgets lists and entries that were found; call this when entries are removed. */
   void Forget()
   {
     this->Found = this->Entries.end();

@@ -100,7 +100,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, st
   constexpr std::size_t partSize = std::size_t{ 1 } << 18;
   const auto length = static_cast<std::size_t>(file.GetSize());
   std::vector<char> packed(partSize);
-  std::vector<char> rest(partSize); // behind the wanted bytes: only its sum is checked
+  std::vector<char> rest(partSize); // bytes behind the wanted bytes: only their sum is checked
   Inflater inflater;
   z_stream& stream = inflater.Stream;
   std::size_t count = 0;

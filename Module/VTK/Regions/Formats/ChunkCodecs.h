@@ -24,21 +24,22 @@ constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
  * Several threads may call them at once.
  */
 void InflateChunk(std::vector<char>& bytes);     ///< unpacks zlib or gzip
-void UnpackLz4Chunk(std::vector<char>& bytes);   ///< LZ4 of numcodecs, size first
-void UnpackBloscChunk(std::vector<char>& bytes); ///< Blosc 1, if this build has c-blosc
-void UnpackZstdChunk(std::vector<char>& bytes);  ///< Zstandard, if this build has libzstd
-void CheckChunkSum(std::vector<char>& bytes);    ///< removes the CRC-32C at the end
+void UnpackLz4Chunk(std::vector<char>& bytes);   ///< unpacks LZ4 of numcodecs, size first
+void UnpackBloscChunk(std::vector<char>& bytes); ///< unpacks Blosc 1, if this build has c-blosc
+void UnpackZstdChunk(std::vector<char>& bytes);  ///< unpacks Zstandard, if this build has libzstd
+void CheckChunkSum(std::vector<char>& bytes);    ///< checks and removes the CRC-32C at the end
 ///@}
 
 /**
- * Unpacks zlib's or gzip's bytes from an offset to the end of a file into memory. Returns how many
- * bytes there are for it, at most its size. Throws std::runtime_error if they are damaged or cut
- * off.
+ * Unpacks the bytes of zlib or gzip from an offset to the end of a file into memory. Returns how
+ * many bytes of the memory are filled. Throws std::runtime_error if the packed bytes are damaged or
+ * cut off.
  */
 std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size);
 
 /**
- * Undoes the shuffle filter, which puts the first bytes of all samples first, then the second ones.
+ * Undoes the shuffle filter, which puts the first bytes of all samples first, then all second
+ * bytes.
  */
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize);
 

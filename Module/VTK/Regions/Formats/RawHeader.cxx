@@ -53,10 +53,10 @@ struct RawHeader
   std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
   int Type = 0;
   bool IsBig = false;
-  bool IsKnown = false; ///< whether its samples can be read at all
-  bool IsPlain = false; ///< whether it is uncompressed, in one file, and has one component
+  bool IsKnown = false; ///< whether the samples can be read at all
+  bool IsPlain = false; ///< whether the samples are uncompressed, in one file, of one component
   WholeSamples::EncodingType Encoding = WholeSamples::Raw;
-  std::string UnknownEncoding;   ///< its name; empty if the encoding is known
+  std::string UnknownEncoding;   ///< name of the encoding; empty if it is known
   std::vector<std::string> Data; ///< the files with the samples
   double Skip = 0.0;             ///< bytes before the samples; -1: all but the samples
   std::vector<std::string> Notes;
@@ -189,7 +189,7 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   return header;
 }
 
-/** Sets which samples are those of the volume. */
+/** Sets the sizes of a NRRD file's volume, and which of its samples belong to the volume. */
 void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
 {
   const std::vector<double> sizes = nrrd.GetNumbers("sizes");
@@ -226,7 +226,7 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
   }
 }
 
-/** Sets where the samples are, and how they are written. */
+/** Sets where the samples of a NRRD file are, and how they are written. */
 void SetNrrdSamples(const NrrdHeader& nrrd, const std::string& name, RawHeader& header)
 {
   const std::string data = nrrd.GetDataFile();

@@ -25,12 +25,15 @@ struct RawVolumeFile
   std::size_t SampleSize = 0;  ///< bytes
   vtkTypeInt64 HeaderSize = 0; ///< bytes
   bool IsSwapped = false;      ///< whether its byte order differs from this computer's
-  /** Samples from one to the next along x, y and z; zeros if the volume lies in one piece. */
+  /**
+   * Number of samples from a sample to the next one along x, y and z; zeros if the volume lies in
+   * one piece.
+   */
   std::array<std::int64_t, 3> Steps{};
 
   /** Reads bytes from an offset, which counts from the end of the header. */
   using ByteReader = std::function<void(void* to, std::size_t size, std::int64_t from)>;
-  /** Reads a box likewise, but its bytes by a function. */
+  /** Reads a box as Read() does, but gets its bytes from a function. */
   void ReadWith(const ByteReader& read, const int box[6], void* samples) const;
 
   /**

@@ -60,7 +60,7 @@ struct TiffLayout
 struct TiffStack
 {
   std::vector<std::string> Files;
-  std::vector<TiffPage> Pages; ///< one a slice
+  std::vector<TiffPage> Pages; ///< pages, one a slice
   TiffLayout Layout;
 
   bool Read(const int box[6], void* samples) const;

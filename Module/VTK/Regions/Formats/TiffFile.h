@@ -17,9 +17,7 @@ namespace VolumeHaptics
 /** Whether a name ends with .tif or .tiff, or is a folder that has such files but no Zarr. */
 bool IsTiffName(const std::string& name);
 
-/**
- * Whether most files of a folder are TIFF: beside slices of DICOM, pictures of them may lie.
- */
+/** Whether most files of a folder are TIFF. Pictures of slices may lie beside slices of DICOM. */
 bool IsTiffFolder(const std::string& folder);
 
 /**

@@ -45,7 +45,7 @@ std::optional<T> ParseSample(std::string_view word)
   }
 }
 
-/** Reads as many numbers as memory has room for. */
+/** Parses numbers until the memory is full. Throws if the text has fewer, or other words. */
 template <typename T>
 void ParseSamples(std::string_view text, const std::string& file, char* to, std::size_t size)
 {

@@ -15,25 +15,25 @@
 namespace VolumeHaptics
 {
 
-/** All samples of some files, which are read when the first of them is wanted. */
+/** Holds all samples of some files, and reads them when the first of them is wanted. */
 class WholeSamples
 {
 public:
   enum EncodingType
   {
     Raw,
-    Packed, ///< by zlib or gzip
+    Packed, ///< packed by zlib or gzip
     Text
   };
 
-  std::vector<std::string> Files; ///< in the order of their samples
+  std::vector<std::string> Files; ///< names, in the order of their samples
   EncodingType Encoding = Raw;
   std::size_t Offset = 0; ///< bytes in each file before its samples; -1: all but the samples
   int ScalarType = 0;
   double Count = 0.0; ///< samples in all files
 
   /**
-   * Checks that the files can have so many samples, before memory is taken for them. Throws
+   * Checks that the files can have so many samples, before memory is allocated for them. Throws
    * std::runtime_error, with the cure.
    */
   void Check() const;
@@ -46,14 +46,14 @@ public:
 
 private:
   void Load();
-  /** Reads one file's samples to memory of the size that each file fills. */
+  /** Reads the samples of one file into memory; each file fills this size. */
   void LoadFile(const std::string& name, char* to, std::size_t size) const;
 
   std::mutex Mutex;
   std::vector<char> Bytes;
 };
 
-/** Says that a file ends before its last voxel, with the cure. */
+/** Returns the end of an error about a file that ends before its last voxel, with the cure. */
 std::string DescribeMissingSamples(const std::string& file);
 
 } // namespace VolumeHaptics

@@ -40,14 +40,17 @@ struct ZarrArray
   std::string Prefix;            ///< prefix of the names of chunks
   char Separator = '.';          ///< separates the numbers in the name of a chunk
   std::vector<CodecType> Codecs; ///< in the order of decoding
-  /** Chunks in a file along each dimension; empty: each chunk has a file of its own. */
+  /** Number of chunks in a file along each dimension; empty if each chunk has a file of its own. */
   std::vector<std::uint64_t> ShardShape;
   bool IsIndexFirst = false; ///< whether a shard's index is at its beginning
   std::size_t IndexTail = 0; ///< bytes of the check sum behind the index
 
   /** Returns the name of the file of a chunk, or of a shard. */
   std::string GetChunkFile(const ChunkPlace& place) const;
-  /** See ChunkedVolume::Loader. Uses the first index of all dimensions before the last three. */
+  /**
+   * Loads a chunk as a ChunkedVolume::Loader does, with the first index of all dimensions before
+   * the last three.
+   */
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
 
 private:

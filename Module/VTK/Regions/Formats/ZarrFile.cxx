@@ -183,7 +183,7 @@ LargeFile OpenDataset(
   return file;
 }
 
-/** Opens the finest level, together with the coarser ones. */
+/** Opens the finest level, together with the coarser levels. */
 LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
 {
   LargeFile finest;

@@ -50,8 +50,8 @@ inline bool IsOnLight(vtkViewport* viewport)
 }
 
 /**
- * Sets a colour: on dark backgrounds with a shadow; on light ones darker, without a shadow, and
- * greys inverted.
+ * Sets a colour: on dark backgrounds with a shadow; on light backgrounds darker, without a shadow,
+ * and greys inverted.
  */
 inline void SetLook(
   vtkTextProperty* text, double red, double green, double blue, vtkViewport* viewport)

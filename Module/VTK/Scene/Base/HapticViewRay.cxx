@@ -121,7 +121,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
   return line;
 }
 
-/** The probe for this filter; null if nothing can be felt. */
+/** Returns the probe for this filter; null if nothing can be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
   const char* const awaited = filter->GetBaker().Prepare();
@@ -135,8 +135,8 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Returns the first contact of a tip that walks along a line, and the force of a press beyond the
- * contact.
+ * Finds the first contact of a tip that walks along a line, and the force of a press beyond the
+ * contact. False if there is no contact.
  */
 bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {

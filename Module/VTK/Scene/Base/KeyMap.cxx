@@ -101,7 +101,7 @@ public:
     : Keys(keys)
   {
   }
-  /** A title, written before the next line, if there is a next line. */
+  /** Sets a title, which is written before the next line, if there is one. */
   void Begin(const char* title) { this->Title = title; }
   void Add(std::initializer_list<KeyLine> lines)
   {

@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The point array of the labels: the chosen array, or the scalars. */
+/** Returns the point array of the labels: the chosen array, or the scalars. */
 vtkDataArray* FindLabels(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
   vtkInformation* const choice = filter->GetInputArrayInformation(1);

@@ -28,7 +28,7 @@ constexpr double MostOfRest = 0.9;
 class DockLayout
 {
 public:
-  /** The layout of a window, which all of its docks share. */
+  /** Returns the layout of a window, which all of its docks share. */
   static std::shared_ptr<DockLayout> Of(vtkRenderWindow* window);
 
   explicit DockLayout(vtkRenderWindow* window)
@@ -37,7 +37,7 @@ public:
   }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
-  /** Docks are distinguished by their addresses. */
+  /** Places the strip of a dock. Docks are distinguished by their addresses. */
   void Place(
     const WindowDock* dock, DockEdge edge, double fraction, const std::vector<vtkRenderer*>& strip);
   void Remove(const WindowDock* dock);

@@ -26,7 +26,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N: smaller forces are not felt. */
+/** Least force that is felt (N). */
 constexpr double LeastForce = 0.005;
 
 bool AreModesFelt(vtkVolumeHapticsFilter* filter)

@@ -57,10 +57,11 @@ public:
   void SetTitle(const std::string& title) { this->Title = title; }
   void SetNames(const std::vector<Name>& names) { this->Names = names; }
   /**
-   * The left end of the first letter, and the upper edge (pixels); the size of letters (points).
+   * Sets where the names begin: `left` and `top` are the left end and the upper edge of the first
+   * letter (pixels), `letters` is the size of letters (points).
    */
   void Place(float left, float top, int letters, float scale = 1.0f);
-  /** The height of both lines (pixels). */
+  /** Returns the height of both lines (pixels). */
   static float GetHeight(int letters);
 
   bool Paint(vtkContext2D* painter) override;

@@ -181,7 +181,10 @@ struct TissueRange
   double To;
 };
 
-/** Clamps a value. VTK's clamp lets NaN through; here NaN becomes the default. */
+/**
+ * Returns the time span to show (s): the given one, or for NaN, which VTK's clamp lets through, the
+ * default.
+ */
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
@@ -223,14 +226,14 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
   vtkNew<vtkTable> PlotTable; // the copy for the caller
-  int CanDraw = -1;           // not known yet
+  int CanDraw = -1;           // whether charts can be drawn; -1: not known yet
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
   std::vector<std::array<double, 4>> Covered; // boxes of the last frame, for Covers
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** The lower end of the text (pixels). */
+  /** Returns the lower end of the text (pixels). */
   int ComputeTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);

@@ -191,7 +191,7 @@ public:
   void Add(int kind, vtkPolyData* shape);
 
   void RenderOpaque(vtkViewport* viewport);
-  /** Draws the faint copy. */
+  /** Draws the faint copy over objects that hide the shapes. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);

@@ -75,7 +75,7 @@ private:
   };
 
   static Times ReadTimes(const EditedObjects& objects);
-  /** Copies the objects, or only those that are in another step. */
+  /** Copies the objects, or with `like` only the objects that this step has. */
   static Step Copy(const EditedObjects& objects, const Step* like);
   static void Restore(const Step& step, const EditedObjects& objects);
   static void Keep(std::deque<Step>& steps, Step step);
@@ -84,7 +84,7 @@ private:
   std::deque<Step> Done;
   std::deque<Step> Undone;
   Step First;  ///< each object before its first edit
-  Step Before; ///< before the edit in progress
+  Step Before; ///< state before the edit in progress
   Times Begun;
 };
 

@@ -60,13 +60,13 @@ const EditedPage Pages[] = {
 /** The lag (m) at which a drag gives a warning: twice the lag that presets allow. */
 constexpr double LongDrag = 0.01;
 
-/** The value of a function at a position; an empty function is constant. */
+/** Returns the value of a function at a position; an empty function is constant. */
 double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
 {
   return function->GetSize() > 0 ? function->GetValue(x) : empty;
 }
 
-/** The nodes of two functions, in ascending order. */
+/** Returns the nodes of two functions, in ascending order. */
 std::vector<double> CollectNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
 {
   std::vector<double> places;
@@ -242,14 +242,16 @@ std::string HapticLabelList::Describe(int label) const
   return std::to_string(label) + (name.empty() ? "" : " ") + name;
 }
 
-/** The property whose edges are shown: the proposal, or a property with an earlier proposal. */
+/**
+ * Returns the property whose edges are shown: the proposal, or a property with an earlier proposal.
+ */
 vtkHapticProperty* HapticProposalView::GetProposed() const
 {
   vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
   return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
 }
 
-/** The data to search for edges; shows their histogram first. */
+/** Returns the data to search for edges; shows their histogram first. */
 SearchedData HapticProposalView::GetSearched()
 {
   this->Chart.ShowData(this->Image, this->GetComponent());

@@ -84,7 +84,7 @@ private:
   std::vector<int> Present;
   const vtkImageData* CountedImage = nullptr; ///< never dereferenced, only compared
   vtkTimeStamp CountTime;
-  vtkSmartPointer<vtkDataArray> Counted; // during the search
+  vtkSmartPointer<vtkDataArray> Counted; // searched labels, during the search
   KeyedWork<vtkMTimeType, std::vector<int>> Counting;
 };
 

@@ -50,13 +50,16 @@ public:
   /** Places the points between two x, and between 0 and the scale (above 0). */
   void SetRange(double from, double to, double scale);
 
-  /** The value of an empty function. Unselects the current point. */
+  /** Sets the value of an empty function, and unselects the current point. */
   void SetEmptyValue(double value);
 
-  /** The value and position of the current point, such as "800 at 70"; empty if there is none. */
+  /**
+   * Returns the value and position of the current point, such as "800 at 70"; empty if there is
+   * none.
+   */
   std::string DescribeCurrentPoint();
 
-  /** A function's value divided by the scale, limited to -1 to 1. */
+  /** Returns a function's value divided by the scale, limited to -1 to 1. */
   static double ToFraction(double value, double scale);
 
   vtkIdType AddPoint(double* newPos) override;

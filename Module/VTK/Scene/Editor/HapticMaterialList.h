@@ -130,7 +130,7 @@ private:
 /** Returns the colour of a tissue by number, in lists and bands: RGB, 0 to 1. */
 std::array<double, 3> GetTissueColor(int tissue);
 
-/** The tissues that the function editor lists, and the material of the selected one. */
+/** The tissues that the function editor lists, and the material of the selected tissue. */
 class HapticTissueList : public HapticMaterialList
 {
 public:

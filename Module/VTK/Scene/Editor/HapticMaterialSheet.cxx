@@ -54,7 +54,7 @@ void PaintFrame(vtkContext2D* painter, const vtkRectf& box)
     EmptyColour);
 }
 
-/** The longest beginning of a UTF-8 text that fits into a width (pixels). */
+/** Returns the longest beginning of a UTF-8 text that fits into a width (pixels). */
 std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
 {
   const auto widthOf = [painter](const std::string& part)
@@ -109,7 +109,7 @@ void PaintText(vtkContext2D* painter, const vtkRectf& box, const std::string& te
   }
 }
 
-/** A number with three digits, in any locale. */
+/** Returns a number with three digits, in any locale. */
 std::string WriteValue(double value)
 {
   std::ostringstream text;

@@ -29,7 +29,7 @@ struct MaterialPart
   {
     Nothing,
     Name, ///< name and swatch
-    Felt, ///< this part and the next: in lists with boxes
+    Felt, ///< box, as the next part: in lists with boxes
     Forbidden,
     ScrollBar,
     ByFunctions, ///< the button that removes the material

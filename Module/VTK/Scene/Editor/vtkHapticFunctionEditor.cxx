@@ -36,7 +36,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   VolumeHaptics::EditHistory History;
   VolumeHaptics::EditorDock Dock;
   int Held = 0;       // the button, between press and release
-  int CanDraw = -1;   // not known yet
+  int CanDraw = -1;   // whether charts can be drawn; -1: not known yet
   double Scale = 1.0; // pixels for each point of letters
   bool IsCounting = false;
   bool WaitsForProposal = false;

@@ -42,7 +42,7 @@ constexpr double LongestTry = 1.0;        // s, until a frame at rest is given u
 constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
 constexpr int MostSlowFrames = 3;    // in a row; a busy processor may delay one or two
 
-/** The sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
+/** Returns the sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
 double AutomaticDistance(vtkImageData* image)
 {
   const double* const spacing = image->GetSpacing();

@@ -152,8 +152,8 @@ public:
   FrameQuality& operator=(const FrameQuality&) = delete;
 
   /**
-   * Adjusts this window, nullptr for none, and restores the own settings of the last window's
-   * mappers. `offScreen`: also if it is off the screen.
+   * Adjusts a window (nullptr: none), and restores the own settings of the last window's mappers.
+   * With `offScreen`, also adjusts a window off the screen.
    */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
@@ -163,7 +163,7 @@ public:
     None,
     Input,  ///< input came during the frame
     Slow,   ///< too slow: the next frame casts fewer rays
-    Resized ///< the window's size, so that the frame was drawn coarsely first
+    Resized ///< the window's size has changed: the frame was drawn coarsely first
   };
   /** Returns why a frame has to be drawn again since the last call. */
   Interruption DrainInterruption();

@@ -120,7 +120,7 @@ private:
   vtkWeakPointer<vtkVolume> Volume;
   vtkWeakPointer<vtkFixedPointVolumeRayCastMapper> Mapper;
   vtkSmartPointer<vtkCallbackCommand> Observer;
-  vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< the mapper's own
+  vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< encoder that the mapper came with
   Words Shades; ///< conditions of the mapper's table; empty: unknown
   Picture Now;  ///< the mapper's image; the mapper has its pixels
   Words Storage;

@@ -18,11 +18,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Degrees: sharper edges of a tool are drawn as edges. */
+/** Least angle (degrees) of the edges of a tool that are drawn as edges. */
 constexpr double FeatureAngle = 40.0;
 constexpr double Pi = 3.14159265358979323846;
 
-/** Turns a second of the picture of a spinning tool; the eye could not see faster turns. */
+/** Turns per second of a spinning tool in the picture; the eye could not see faster turns. */
 constexpr double SeenTurns = 1.7;
 
 /**

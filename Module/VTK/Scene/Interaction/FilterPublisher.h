@@ -75,7 +75,7 @@ private:
   };
   using Notify = std::function<void(const std::string&)>;
 
-  /** Restores the previous settings, because the new ones can't be felt. */
+  /** Restores the previous settings, because the new settings can't be felt. */
   void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
     const Notify& notify);
   /** Restores the previous method, after an error. */

@@ -24,9 +24,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N: smaller forces are not felt. */
+/** Least force that counts as a touch (N). */
 constexpr double LeastMeasuredForce = 0.005;
-/** In voxels: the radius of the brush, and the least step between two of its positions. */
+/** Radius of the brush, and least step between two of its positions (voxels). */
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
 /** Drawing a growing area may take this fraction of the time. */
@@ -70,7 +70,7 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
   return value;
 }
 
-/** A column of the device's states. */
+/** Returns a number from a column of the device's states. */
 double Read(vtkTable* states, const char* column, vtkIdType row, int component = 0)
 {
   return vtkDataArray::SafeDownCast(states->GetColumnByName(column))->GetComponent(row, component);

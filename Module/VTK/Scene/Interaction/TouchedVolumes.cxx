@@ -70,7 +70,7 @@ bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& dra
   return renderers && renderers->GetNumberOfItems() > 0;
 }
 
-/** The volumes of the ports of a vtkMultiVolume, whether or not it is drawn. */
+/** Returns the volumes of the ports of a vtkMultiVolume, whether or not it is drawn. */
 std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
 {
   std::vector<DrawnVolume> parts;

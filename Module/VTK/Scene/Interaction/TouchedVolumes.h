@@ -66,7 +66,7 @@ public:
    * is not shown.
    */
   void Update();
-  /** If the felt volume is not shown, feels the first shown volume, if there is any. */
+  /** Feels the first shown volume, if there is any and the felt volume is not shown. */
   void FeelShown();
   /** Chooses among the volumes along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);

@@ -22,7 +22,7 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** The camera's right, up and backward (towards the user) directions, as rows. */
+/** Returns the camera's right, up and backward (towards the user) directions, as rows. */
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**

@@ -45,7 +45,10 @@ struct SampleSpan
 class TissueRaster
 {
 public:
-  /** False if the axes are not parallel. */
+  /**
+   * Finds the fractions for a part of an image. False if the axes of image and volume are not
+   * parallel.
+   */
   bool Compute(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
   {
     const double first[3] = { static_cast<double>(part[0]), static_cast<double>(part[2]),

@@ -130,7 +130,7 @@ public:
 private:
   void HandleRendering(unsigned long event);
   void EndRendering();
-  /** Detects whether VTK has uploaded another texture, or the same one anew. */
+  /** Detects whether VTK has uploaded another texture, or the same texture anew. */
   bool DetectUpload();
   /** Whether the last texture can be written to now. */
   bool IsAtHand() const;

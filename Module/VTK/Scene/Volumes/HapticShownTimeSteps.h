@@ -34,8 +34,8 @@ class HapticShownTimeSteps
 public:
   /**
    * Finds the volumes that show the image of a device's filter; call this before time steps are
-   * read. They have the image, or its scalars; or if its components are time steps, an image of its
-   * shape with one of them.
+   * read. Such a volume has the image, or its scalars; or if the image's components are time steps,
+   * an image of its shape with one of them.
    */
   void Collect(vtkRenderer* renderer, vtkHapticDevice* device);
   /**

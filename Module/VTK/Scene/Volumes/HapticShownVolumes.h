@@ -26,7 +26,7 @@ class CarvedPictures;
 class HapticShownTimeSteps;
 struct DrawnVolume;
 
-/** Stores its warnings, so that each difference is reported once while it lasts. */
+/** Warns of volumes that are shown otherwise than felt, of each difference once while it lasts. */
 class HapticShownVolumes
 {
 public:

@@ -93,7 +93,7 @@ public:
    * to the wanted number.
    */
   void Update(vtkImageData* image, vtkIdType mostVoxels);
-  /** The last finished copy, in the image's place; null if there is none. */
+  /** Returns the last finished copy, in the image's place; null if there is none. */
   vtkImageData* GetCopy() const { return this->Copy; }
 
 private:

@@ -48,7 +48,7 @@ struct RecordedPath
   ///@{
   /** Belong to InitialState: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;
-  double ContactFraction = 1.0; ///< fraction of their energies that counts
+  double ContactFraction = 1.0; ///< fraction of the contacts' energies that counts
   ///@}
   double TickPeriod = 0.0;     ///< period of the recorded servo (s)
   std::vector<ForceCaps> Caps; ///< caps of the recorded device, per placement

@@ -25,14 +25,10 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/**
- * Finds the paths that the line cells of a polydata form.
- *
- * The points of several paths, one path after another.
- */
+/** Lists the points of several paths, one path after another. */
 struct DividedPoints
 {
-  std::vector<vtkIdType> Points; ///< empty if they are 0, 1, 2 ...
+  std::vector<vtkIdType> Points; ///< numbers of the points; empty if they are 0, 1, 2 ...
   std::vector<vtkIdType> Begins; ///< begin of each path in Points; then the end of the last path
   vtkIdType Count = 0;           ///< number of all points
 

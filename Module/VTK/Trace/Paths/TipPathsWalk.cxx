@@ -327,7 +327,7 @@ double TipPathWalk::GetTime() const
   return this->Tips ? this->Tips->GetTime() : this->Recording->Times[this->Next - 1];
 }
 
-/** A path on its way. */
+/** A path that is being walked, and its state. */
 struct TipPathsWalk::Runner
 {
   Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model,
@@ -352,7 +352,7 @@ struct TipPathsWalk::Runner
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< the model, placed as a recording says
   WorkMeter Work;
-  bool IsTaken = false; ///< by a thread
+  bool IsTaken = false; ///< whether a thread advances it
 };
 
 TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
