@@ -20,7 +20,7 @@ namespace VolumeHaptics
 
 /**
  * VTK sends no event when a widget of Qt is hidden, minimised or closed. This class watches the
- * widget, then lets the force fade and leaves the touch mode. One call does it:
+ * widget, and then lets the force fade and leaves the touch mode. One call is enough:
  *
  *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
  *   VolumeHaptics::WidgetWatch::Watch(view, style);

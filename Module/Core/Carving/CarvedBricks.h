@@ -36,7 +36,7 @@ class CarvedBricks
 {
 public:
   static constexpr int Side = 8;  ///< samples
-  static constexpr int Shift = 3; ///< from a sample's index to its brick's
+  static constexpr int Shift = 3; ///< converts a sample's index to its brick's index
   /** 8 samples along x, one byte each; row y + 8 z. */
   static constexpr int Rows = Side * Side;
   static constexpr std::uint64_t WholeRow = ~std::uint64_t{ 0 };
@@ -47,7 +47,7 @@ public:
   /** A brick's place has 21 bits along each axis. */
   static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
 
-  /** Allocates all of its memory, and touches it once. */
+  /** Allocates all memory at once, and touches it once. */
   explicit CarvedBricks(std::uint32_t most = DefaultMost);
   CarvedBricks(const CarvedBricks&) = delete;
   CarvedBricks& operator=(const CarvedBricks&) = delete;
@@ -65,20 +65,20 @@ public:
   }
 
   ///@{
-  /** These may be called from any thread. */
+  /** Return facts about the bricks. From any thread. */
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
-  /** Whether all tissue remains. Visits all bricks if it does. */
+  /** Returns whether all tissue remains. If it does, the call visits all bricks. */
   bool IsWhole() const noexcept;
-  /** Whether all tissue of one brick remains. */
+  /** Returns whether all tissue of one brick remains. */
   bool IsWhole(std::uint32_t brick) const noexcept;
-  /** Grows with each change of a brick. */
+  /** Returns a counter that grows with each change of a brick. */
   std::uint64_t GetChanges() const noexcept
   {
     return this->Changes.load(std::memory_order_acquire);
   }
-  /** The number of a brick, 0 to GetCount() - 1; None if all of its tissue remains. */
+  /** Returns the number of a brick, 0 to GetCount() - 1; None if all of its tissue remains. */
   std::uint32_t Find(std::uint64_t key) const noexcept
   {
     for (std::uint64_t slot = this->SlotOf(key);; slot = (slot + 1) & this->SlotMask)
@@ -95,22 +95,23 @@ public:
   {
     return this->Fractions[RowAt(brick, row)].load(std::memory_order_relaxed);
   }
-  /** The remaining fraction at a sample, whose index is not negative. */
+  /** Returns the remaining fraction at a sample, whose index is not negative. */
   std::uint8_t GetFraction(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
-  /** Whether any sample in a box of indices, both ends included, is in a brick. */
+  /** Returns whether any sample in a box of indices, both ends included, is in a brick. */
   bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
   ///@}
 
   ///@{
   /**
-   * Called by the writer: adds a brick, with all of its tissue; None if there is no room for it.
+   * Returns the number of a brick. If the brick is missing, adds it with all of its tissue; returns
+   * None if there is no room. Called by the writer.
    */
   std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
   void SetRow(std::uint32_t brick, int row, std::uint64_t fractions) noexcept
   {
     this->Fractions[RowAt(brick, row)].store(fractions, std::memory_order_relaxed);
   }
-  /** Reports that rows of a brick were set. */
+  /** Tells the followers that rows of a brick were set. */
   void MarkChanged(std::uint32_t brick) noexcept
   {
     this->Changed[brick / BricksOfWord].fetch_or(
@@ -122,8 +123,8 @@ public:
 
   ///@{
   /**
-   * From any thread: registers a follower, for which all bricks count as changed, and returns its
-   * number; -1 if fewer than keptFree places for followers would remain.
+   * Registers a follower, for which all bricks count as changed, and returns the follower's number;
+   * -1 if fewer than keptFree places for followers would remain. From any thread.
    */
   int AddFollower(int keptFree = 0) noexcept;
   void RemoveFollower(int follower) noexcept
@@ -139,7 +140,7 @@ public:
   template <typename F>
   void DrainChanged(int follower, F&& f)
   {
-    constexpr std::uint64_t first = 0x0101010101010101; // the bits of one follower
+    constexpr std::uint64_t first = 0x0101010101010101; // the bits of the first follower
     const std::uint64_t mine = first << follower;
     const std::uint32_t count = this->GetCount();
     for (std::uint32_t word = 0; BricksOfWord * word < count; ++word)
@@ -180,7 +181,7 @@ private:
   std::uint64_t SlotMask = 0;
   int SlotShift = 0;
   std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< at least twice as many as bricks
-  std::unique_ptr<std::uint64_t[]> Keys;               ///< each written before its slot
+  std::unique_ptr<std::uint64_t[]> Keys;               ///< each key is written before its slot
   std::unique_ptr<std::atomic<std::uint64_t>[]> Fractions;
   /** For each brick, one bit per possible follower. */
   std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;

@@ -5,8 +5,9 @@
  * Undo and redo of removed tissue, by strokes.
  *
  * Before a stroke first changes a brick, the journal stores the brick's rows. To undo a stroke, it
- * swaps them with the rows in the brick, so that it then has what a redo needs, and the reverse.
- * Its memory is fixed: if it is used up, the oldest strokes can't be undone any more.
+ * swaps them with the rows in the brick, so that the journal then has the rows that a redo needs,
+ * and the reverse. The memory is fixed: when it is used up, the oldest strokes can't be undone any
+ * more.
  *
  * Work is done in pieces, so that a tick does a bounded part of it. Only the writer of the bricks
  * may call it, except for the numbers of strokes.
@@ -41,7 +42,7 @@ public:
   void Begin() noexcept;
   bool IsOpen() const noexcept { return this->HasOpen; }
   void Keep(std::uint32_t brick) noexcept;
-  /** Adds a removed volume (mm^3), to the open stroke if there is one. */
+  /** Adds a removed volume (mm^3) to the total and, if a stroke is open, to the stroke. */
   void Count(double volume) noexcept;
   void End() noexcept;
   /**
@@ -52,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Begins to undo, redo or restore; each ends an open stroke, and returns false if there is
+   * Begins to undo, redo or restore. Each function ends an open stroke; returns false if there is
    * nothing to do or if work is pending.
    */
   bool StartUndo() noexcept;
@@ -61,17 +62,18 @@ public:
   bool StartReset() noexcept;
   ///@}
   bool HasWork() const noexcept { return this->Work != Kind::None; }
-  /** Does a piece of the work: at most this many bricks. */
+  /** Does a piece of the pending work, on at most this many bricks. */
   void Continue(std::size_t bricks) noexcept;
 
   ///@{
   /**
-   * From any thread: the number of strokes that can be undone, including an open one, and redone.
+   * Return the numbers of strokes that can be undone (including an open stroke) and redone. From
+   * any thread.
    */
   std::size_t GetUndoable() const noexcept { return this->Undoable.load(); }
   std::size_t GetRedoable() const noexcept { return this->Redoable.load(); }
   ///@}
-  /** From any thread: the removed volume (mm^3), less what was undone. */
+  /** Returns the removed volume (mm^3), less what was undone. From any thread. */
   double GetVolume() const noexcept { return this->Volume.load(std::memory_order_relaxed); }
   std::size_t GetMemorySize() const noexcept; ///< bytes
 
@@ -88,7 +90,7 @@ private:
     std::uint32_t Brick;
     std::uint64_t Rows[CarvedBricks::Rows];
   };
-  /** Counted by the numbers of entries, which grow beyond the memory's size. */
+  /** A stroke. Begin and end are numbers of entries, which grow beyond the memory's size. */
   struct Stroke
   {
     std::uint64_t Begin;
@@ -107,8 +109,8 @@ private:
   CarvedBricks& Bricks;
   std::vector<Entry> Entries;
   std::vector<Stroke> Strokes;
-  std::vector<std::uint32_t> Stamps; ///< per brick: the last stroke that stored it
-  std::uint32_t Stamp = 0;           ///< of the open stroke
+  std::vector<std::uint32_t> Stamps; ///< per brick: stamp of the last stroke that stored it
+  std::uint32_t Stamp = 0;           ///< the stamp of the open stroke
   std::uint64_t Head = 0;            ///< the number of the next entry
   ///@{
   /** Strokes from First on can be undone, those from Applied on redone, up to Last. */

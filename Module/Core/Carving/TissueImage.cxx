@@ -81,7 +81,7 @@ bool IsUsable(const TissueBox& box) noexcept
   return true;
 }
 
-/** Whether all tissue of a brick remains in the image. */
+/** Returns whether all tissue of a brick remains in the image. */
 bool IsWhole(const BrickPart& part, const TissueBox& box, const std::uint8_t* from) noexcept
 {
   bool isWhole = true;

@@ -24,7 +24,7 @@ struct TissueBox
   std::int64_t Size[3];
 };
 
-/** Writes the fractions of a box; from any thread. */
+/** Writes the fractions of a box to an image; from any thread. */
 void WriteTissue(const CarvedBricks& bricks, const TissueBox& box, std::uint8_t* to) noexcept;
 
 /**
@@ -36,13 +36,13 @@ void WriteBrick(
 
 /**
  * Called by the writer: sets all fractions from an image; tissue comes back where the image has all
- * of it. False, without a change, if there are not enough bricks, or indices are below 0.
+ * of it. If there are not enough bricks, or indices are below 0, returns false and changes nothing.
  */
 bool ReadTissue(CarvedBricks& bricks, const TissueBox& box, const std::uint8_t* from) noexcept;
 
 /**
- * The bricks of another volume, whose samples are a box of this volume: leaves out what is outside
- * the box; the box may reach beyond the volume.
+ * Converts bricks of a volume to bricks of another volume whose samples are a box of the first
+ * volume. Leaves out what is outside the box; the box may reach beyond the first volume.
  */
 std::vector<BrickTissue> MoveTissue(const std::vector<BrickTissue>& bricks, const TissueBox& box);
 

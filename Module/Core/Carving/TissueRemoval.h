@@ -23,9 +23,9 @@ namespace VolumeHaptics
 enum class RemovalRequest : std::uint8_t
 {
   None = 0,
-  Undo = 1, ///< the last stroke
+  Undo = 1, ///< undoes the last stroke
   Redo = 2,
-  Reset = 3 ///< all strokes
+  Reset = 3 ///< restores all tissue
 };
 
 /**
@@ -44,24 +44,24 @@ public:
   TissueRemoval(const TissueRemoval&) = delete;
   TissueRemoval& operator=(const TissueRemoval&) = delete;
 
-  /** Queues a request. Called by one thread. False if too many requests wait. */
+  /** Queues a request; returns false if too many requests wait. Called by one thread. */
   bool Request(RemovalRequest request) noexcept;
-  /** From any thread: requests that wait or are carried out. */
+  /** Returns the number of requests that wait or are being carried out. From any thread. */
   std::size_t GetPending() const noexcept
   {
     return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
   }
-  /** From any thread: whether tissue could not be removed because all bricks are in use. */
+  /** Returns whether tissue could not be removed because all bricks are in use. From any thread. */
   bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
 
   ///@{
   /**
    * Called by the thread that ticks, at the beginning of a tick: carries out a piece of a request,
-   * which may bring tissue back; false if there was none.
-   * @param begun if not null, receives the request whose first piece this was, or None
+   * which may bring tissue back. Returns false if there was no request.
+   * @param begun if not null, receives the request that this call began, or None
    */
   bool Serve(RemovalRequest* begun = nullptr) noexcept;
-  /** Whether the next Serve has something to do. */
+  /** Returns whether the next Serve has something to do. */
   bool HasWork() const noexcept { return this->GetPending() > 0; }
   void SetUsedUp(bool isUsedUp) noexcept
   {
@@ -80,7 +80,7 @@ public:
   void BeginSnapshot() { this->Snapshot = std::make_unique<TissueSnapshot>(this->Bricks); }
   bool TakeSnapshot() noexcept;
   bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
-  /** Ends the copying and returns the copy; empty if it was not completed. */
+  /** Ends the copying and returns the copied bricks; none if the copy was not completed. */
   std::vector<BrickTissue> EndSnapshot();
   ///@}
 

@@ -31,7 +31,7 @@ struct BrickTissue
  * are from different moments.
  */
 std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
-/** Called by the writer: stores bricks; false if there is no room for all of them. */
+/** Called by the writer: stores bricks; returns false if there is no room for all of them. */
 bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept;
 
 class TissueSnapshot
@@ -47,15 +47,15 @@ public:
   TissueSnapshot& operator=(const TissueSnapshot&) = delete;
 
   /**
-   * Called by the writer of the bricks: copies the bricks that have changed meanwhile. False if
-   * they are too many, or if the snapshot is complete already.
+   * Called by the writer of the bricks: copies the bricks that have changed since the construction.
+   * Returns false if too many bricks have changed, or if the snapshot is complete already.
    */
   bool Complete() noexcept;
-  /** From any thread: whether too many bricks had changed. */
+  /** Returns whether too many bricks had changed. From any thread. */
   bool IsLate() const noexcept { return this->State.load(std::memory_order_acquire) == Late; }
   /**
-   * Returns all bricks, in their order, including whole ones, since these take up room, too. Empty
-   * if the snapshot is not complete.
+   * Returns all bricks, in the order of their numbers, including whole bricks, since these take up
+   * room, too. Empty if the snapshot is not complete.
    */
   std::vector<BrickTissue> Collect() const;
 
@@ -69,7 +69,7 @@ private:
 
   CarvedBricks& Bricks;
   const int Follower;
-  std::vector<BrickTissue> Copies; ///< by the brick's number
+  std::vector<BrickTissue> Copies; ///< the copies, by the brick's number
   struct Change
   {
     std::uint32_t Brick;

@@ -30,7 +30,7 @@ struct BoxBricks
   std::int64_t First[3];
   std::int64_t Count[3];
 
-  /** False if the box has no brick. */
+  /** Finds the bricks of a box; returns false if the box has no brick. */
   bool Find(const CarvedBricks& bricks, const CarvedBox& box) noexcept
   {
     for (int a = 0; a < 3; ++a)

@@ -20,18 +20,19 @@ namespace VolumeHaptics
 {
 
 /**
- * The remaining fractions, and the value of a sample without tissue. Borrows the bricks; null if
- * nothing is removed.
+ * The remaining fractions, and the value of a sample without tissue. Borrows the bricks; Bricks is
+ * null if nothing is removed.
  */
 struct CarvedView
 {
   const CarvedBricks* Bricks = nullptr;
   double Air = 0.0;
 
-  /** Whether any tissue was removed. */
+  /** Returns whether any tissue was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
   /**
-   * The remaining value; equals the value, to the bit, if all of its tissue remains.
+   * Returns a sample's value after the removal: `value` itself, to the bit, if all of the sample's
+   * tissue remains.
    * @param fraction 0 to CarvedBricks::Whole, or a mean of such fractions
    */
   double Left(double value, double fraction) const noexcept
@@ -54,17 +55,18 @@ struct CarvedBox
 };
 
 /**
- * The box of the samples from `before` a position's cell to `behind` the sample after it, as far as
- * they are resident. The position is clamped to the resident samples.
+ * Returns the box of the samples that a kernel reads at a position: from `before` samples before
+ * the position's cell to `behind` samples after it, as far as they are resident. The position is
+ * clamped to the resident samples.
  */
 CarvedBox ComputeBox(
   const VolumeView& view, const double* position, int before, int behind) noexcept;
 
 /**
- * If tissue was removed in the box, writes the remaining samples, x first, and returns a view whose
- * indices are those of the whole volume, but of which only the box may be read.
+ * Copies the remaining samples of a box to `to`, x first, if tissue was removed in the box. `copy`
+ * receives a view of them whose indices are the whole volume's; only the box may be read.
  * @param whole its Data points to the volume's first sample, see WholeData
- * @return false if nothing was removed in the box
+ * @return false, without a copy, if nothing was removed in the box
  */
 bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to,
   VolumeView& copy) noexcept;

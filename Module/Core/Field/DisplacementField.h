@@ -40,7 +40,7 @@ struct DisplacementView
 };
 
 /**
- * One piece of material: where it is in the first time step, in the second one, and at an instant
+ * The places of a piece of material: in the first time step, in the second one, and at an instant
  * between them.
  */
 struct MaterialPlace
@@ -58,21 +58,20 @@ struct MaterialPlace
 class DisplacementField
 {
 public:
-  /**
-   * Displacements on the points of a volume, with the linear part of its map from index to world.
-   */
+  /** `indexToWorld` is the linear part of the volume's map from index to world. */
   DisplacementField(
     const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld);
 
   /**
-   * The material at a place (an index), at a fraction of the time between the time steps, 0 to 1.
+   * Computes where the material at a place (an index) is in both time steps. `fraction` is the
+   * fraction of the time between them, 0 to 1.
    */
   MaterialPlace Compute(const Vector3& index, double fraction) const noexcept;
 
   const DisplacementView& GetView() const noexcept { return this->Given; }
 
 private:
-  /** u at an index, in index steps, and its derivatives. */
+  /** The displacement u at an index, in index steps, and its derivatives. */
   struct Sample
   {
     Vector3 Value;

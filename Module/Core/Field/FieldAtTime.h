@@ -46,7 +46,7 @@ public:
         first, { second, fraction, first.BlendsSamples(second) }, motion, memory, timeStep)
   {
   }
-  /** With a second time step; `areSamplesBlended` tells whether samples are blended. */
+  /** Adds a second time step; `second.AreSamplesBlended` tells whether samples are blended. */
   FieldAtTime(const FieldSampler& first, const FieldSampler::OtherTimeStep& second,
     const DisplacementField* motion, TickMemory* memory, std::size_t timeStep) noexcept
     : First(second.Fraction < 1.0 ? first : second.Field)
@@ -58,7 +58,7 @@ public:
   {
   }
 
-  // See FieldSampler.
+  // See FieldSampler for Value, Values and Gradient.
   double Value(const Vector3& index) const noexcept
   {
     if (this->FollowsMaterial())
@@ -69,7 +69,7 @@ public:
     }
     return this->Second ? this->First.Value(this->GetOther(), index) : this->First.Value(index);
   }
-  /** The values at two instants, which is faster than two calls of Value. */
+  /** Returns the values at two instants, which is faster than two calls of Value. */
   static FractionPair Values(
     const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
   {
@@ -102,7 +102,7 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
-  /** Whether each time step is read at a position of its own. */
+  /** Returns whether each time step is read at a position of its own. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   FieldSampler::OtherTimeStep GetOther() const noexcept
@@ -139,7 +139,10 @@ private:
     return { sample.Value, Transpose(slope) * gradient };
   }
 
-  /** The offset turns and stretches with the material. */
+  /**
+   * Returns the values on both sides of a place in the material. The offset turns and stretches
+   * with the material.
+   */
   ValuePair ValuesOfMaterial(const Vector3& index, const Vector3& offset) const noexcept
   {
     const MaterialPlace at = this->Motion->Compute(index, this->Fraction);
@@ -155,7 +158,7 @@ private:
   const FieldSampler* const Second = nullptr; ///< null if the instant is that of a time step
   const double Fraction = 0.0;
   const bool AreSamplesBlended = false;
-  const DisplacementField* const Motion = nullptr; ///< null if it is not known
+  const DisplacementField* const Motion = nullptr; ///< null if the motion is not known
   const BlendMemories Memories;
 };
 

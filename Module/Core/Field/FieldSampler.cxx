@@ -41,7 +41,7 @@ FieldFunctions SelectFunctions(
   return SelectBaselineFunctions(view, kernel.Estimator, kernel.Taps);
 }
 
-/** The gradient from a copy of a box with at most N samples along each axis. */
+/** Computes the gradient from a copy of a box with at most N samples along each axis. */
 template <int N>
 VOLUME_HAPTICS_OUTLINE FieldSample GradientOfCopy(const FieldView& view, const CarvedView& carved,
   const CarvedBox& box, GradientFunction gradient, const Vector3& index) noexcept

@@ -31,7 +31,7 @@ struct FieldSample
    * gradient is its derivative; otherwise this value is only a measure of scale.
    */
   double Value = 0.0;
-  /** Per step of the index, along the index axes. */
+  /** Derivative per step of the index, along the index axes. */
   Vector3 Gradient;
 };
 
@@ -69,7 +69,8 @@ struct FractionPair
 };
 
 /**
- * The memories of a tick, including those of time steps that are read separately; all may be null.
+ * The memories of a tick, including memories of time steps that are read separately; all may be
+ * null.
  */
 struct BlendMemories
 {
@@ -84,7 +85,7 @@ using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** The same for a blend of two time steps with the same geometry, type and kernel. */
+/** The same functions for a blend of two time steps with the same geometry, type and kernel. */
 using BlendedValueFunction = double (*)(
   const TimeStepBlend&, double x, double y, double z) noexcept;
 using SharedValuesFunction = FractionPair (*)(
@@ -95,7 +96,7 @@ using BlendedGradientFunction = FieldSample (*)(
   const TimeStepBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 ///@{
-/** The same for values of a blend, from a memory of both time steps. */
+/** The same functions for values of a blend, read from a memory of both time steps. */
 using TapValueFunction = double (*)(
   const TimeStepTaps&, const FieldView&, double fraction, double x, double y, double z) noexcept;
 using SharedTapValuesFunction = FractionPair (*)(const TimeStepTaps&, const FieldView&,
@@ -103,12 +104,14 @@ using SharedTapValuesFunction = FractionPair (*)(const TimeStepTaps&, const Fiel
 using TapPairFunction = ValuePair (*)(const TimeStepTaps&, const FieldView&, double fraction,
   double x, double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
-/** Reads all taps from the first one on; false if some are outside the samples. */
+/**
+ * Reads all taps from the first one on to a memory; returns false if some are outside the samples.
+ */
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
 /**
- * Computes the gradient from the memory's taps, which are read again if necessary; false if it
- * can't be computed in this way.
+ * Computes the gradient from the memory's taps, which are read again if necessary; returns false if
+ * the gradient can't be computed in this way.
  */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
@@ -120,7 +123,7 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  SharedValuesFunction SharedValues = nullptr; ///< at the blend's fraction, and at another one
+  SharedValuesFunction SharedValues = nullptr; ///< values at the blend's fraction and at another
   BlendedPairFunction BlendedPair = nullptr;
   /** Null for kernels of many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
@@ -143,7 +146,7 @@ enum class InstructionSet : std::uint8_t
   AVX2
 };
 
-/** The best instruction set that was compiled in and that this processor has. */
+/** Returns the best instruction set that was compiled in and that this processor has. */
 InstructionSet DetectInstructionSet();
 
 /**
@@ -158,7 +161,7 @@ public:
   {
     const FieldSampler& Field;
     double Fraction;
-    bool AreSamplesBlended; ///< BlendsSamples() with this time step
+    bool AreSamplesBlended; ///< whether BlendsSamples() holds for this time step
   };
 
   FieldSampler() = default;
@@ -168,8 +171,8 @@ public:
     InstructionSet instructions = DetectInstructionSet());
 
   /**
-   * V at a continuous index, clamped to the resident samples; BorderValue if a sample is not
-   * finite.
+   * Returns V at a continuous index, clamped to the resident samples; BorderValue if a sample is
+   * not finite.
    */
   double Value(const Vector3& index) const noexcept
   {
@@ -180,7 +183,7 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
-  /** V at index + offset and at index - offset, which is faster than two calls of Value. */
+  /** Returns V at index + offset and at index - offset, which is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
     if (this->Carved.HasAny())
@@ -194,8 +197,8 @@ public:
   }
 
   /**
-   * Value and gradient at a continuous index, which must lie inside; may be NaN. A memory saves
-   * time where one gradient follows another nearby.
+   * Returns value and gradient at a continuous index, which must lie inside; they may be NaN. A
+   * memory saves time where one gradient follows another nearby.
    */
   FieldSample Gradient(const Vector3& index, TapMemory* memory = nullptr) const noexcept
   {
@@ -215,9 +218,9 @@ public:
 
   ///@{
   /**
-   * Computes the same for a blend with another time step of the volume, whose fraction is from 0 to
-   * 1. Where possible, samples are blended before they are summed, else the sums are blended.
-   * Values come from `taps`, which is GetTaps() of a gradient's memory, if they are there.
+   * Return the same results for a blend with another time step of the volume. Where possible,
+   * samples are blended before they are summed, else the sums are blended. If `taps` (GetTaps() of
+   * a gradient's memory) has the samples, values come from there.
    */
   double Value(const OtherTimeStep& other, const Vector3& index,
     const TimeStepTaps* taps = nullptr) const noexcept
@@ -243,8 +246,8 @@ public:
     return this->BlendValue(other, other.Fraction, index);
   }
   /**
-   * The values at the other time step's fraction and at a second fraction, which is faster than two
-   * calls of Value.
+   * Returns the values at the other time step's fraction and at a second fraction, which is faster
+   * than two calls of Value.
    */
   FractionPair Values(const OtherTimeStep& other, double fraction, const Vector3& index,
     const TimeStepTaps* taps = nullptr) const noexcept
@@ -295,7 +298,8 @@ public:
       Blend(first.Behind, second.Behind, other.Fraction) };
   }
   /**
-   * The samples of both time steps that a gradient has stored; null if it stored other time steps.
+   * Returns the samples of both time steps that a gradient has stored in a memory; null if the
+   * memory has other time steps, or if samples are not blended.
    */
   const TimeStepTaps* GetTaps(const OtherTimeStep& other, const TickMemory& memory) const noexcept
   {
@@ -327,8 +331,8 @@ public:
   }
   ///@}
   /**
-   * Whether a continuous index lies within the bounding box of the volume's samples, resident or
-   * not.
+   * Returns whether a continuous index lies within the bounding box of the volume's samples,
+   * resident or not.
    */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -337,7 +341,7 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** The nearest index within the bounding box; 0 along an axis that is NaN. */
+  /** Returns the nearest index within the bounding box; 0 along an axis where the index is NaN. */
   Vector3 Nearest(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
@@ -347,7 +351,8 @@ public:
   }
 
   /**
-   * The distance (voxels) of an index from the volume's nearest border, along that border's axis.
+   * Returns the distance (voxels) of an index from the volume's nearest border, along that border's
+   * axis.
    */
   double DistanceToBorder(const Vector3& index) const noexcept
   {
@@ -359,8 +364,8 @@ public:
   }
 
   /**
-   * Whether kernel, type and resident samples of another time step are the same, and no tissue was
-   * removed.
+   * Returns whether the samples of this time step and another one can be blended: kernel, type and
+   * resident samples are the same, and no tissue was removed.
    */
   bool BlendsSamples(const FieldSampler& other) const noexcept
   {
@@ -371,7 +376,7 @@ public:
       std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
       !this->Carved.HasAny() && !other.Carved.HasAny();
   }
-  /** The samples, as they were given, and what was removed from them. */
+  /** Return the samples, as they were given, and what was removed from them. */
   const VolumeView& GetView() const noexcept { return this->Given; }
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
@@ -401,7 +406,7 @@ private:
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
   FieldFunctions OfCopies; ///< functions for copies, which are doubles
-  int ValueReach = 0;      ///< samples beyond a position's cell
+  int ValueReach = 0;      ///< number of samples that a value needs beyond a position's cell
 };
 
 } // namespace VolumeHaptics

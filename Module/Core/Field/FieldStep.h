@@ -10,8 +10,8 @@ namespace VolumeHaptics
 
 /**
  * A moving volume at two instants between the same two time steps. Gives the results of two
- * FieldAtTime, to the bit, with less work: both instants read the same samples, and the samples of
- * the last gradient are stored. Neither instant may be that of a time step.
+ * FieldAtTime, to the bit, with less work, since both instants read the same samples, and the
+ * samples of the last gradient are stored. Neither instant may be that of a time step.
  */
 class FieldStep
 {
@@ -33,8 +33,8 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
   /**
-   * Reads value and gradient at the later instant. Call it first: it reads the samples for the
-   * other calls.
+   * Reads value and gradient at the later instant. Call this function first: it reads the samples
+   * for the other calls.
    */
   FieldSample Gradient(const Vector3& index) noexcept
   {
@@ -46,7 +46,7 @@ public:
     return sample;
   }
 
-  /** Values at both instants. */
+  /** Returns the values at both instants. */
   FractionPair Values(const Vector3& index) const noexcept
   {
     const FractionPair pair = this->First.Values(this->GetNow(), this->Before, index, this->Taps);
@@ -54,7 +54,10 @@ public:
   }
 
   ///@{
-  /** The result of the same function of FieldAtTime, at the later instant. */
+  /**
+   * The functions below return the results of the same functions of FieldAtTime, at the later
+   * instant.
+   */
   double Value(const Vector3& index) const noexcept
   {
     return this->First.Value(this->GetNow(), index, this->Taps);

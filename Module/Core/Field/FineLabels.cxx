@@ -29,7 +29,9 @@ constexpr double ActiveWidth = 4.0;
 /** The number of slices that are processed at once. */
 constexpr std::int64_t ChunkSlices = 16;
 
-/** A cubic between two values, whose slopes are limited so that it stays between them. */
+/**
+ * A cubic between two values, whose slopes are limited so that the cubic stays between the values.
+ */
 struct Cubic
 {
   Cubic(float before, float from, float to, float after)
@@ -61,7 +63,7 @@ struct Cubic
 template <typename T>
 struct Place
 {
-  /** `rise` is by how much the distance grows from this layer to the next one. */
+  /** Adds a label. `rise` is how much the distance grows from this layer to the next one. */
   void Add(T label, float distance, float rise)
   {
     if (distance > this->Best)
@@ -80,8 +82,8 @@ struct Place
   }
 
   /**
-   * The other label's fraction, in parts. The boundary is half the difference of the distances
-   * away, within the slice.
+   * Returns the other label's fraction, in parts. The boundary is half the difference of the
+   * distances away, within the slice.
    */
   std::uint8_t ComputeFraction() const
   {
@@ -109,7 +111,7 @@ std::uint64_t HashSlice(const std::vector<std::int64_t>& labels)
   return hash;
 }
 
-/** The narrowest type that holds labels from low to high. */
+/** Returns the narrowest type that holds labels from low to high. */
 ScalarType TypeOf(std::int64_t low, std::int64_t high)
 {
   const auto fits = [&](auto t)
@@ -174,7 +176,9 @@ struct FineLabels::Pass
     return labels;
   }
 
-  /** The slices whose hash has changed since the last time; all slices at the first time. */
+  /**
+   * Returns the slices whose hash has changed since the last time; all slices at the first time.
+   */
   std::vector<char> CollectChanged(const std::vector<std::uint64_t>& last) const
   {
     std::vector<char> changed(static_cast<std::size_t>(this->Slices), 1);
@@ -214,7 +218,7 @@ struct FineLabels::Pass
     }
   }
 
-  /** The view of the resulting labels, and their bytes. */
+  /** Returns the layout of the resulting labels, without their data. */
   VolumeView MakeView() const
   {
     VolumeView view;

@@ -13,8 +13,8 @@
  * - in each slice a label has a signed distance S to its boundary, above 0 inside;
  * - along the slices' axis S is a cubic between slices, without overshoot (F. N. Fritsch and R. E.
  *   Carlson, SIAM Journal on Numerical Analysis 17, 1980);
- * - at a fine voxel the label with the largest S wins, and the fraction of the next one gives the
- *   place of the boundary between both voxels.
+ * - at a fine voxel the label with the largest S wins, and the fraction of the label with the next
+ *   largest S gives the place of the boundary between both voxels.
  *
  * The distances are smoothed along the slice, since pixels make stairs, too; but not where a label
  * or a gap is thinner than eight fine voxels, so that thin parts keep their shape. A label that a
@@ -48,19 +48,22 @@ public:
 
   using Body = std::function<void(std::int64_t)>;
   /**
-   * Calls a function with each number below a count, in any order, perhaps in parallel. A loop that
-   * leaves out numbers ends Make(), whose result is then of no use.
+   * Calls a function with each number below a count, in any order, perhaps in parallel. If a loop
+   * leaves out numbers, Make() ends, and its result is of no use.
    */
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
-  /** Fine voxels in a voxel of the image, along each axis: 1 if there is no finer grid. */
+  /**
+   * Returns the number of fine voxels in a voxel of the image, along each axis; all are 1 if there
+   * is no finer grid.
+   */
   static Vector3 ChooseSteps(
     const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels = MostVoxels);
 
   /**
-   * Null if the spacings are similar, or if the image is too large or has too many labels: then
-   * walls come from its own voxels. If `last` was made from an earlier state of the same image,
-   * only changed slices are computed again.
+   * Makes the finer grid of an image. Returns null if the spacings are similar, or if the image is
+   * too large or has too many labels; walls then come from the image's own voxels. If `last` was
+   * made from an earlier state of the same image, only changed slices are computed again.
    * @param spacing the spacing of the image, above 0
    * @param mostVoxels MostVoxels; less in tests
    */
@@ -72,20 +75,24 @@ public:
   FineLabels& operator=(const FineLabels&) = delete;
 
   const LabelView& GetView() const noexcept { return this->View; }
-  /** The number of fine voxels in a voxel of the image, along each axis. First samples coincide. */
+  /**
+   * Returns the number of fine voxels in a voxel of the image, along each axis. The first samples
+   * of both grids coincide.
+   */
   const Vector3& GetSteps() const noexcept { return this->Steps; }
   /**
-   * For each sample of GetView(), how much of it has another label, in Parts: the label of its
-   * first different neighbour, in the order of axes and down before up.
+   * For each sample of GetView(), returns how much of the voxel has another label, in Parts. The
+   * other label belongs to the first neighbour with a different label, in the order of axes and
+   * down before up.
    */
   const std::uint8_t* GetFractions() const noexcept { return this->Fractions.data(); }
-  /** In bytes. */
+  /** Returns the size in bytes. */
   std::size_t GetMemorySize() const noexcept
   {
     return sizeof(*this) + this->Labels.capacity() + this->Fractions.capacity() +
       this->Hashes.capacity() * sizeof(std::uint64_t);
   }
-  /** The number of slices that Make computed, and did not take over from the last one. */
+  /** Returns the number of slices that Make computed, without those taken over from `last`. */
   std::int64_t GetSlicesFound() const noexcept { return this->SlicesFound; }
 
 private:
@@ -98,7 +105,7 @@ private:
   std::vector<std::byte> Labels;
   std::vector<std::uint8_t> Fractions;
   ///@{
-  /** The data of the image that Make() compares. */
+  /** The data of the image, which Make() compares with the data of the last image. */
   std::vector<std::uint64_t> Hashes; ///< one per slice; empty if more than one axis was refined
   Vector3 Spacing;
   ///@}

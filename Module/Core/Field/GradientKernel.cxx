@@ -82,7 +82,10 @@ void ComputeFittedValueWeights(int radius, double s, double fraction, double* va
   }
 }
 
-/** Computes the polynomials of the derivative from those of the smoothing, along the fraction. */
+/**
+ * Computes the polynomials of the derivative from the polynomials of the smoothing, along the
+ * fraction.
+ */
 void Differentiate(const GradientKernel& kernel, double* coefficients)
 {
   const int count = 2 * kernel.Taps;

@@ -77,7 +77,7 @@ struct GradientKernel
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   GaussianWeights Weights = GaussianWeights::FittedLine;
-  /** In voxels, 1 to MaximumRadius. */
+  /** Radius in voxels, 1 to MaximumRadius. */
   int Radius = 2;
   /**
    * The number of taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius +
@@ -88,19 +88,21 @@ struct GradientKernel
   double OwnScale = 0.0;
   /**
    * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
-   * constant coefficients of all weights, then the linear ones, and so on.
+   * constant coefficients of all weights, then the linear coefficients, and so on.
    */
   std::vector<double, CacheLines<double>> Table;
 
   GradientKernel() = default;
-  /** Makes the weights. A scale (voxels) of 0 stands for the default of OwnDerivative. */
+  /** Computes the weights. A scale (voxels) of 0 stands for the default of OwnDerivative. */
   GradientKernel(GradientEstimator estimator, int radius,
     GaussianWeights weights = GaussianWeights::FittedLine, double ownScale = 0.0);
 
   KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
 };
 
-/** Smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the formulas above.
+/**
+ * Computes smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the
+ * formulas above.
  */
 void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative);
 

@@ -74,7 +74,7 @@ std::vector<double> MakeTable(const GradientKernel& kernel)
 constexpr int Patterns = 256;
 constexpr std::uint16_t NoStep = 0xFFFF;
 
-/** The places in StepWeights::Sums by the bits of a row. */
+/** Makes the table of places in StepWeights::Sums by the bits of a row. */
 constexpr std::array<std::uint16_t, Patterns> MakePlaces() noexcept
 {
   std::array<std::uint16_t, Patterns> places{};

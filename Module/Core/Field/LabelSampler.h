@@ -33,21 +33,21 @@ struct LabelBlock
   /** The most labels around one position; further ones count as the last of them. */
   static constexpr int Most = 32;
 
-  int Count; ///< of labels
+  int Count; ///< the number of labels
   std::int64_t Label[Most];
   /** For each label and plane k: bit i + 8 j is set if voxel (i, j, k) has the label. */
   std::uint64_t Planes[Most][Taps];
 };
 
 /**
- * The rows of a label, if each row begins or ends with the label, or has it everywhere or nowhere:
- * for each row, the place in StepWeights::Sums, in bytes.
+ * The rows of a label, if each row begins or ends with the label, or has the label everywhere or
+ * nowhere. Holds for each row the place in StepWeights::Sums, in bytes.
  */
 struct LabelSteps
 {
-  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< for plane k, row j
+  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< the place for plane k, row j
 
-  /** False if there are other rows. */
+  /** Sets the places from the planes of a label; returns false if a row has another form. */
   bool Set(const std::uint64_t* planes) noexcept;
 };
 
@@ -59,7 +59,7 @@ struct StepWeights
   /** The sums over the first 0 to 8 weights of a row, then over the last 0 to 8: LabelWeights. */
   alignas(32) double Sums[2 * Ends][4];
   ///@{
-  /** See LabelWeights. */
+  /** The factors of rows and planes: see LabelWeights. */
   alignas(32) double Across[LabelBlock::Taps][4];
   alignas(32) double Along[2 * LabelBlock::Taps];
   ///@}
@@ -71,21 +71,21 @@ struct LabelWeights
   static constexpr int Patterns = 16;
 
   /**
-   * For each pattern of the first and the last four bits of a row: the sums of the weights of the
-   * value, of the slope, and of the value again.
+   * The sums for each pattern of the first and the last four bits of a row: the sums of the weights
+   * of the value, of the slope, and of the value again.
    */
   alignas(32) double Low[Patterns][4];
   alignas(32) double High[Patterns][4];
-  /** For each row of a plane, the factors of these sums: value, value, slope. */
+  /** The factors of these sums for each row of a plane: value, value, slope. */
   alignas(32) double Across[LabelBlock::Taps][4];
-  /** For each plane: value, then slope. */
+  /** The factors for each plane: value, then slope. */
   alignas(32) double Along[2 * LabelBlock::Taps];
 };
 
 /** The samples and the weights of a kernel; borrows both. */
 struct LabelField
 {
-  static constexpr int Intervals = 32; ///< per voxel
+  static constexpr int Intervals = 32; ///< intervals per voxel
   static constexpr int Coefficients = 4;
 
   VolumeView Volume;
@@ -120,32 +120,34 @@ public:
   LabelSampler(const LabelSampler&) = delete;
   LabelSampler& operator=(const LabelSampler&) = delete;
 
-  /** The labels around a continuous index within the image, whose border repeats beyond it. */
+  /**
+   * Collects the labels around a continuous index within the image, whose border repeats beyond it.
+   */
   void Collect(const Vector3& index, LabelBlock& block) const noexcept
   {
     this->Functions.Collect(this->View, index.X, index.Y, index.Z, block);
   }
 
-  /** The weights at a continuous index within the image. */
+  /** Computes the weights at a continuous index within the image. */
   void Weigh(const Vector3& index, LabelWeights& weights) const noexcept
   {
     this->Functions.Weigh(this->View, index.X, index.Y, index.Z, weights);
   }
 
-  /** The fraction of a label around a position, and its gradient per index step. */
+  /** Returns the fraction of a label around a position, and its gradient per index step. */
   FieldSample Fraction(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
   {
     return this->Functions.Fraction(weights, planes);
   }
 
-  /** The same for a label whose rows are steps, at a continuous index within the image. */
+  /** Returns the same for a label whose rows are steps, at a continuous index within the image. */
   FieldSample Fraction(const Vector3& index, const LabelSteps& steps) const noexcept
   {
     return this->Functions.FractionSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{
-  /** The size (bytes) of the memory outside the object. */
+  /** Return the memory outside the object, and its size (bytes). */
   const void* GetMemory() const noexcept { return this->Table.data(); }
   std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
   ///@}

@@ -20,8 +20,8 @@ constexpr float DistanceParts = 256.0F;
 constexpr float NoSite = 1e12F;
 
 /**
- * Squares of the distances to the nearest site, from distances along rows: the lower envelope of
- * parabolas (P. F. Felzenszwalb and D. P. Huttenlocher, Theory of Computing 8, 2012).
+ * Computes squares of the distances to the nearest site, from distances along rows: the lower
+ * envelope of parabolas (P. F. Felzenszwalb and D. P. Huttenlocher, Theory of Computing 8, 2012).
  */
 class ColumnTransform
 {
@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  /** Squares of the distances to the nearest pixel of this kind. */
+  /** Computes the squares of the distances to the nearest pixel of this kind. */
   std::vector<float> Transform(const std::vector<std::uint8_t>& is, std::uint8_t kind) const
   {
     std::vector<float> squares(is.size(), NoSite);
@@ -160,7 +160,7 @@ private:
     return squares;
   }
 
-  /** Smooths along an axis with a Gaussian; the border repeats. */
+  /** Smooths the values along an axis with a Gaussian; the border repeats. */
   void Smooth(std::vector<float>& values, int axis) const
   {
     const double scale = Smoothing / this->Grid.Pixel[axis];
@@ -209,7 +209,7 @@ private:
     return values[static_cast<std::size_t>(x + this->Size[0] * y)];
   }
 
-  /** Bilinear between pixels. */
+  /** Interpolates values between pixels bilinearly. */
   float Between(const std::vector<float>& values, float x, float y) const
   {
     const float left = std::floor(x);
@@ -225,7 +225,7 @@ private:
     return from + (y - low) * (row(j + 1) - from);
   }
 
-  /** 1 at a boundary that is thick on both sides, 0 if one side is thin. */
+  /** Returns 1 at a boundary that is thick on both sides, 0 if one side is thin. */
   float ThickFraction(const std::vector<float>& raw, const std::vector<float>& smooth,
     std::int64_t i, std::int64_t j) const
   {
@@ -279,7 +279,8 @@ float ComputeEnd(float here, float before, float most, float mostBefore, float s
 }
 
 /**
- * Returns by how much the radius of such a piece decreases up to the next slice; 0 if it does not.
+ * Returns by how much the radius of such a piece decreases up to the next slice; 0 if the radius
+ * does not decrease.
  */
 float ComputeFall(float most, float mostBefore, float step)
 {
@@ -287,7 +288,10 @@ float ComputeFall(float most, float mostBefore, float step)
   return mostBefore > 0.0F ? std::max(fall, 0.0F) : 0.0F;
 }
 
-/** Connected pieces of pixels within the label, by their neighbours along rows and columns. */
+/**
+ * Gives connected pieces of pixels within the label their numbers, by neighbours along rows and
+ * columns.
+ */
 void CollectPieces(LabelShape& shape)
 {
   std::vector<std::size_t> parents;
@@ -484,7 +488,7 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }
-  // Around a piece, the decrease is that of the piece's nearest pixel.
+  // Around a piece, the decrease is as large as at the piece's nearest pixel.
   const auto acrossX = static_cast<float>(grid.Pixel[0]);
   const auto acrossY = static_cast<float>(grid.Pixel[1]);
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)

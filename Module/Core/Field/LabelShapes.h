@@ -40,12 +40,12 @@ struct LabelShape
   std::int64_t Label;
   PixelBox Box;
   std::vector<std::int16_t> Distances;
-  std::vector<PieceRun> Runs; ///< where distances are above 0, row by row
+  std::vector<PieceRun> Runs; ///< the runs where distances are above 0, row by row
   std::size_t Pieces = 0;
 
   /**
-   * Distances in 256ths of a fine voxel, from the box's first pixel of a row on; null if the box
-   * does not contain the row.
+   * Returns the distances in 256ths of a fine voxel, from the box's first pixel of a row on; null
+   * if the box does not contain the row.
    */
   const std::int16_t* GetRow(std::int64_t j) const
   {
@@ -62,20 +62,23 @@ struct SliceGrid
 {
   std::int64_t Size[2];
   double Pixel[2];
-  double Step; ///< to the next slice
+  double Step; ///< distance to the next slice
   double Away;
 };
 
-/** The shape of a label in a slice; null if the slice lacks the label. */
+/** Returns the shape of a label in a slice; null if the slice lacks the label. */
 const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label);
 
-/** The labels of a slice, one after another; MeasureShapes() computes their distances. */
+/**
+ * Returns the shapes of a slice's labels, one after another; MeasureShapes() computes their
+ * distances.
+ */
 SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels);
 
 void MeasureShapes(
   const SliceGrid& grid, const std::vector<std::int64_t>& labels, SliceShapes& shapes);
 
-/** The signed distance of a label at a pixel, in fine voxels. */
+/** Returns the signed distance of a label at a pixel, in fine voxels. */
 float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i, std::int64_t j);
 
 /**

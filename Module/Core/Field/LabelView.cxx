@@ -28,7 +28,10 @@ struct AxisPart
   bool HasHigh;
 };
 
-/** False for a position more than a voxel away from the image, and for NaN. */
+/**
+ * Finds the voxel before a position. Returns false for a position more than a voxel away from the
+ * image, and for NaN.
+ */
 bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
 {
   if (!(position > -1.0 && position < static_cast<double>(count)))
@@ -54,7 +57,7 @@ void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
   }
 }
 
-/** A cell that may lack some of its voxels. */
+/** Reads a cell that may lack some of its voxels. */
 template <typename T>
 LabelCell ReadAtBorder(const VolumeView& view, double x, double y, double z) noexcept
 {

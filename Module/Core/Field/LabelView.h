@@ -26,7 +26,7 @@ struct LabelCell
 {
   static constexpr int Corners = 8;
 
-  std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first one is set
+  std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first label is set
   std::array<double, Corners> Fraction;    ///< sum to 1; not set if the cell is uniform
   bool IsUniform;                          ///< all labels equal the first one
 };
@@ -47,7 +47,7 @@ public:
     return this->ReadCell(this->View, index.X, index.Y, index.Z);
   }
 
-  /** The label of the nearest voxel. */
+  /** Returns the label of the nearest voxel. */
   std::int64_t Nearest(const Vector3& index) const noexcept;
 
   const VolumeView& GetView() const noexcept { return this->View; }

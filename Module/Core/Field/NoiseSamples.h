@@ -35,7 +35,7 @@ struct NoiseSamples
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * The smallest and the largest value: of all samples of the pieces if HasRangeOfAll() says so,
+   * The smallest and the largest value of all samples of the pieces if HasRangeOfAll() says so,
    * else of the samples in Values. If there are no samples, the first number is larger.
    */
   double Range[2] = { 1.0, 0.0 };
@@ -45,7 +45,7 @@ struct NoiseSamples
    */
   double Inside[2] = { 1.0, 0.0 };
 
-  /** The index along each axis of the sample whose value is Values[s]. */
+  /** Returns the index along each axis of the sample whose value is Values[s]. */
   std::array<std::int64_t, 3> ComputePlace(std::size_t s) const
   {
     const std::int64_t number = this->Indices[s];
@@ -54,8 +54,8 @@ struct NoiseSamples
   }
 
   /**
-   * The number of the corner whose value is Values[s], with bit a set at the end of axis a; -1 if
-   * it is no corner.
+   * Returns the number of the corner whose value is Values[s]: bit a is set at the end of axis a.
+   * -1 if the sample is no corner.
    */
   int GetCorner(std::size_t s) const
   {
@@ -81,7 +81,7 @@ struct NoiseSamples
     Extend(this->Inside, other.Inside);
   }
 
-  /** Merges the range of the finite values among these. */
+  /** Extends Range by the finite values among `values`. */
   void MergeValues(const double* values, std::size_t count)
   {
     double range[2] = { std::numeric_limits<double>::infinity(),

@@ -25,17 +25,17 @@ public:
    */
   explicit ResidentBox(const VolumeView& view, double fraction = 1.0) noexcept;
 
-  /** Whether all samples of the volume are resident. */
+  /** Returns whether all samples of the volume are resident. */
   bool IsWhole() const noexcept { return this->Whole; }
 
   /**
-   * The residency of the box between two corners, with a margin along each axis; at most
+   * Returns the residency of the box between two corners, with a margin along each axis; at most
    * `fraction`.
    */
   double Compute(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:
-  Vector3 Low; ///< infinite if the border is the volume's own
+  Vector3 Low; ///< infinite where the border is the volume's own
   Vector3 High;
   bool Whole = true;
   double Fraction;

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 
 /**
  * The samples of the last gradient, stored as numbers from one tick to the next, because a hand
- * stays within a voxel for many ticks. They change no result.
+ * stays within a voxel for many ticks. The memory changes no result.
  */
 struct TapMemory
 {
@@ -30,7 +30,7 @@ struct TapMemory
 struct TimeStepTaps
 {
   static constexpr int MostTaps = TapMemory::MostTaps;
-  /** The length of a row of N taps, in whole vectors. */
+  /** The length of a row of N taps, rounded up to whole vectors. */
   template <int N>
   static constexpr int Line = (N + 3) / 4 * 4;
   static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
@@ -38,22 +38,22 @@ struct TimeStepTaps
   std::uint64_t Field = 0;       ///< number of the first time step, as TapMemory::Field
   std::uint64_t SecondField = 0; ///< number of the second time step
   std::int64_t First[3] = { 0, 0, 0 };
-  alignas(64) double Taps[Most];    ///< of the first time step
-  alignas(64) double Changes[Most]; ///< of the second time step, minus those of the first one
+  alignas(64) double Taps[Most];    ///< taps of the first time step
+  alignas(64) double Changes[Most]; ///< taps of the second time step, minus Taps
 };
 
 /** The samples of two time steps, blended: TapMemory::Field is the first time step. */
 struct BlendMemory : TapMemory
 {
   std::uint64_t SecondField = 0;
-  double Fraction = 0.0; ///< of the second time step
+  double Fraction = 0.0; ///< fraction of the second time step
 };
 
 /**
  * The memories of a tick. If each time step is read at its own place, each of the two time steps
- * has a memory; if they are blended, they share one, and each of the two instants of a tick has a
- * memory for its blend. A time step keeps its memory when the volume moves past it; a volume that
- * stands still uses the first one.
+ * has a memory; if they are blended, both share a memory, and each of the two instants of a tick
+ * has a memory for its blend. A time step keeps its memory when the volume moves past it; a volume
+ * that stands still uses the first memory.
  */
 struct TickMemory
 {

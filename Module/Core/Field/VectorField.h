@@ -36,35 +36,40 @@ public:
   VectorField(const VectorView& view, const Affine3& indexToWorld,
     VectorAxes axes = VectorAxes::World, InstructionSet instructions = DetectInstructionSet());
 
-  /** Whether the field has vectors (3 components), or tensors (6 or 9). */
+  /** Return whether the field has vectors (3 components), or tensors (6 or 9). */
   bool HasVectors() const noexcept { return this->Sampler.GetComponents() == 3; }
   bool HasTensors() const noexcept { return this->Sampler.IsValid() && !this->HasVectors(); }
 
   ///@{
   /**
-   * The vector at a continuous index, and its Jacobian: row c is the gradient of component c. False
-   * outside the volume, where samples are not finite, and if there are no vectors; both are 0 then.
+   * Reads the vector at a continuous index, and its Jacobian, whose row c is the gradient of
+   * component c. Returns false outside the volume, where samples are not finite, and if there are
+   * no vectors; both results are 0 then.
    */
   bool Read(const Vector3& index, Vector3& vector) const noexcept;
   bool Read(const Vector3& index, Vector3& vector, Matrix3& jacobian) const noexcept;
   ///@}
 
   /**
-   * The tensor at a continuous index: from 6 components (XX YY ZZ XY YZ XZ, as in VTK) or the
-   * symmetric part of 9 (row by row). False, and 0, as above.
+   * Reads the tensor at a continuous index: from 6 components (XX YY ZZ XY YZ XZ, as in VTK), or
+   * the symmetric part of 9 (row by row). Returns false, with a result of 0, in the same cases as
+   * Read.
    */
   bool ReadTensor(const Vector3& index, Matrix3& tensor) const noexcept;
 
   const VectorSampler& GetSampler() const noexcept { return this->Sampler; }
 
-  /** The sum of the squares of a voxel's edges (world): no displacement by a voxel is longer. */
+  /**
+   * Returns the sum of the squares of a voxel's edges (world units): no displacement by a voxel is
+   * longer.
+   */
   double GetSquaredVoxel() const noexcept { return this->SquaredVoxel; }
 
 private:
   VectorSampler Sampler;
   bool IsOfImage = false; ///< the components are along the axes of the image
-  Matrix3 ToWorld;        ///< for the components
-  Matrix3 WorldToIndex;   ///< for displacements
+  Matrix3 ToWorld;        ///< maps components to the world's axes
+  Matrix3 WorldToIndex;   ///< maps displacements to index steps
   double SquaredVoxel = 0.0;
 };
 

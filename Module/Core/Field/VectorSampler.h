@@ -29,7 +29,7 @@ namespace VolumeHaptics
 struct VectorSample
 {
   double Value[VectorView::MostComponents] = {};
-  Vector3 Gradient[VectorView::MostComponents]; ///< for each component, per index step
+  Vector3 Gradient[VectorView::MostComponents]; ///< gradient of each component, per index step
 };
 
 /**
@@ -41,7 +41,7 @@ struct VectorFieldView
   std::int64_t ComponentStride = 1;
 };
 
-/** False if the sample is not finite. */
+/** Reads a sample; returns false if it is not finite. */
 using VectorFunction = bool (*)(
   const VectorFieldView&, double x, double y, double z, VectorSample&) noexcept;
 
@@ -57,7 +57,7 @@ class VectorSampler
 {
 public:
   VectorSampler() = default;
-  /** For 3, 6 or 9 components; with another number it is not valid. */
+  /** Makes a sampler for 3, 6 or 9 components; with another number, the sampler is not valid. */
   explicit VectorSampler(
     const VectorView& view, InstructionSet instructions = DetectInstructionSet());
 
@@ -65,8 +65,9 @@ public:
 
   ///@{
   /**
-   * The components at a continuous index, clamped to the resident samples; with and without their
-   * gradients. False if a sample with a weight is not finite; the result is then of no use.
+   * Reads the components at a continuous index, clamped to the resident samples, with and without
+   * their gradients. Returns false if a sample with a weight is not finite; the result is then of
+   * no use.
    */
   bool Sample(const Vector3& index, VectorSample& sample) const noexcept
   {
@@ -79,7 +80,10 @@ public:
   ///@}
 
   ///@{
-  /** See FieldSampler. False, and negative, for an index that is NaN. */
+  /**
+   * See FieldSampler. For an index that is NaN, IsInside returns false and DistanceToBorder a
+   * negative number.
+   */
   bool IsInside(const Vector3& index) const noexcept
   {
     return this->DistanceToBorder(index) >= 0.0;

@@ -17,7 +17,7 @@ struct VectorView
 {
   static constexpr int MostComponents = 9;
 
-  VolumeView Volume;       ///< of the first component; its BorderValue is not used
+  VolumeView Volume;       ///< view of the first component; its BorderValue is not used
   int Components = 3;      ///< 3: a vector; 6: a symmetric tensor; 9: a tensor
   std::int64_t Stride = 1; ///< elements from one component of a sample to the next
 };

@@ -78,7 +78,7 @@ struct VolumeView
   /** The value that stands for a sample that is NaN or infinite (Documentation/method.md). */
   double BorderValue = 0.0;
 
-  /** The largest index along an axis: of a resident sample, and of the volume. */
+  /** Return the largest index along an axis: of a resident sample, and of the volume. */
   std::int64_t Last(int axis) const noexcept
   {
     return this->First[axis] + this->Dimensions[axis] - 1;

@@ -19,8 +19,8 @@ inline std::int64_t SizeOf(ScalarType type) noexcept
 }
 
 /**
- * The address of the whole volume's first sample, computed as a number, since there may be no
- * memory at this address.
+ * Returns the address of the whole volume's first sample, computed as a number, since there may be
+ * no memory at this address.
  */
 inline const void* WholeData(const VolumeView& view) noexcept
 {

@@ -9,15 +9,15 @@ namespace Law
 namespace
 {
 
-/** x_s - x_p (index steps) at a wall between labels with a normal. */
+/** Returns x_s - x_p (index steps) at a wall between labels with a normal. */
 Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
 {
   return model.DeviceToIndex.Linear * (model.LabelReachAlong(normal) * normal);
 }
 
 /**
- * Computes the wall at the stand-off from forbidden labels. False if the position is not at the
- * wall.
+ * Computes the wall at the stand-off from forbidden labels. Returns false if the position is not at
+ * the wall.
  */
 bool ComputeForbidden(
   const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
@@ -41,7 +41,7 @@ bool ComputeForbidden(
   return true;
 }
 
-/** The nearest wall between labels, or the scalars' surface. */
+/** Returns the nearest wall between labels, or the scalars' surface. */
 Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   const Vector3& labelIndex, LabelMemory& memory) noexcept
 {
@@ -89,7 +89,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   return surface;
 }
 
-/** The surface that labels or the scalars make. */
+/** Returns the surface that labels or the scalars make. */
 Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -97,7 +97,7 @@ Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
                             : ComputeFieldSurface(model, field, index);
 }
 
-/** The face of a cut, with its material a voxel behind it. */
+/** Makes the face of a cut, with the material a voxel behind it. */
 Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPlace& place) noexcept
 {
   Surface surface;
@@ -113,7 +113,7 @@ Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPla
   return surface;
 }
 
-/** The surface of a volume of which a part is cut away. */
+/** Returns the surface of a volume of which a part is cut away. */
 Surface ComputeKeptSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   LabelMemory& memory) noexcept
 {

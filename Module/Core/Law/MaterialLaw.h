@@ -36,10 +36,10 @@ struct Surface
   /** Felt fraction of the medium's drag: 0 in a part that is cut away. */
   double DragFraction = 1.0;
   bool IsWall = false;        ///< a wall between labels (Value: LabelWall's), or the face of a cut
-  double Depth = 0.0;         ///< value of a wall, with the sign of the normal
-  bool IsOneSided = false;    ///< the normal belongs to the structure, wherever the tip is
+  double Depth = 0.0;         ///< the value of a wall, with the sign of the normal
+  bool IsOneSided = false;    ///< whether the normal belongs to the structure, wherever the tip is
   std::uint32_t CutFaces = 0; ///< see CutPlace::Faces; a hollow corner has several
-  bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
+  bool IsForbidden = false;   ///< the wall in front of a forbidden label; Value is in world units
 };
 
 /** A lag as the sum of its part along the normal and its tangential part. */
@@ -53,15 +53,15 @@ struct SplitLag
 /** How surface and friction share the spring's force (N), and the excess that moves the proxy. */
 struct Balance
 {
-  double Normal;        ///< taken by the surface
-  double Friction;      ///< taken by friction
-  double NormalExcess;  ///< left along the normal
-  double TangentExcess; ///< left across the normal
+  double Normal;        ///< force taken by the surface
+  double Friction;      ///< force taken by friction
+  double NormalExcess;  ///< force left along the normal
+  double TangentExcess; ///< force left across the normal
   double Pull;          ///< the tangential force
-  double Excess;        ///< in both parts, before the drag
+  double Excess;        ///< excess in both parts, before the drag
   double ExcessSquare;
-  bool IsThrough; ///< the normal force is more than the surface takes
-  bool Slides;    ///< the tangential force is more than friction takes
+  bool IsThrough; ///< whether the normal force is more than the surface takes
+  bool Slides;    ///< whether the tangential force is more than friction takes
 };
 
 namespace Law
@@ -78,7 +78,7 @@ inline double Capped(double value, double cap) noexcept
   return cap > 0.0 ? std::min(value, cap) : value;
 }
 
-/** No surface: the model's normal stands in. */
+/** Makes the surface that stands for no surface, with the model's normal. */
 inline Surface MakeNoSurface(const HapticModel& model) noexcept
 {
   Surface surface;
@@ -95,7 +95,7 @@ struct Slope
   double Magnitude; ///< see MaterialPoint::GradientMagnitude
 };
 
-/** False if there is no gradient. */
+/** Computes the slope of a sample; returns false if there is no gradient. */
 VOLUME_HAPTICS_INLINE bool ComputeSlope(
   const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
 {
@@ -116,7 +116,7 @@ VOLUME_HAPTICS_INLINE bool ComputeSlope(
   return true;
 }
 
-/** The scalars' surface through an index, with their gradient there. */
+/** Makes the scalars' surface through an index from the gradient there. */
 inline Surface MakeFieldSurface(
   const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
 {
@@ -133,7 +133,7 @@ inline Surface MakeFieldSurface(
   return surface;
 }
 
-/** The scalars' surface through an index, with an ascending normal. */
+/** Computes the scalars' surface through an index, with an ascending normal. */
 inline Surface ComputeFieldSurface(
   const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
 {
@@ -145,7 +145,7 @@ inline Surface ComputeFieldSurface(
 Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept;
 
-/** The surface through an index, with an ascending normal. */
+/** Computes the surface through an index, with an ascending normal. */
 inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -207,7 +207,10 @@ constexpr double WallEnds = 0.9;
  */
 constexpr double WallBegins = 5e-3;
 
-/** The distinctness of a wall: 1 on it and just behind it, 0 before it and farther behind. */
+/**
+ * Returns the distinctness of a wall: 1 on the wall and just behind it, 0 before it and farther
+ * behind.
+ */
 inline double DistinctnessOfWall(double depth) noexcept
 {
   const double before = 1.0 + depth / WallBegins;
@@ -215,7 +218,7 @@ inline double DistinctnessOfWall(double depth) noexcept
   return std::clamp(std::min(before, behind), 0.0, 1.0);
 }
 
-/** W_d, and the visibility of the gradient. */
+/** Computes W_d, and the visibility of the gradient. */
 inline DistinctnessTable::Values ComputeDistinctness(
   const HapticModel& model, const Surface& surface) noexcept
 {
@@ -223,7 +226,7 @@ inline DistinctnessTable::Values ComputeDistinctness(
                         : model.DistinctnessOf(surface.GradientMagnitude, surface.Normal);
 }
 
-/** Whether the settings put the structure on the side of lower values. */
+/** Returns whether the settings put the structure on the side of lower values. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -232,8 +235,8 @@ inline bool IsDescending(
 }
 
 /**
- * In a hollow corner between faces of a cut, the normal is the direction of the faces' joint force,
- * that is, of the push against all of them. FieldSurface.cxx.
+ * Turns the normal in a hollow corner between faces of a cut into the direction of the faces' joint
+ * force, that is, of the push against all of them. In FieldSurface.cxx.
  */
 void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
 
@@ -265,7 +268,7 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
   return { push, tangent, Norm(tangent) };
 }
 
-/** The material of a surface with these values and materials inside and outside (eq. 13). */
+/** Sets the material of a surface with these values and materials inside and outside (eq. 13). */
 inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
   const MaterialTable::Values& inside, const MaterialTable::Values& outside,
   const DistinctnessTable::Values& distinct, double fade, double dragFraction,
@@ -280,8 +283,8 @@ inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
 }
 
 /**
- * The material of the surface through an index, with these values inside and outside, and with the
- * labels at x_s and x_v (eq. 13, section 3.3).
+ * Sets the material of the surface through an index, with these values inside and outside, and with
+ * the labels at x_s and x_v (eq. 13, section 3.3).
  */
 inline void SetMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
   const DistinctnessTable::Values& distinct, const ValuePair& values, LabelMemory& memory,
@@ -306,7 +309,7 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   }
 }
 
-/** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */
+/** Reads the material at an index: at x_s and x_v (section 3.3), by value and by label. */
 inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
 {
@@ -316,8 +319,8 @@ inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, co
 }
 
 /**
- * Reads the material at the isovalue, for methods that touch an isosurface. False if it is not
- * felt.
+ * Reads the material at the isovalue, for methods that touch an isosurface. Returns false if the
+ * material is not felt.
  */
 inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
 {
@@ -331,15 +334,15 @@ inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noex
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }
 
-/** Whether the material is felt at all; if not, the proxy moves with the tip. */
+/** Returns whether the material is felt at all; if not, the proxy moves with the tip. */
 inline bool IsFelt(const MaterialPoint& point) noexcept
 {
   return point.Stiffness > HapticModel::MinimumStiffness;
 }
 
 /**
- * The forces that surface and friction hold against a spring of stiffness k (N/m), and the excess,
- * by which Move displaces the proxy: eqs. 8 to 12.
+ * Computes the forces that surface and friction hold against a spring of stiffness k (N/m), and the
+ * excess, by which Move displaces the proxy (eqs. 8 to 12).
  */
 inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
 {
@@ -362,17 +365,24 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
 }
 
 /**
- * Returns where a motion (m) of the proxy meets a solid face of the cut; there must be such a face.
+ * Returns the end of a motion (m) of the proxy in a volume with a cut, whose solid faces may stop
+ * the motion.
  */
 Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
 
-/** Where a motion (m) of the proxy ends: at a solid face of a cut, if it meets one. */
+/**
+ * Returns the end of a motion (m) of the proxy: `to`, or the place where the motion meets a solid
+ * face of a cut.
+ */
 inline Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
 {
   return model.Baked->Cut ? StopAtFaces(model, from, to) : to;
 }
 
-/** Eq. 14: moves the proxy by what the drag leaves of the excess. */
+/**
+ * Returns the proxy's position after eq. 14, which moves the proxy by what the drag leaves of the
+ * excess.
+ */
 inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,
   const Vector3& start) noexcept
 {

@@ -29,10 +29,10 @@ struct PassiveSpring
   double Tension = 1.0; ///< stretch / |d|
   double Reserve = 0.0; ///< J
 
-  /** f / |d| in N/m; at most the tissue's stiffness. */
+  /** Returns f / |d| in N/m; at most the tissue's stiffness. */
   double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Tissue; }
 
-  /** The tip moves: d grows or shrinks from one length (m) to another. */
+  /** Follows the tip: d grows or shrinks from one length (m) to another. */
   void Stretch(double from, double to) noexcept
   {
     if (this->Tension < 1.0)
@@ -42,7 +42,7 @@ struct PassiveSpring
     }
   }
 
-  /** The tissue's stiffness (N/m) at the proxy changes, with the tip d (m) away. */
+  /** Takes over the tissue's stiffness (N/m) at the proxy, with the tip d (m) away. */
   void Pass(double stiffness, double d) noexcept
   {
     const double before = this->Tissue;
@@ -60,7 +60,7 @@ struct PassiveSpring
     this->Reserve = 0.0;
   }
 
-  /** No contact: no slack, no reserve. */
+  /** Ends the contact: no slack, no reserve. */
   void Relax(double stiffness) noexcept
   {
     this->Tissue = stiffness;

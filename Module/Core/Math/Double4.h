@@ -24,19 +24,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** False for NaN and infinities. Does not call std::isfinite: see FieldKernels.h. */
+/** Returns false for NaN and infinities. Does not call std::isfinite: see FieldKernels.h. */
 VOLUME_HAPTICS_INLINE bool IsNumber(double x)
 {
   return x - x == 0.0;
 }
 
-/** The same number in all lanes. */
+/** Returns the same number in all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(double x)
 {
   return MakeDouble4(x, x, x, x);
 }
 
-/** Two samples from each of two places. */
+/** Loads two samples from each of two places. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPairs(const T* low, const T* high)
 {

@@ -29,7 +29,9 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 }
 
 ///@{
-/** Lane by lane; Larger and Smaller give the second argument if a lane is NaN. */
+/**
+ * The functions work lane by lane; Larger and Smaller return the second argument if a lane is NaN.
+ */
 VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
 {
   return _mm256_sqrt_pd(a);
@@ -49,7 +51,10 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 ///@}
 
 ///@{
-/** Lane by lane: x if a > b, or a == b, else y; y if a or b is NaN. */
+/**
+ * Return, lane by lane, x if a > b (ChooseAbove) or a == b (ChooseEqual), else y; y if a or b is
+ * NaN.
+ */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
 {
@@ -62,7 +67,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Whole numbers of less than 2^51. */
+/** Stores whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
   // AVX2 has no instruction for this. But the lowest bits of (number + shift) are the whole number.
@@ -72,7 +77,10 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), whole);
 }
 ///@{
-/** One bit per lane, the first lane the lowest bit; 0 for NaN. */
+/**
+ * Return a bit per lane, set where the condition holds; the lowest bit is the first lane's. 0 for
+ * NaN.
+ */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
   return static_cast<std::uint64_t>(
@@ -89,8 +97,8 @@ VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
 ///@}
 
 /**
- * Four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the instructions
- * meant for it.
+ * Loads four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the
+ * instructions meant for it.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
@@ -110,7 +118,7 @@ VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
   }
 }
 
-/** Four samples of any type. */
+/** Loads four samples of any type. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 {
@@ -132,7 +140,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** The first two lanes from or to one place, and the last two from or to another place. */
+/** Load or store the first two lanes at one place, and the last two at another place. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
@@ -145,8 +153,8 @@ VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double*
 ///@}
 
 /**
- * Two samples that follow each other in memory, from each of four places: the first ones, and the
- * second ones.
+ * Loads two samples that follow each other in memory from each of four places: the first samples to
+ * one vector, the second samples to another.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -177,27 +185,29 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** A number from memory in all lanes, loaded without a shuffle. */
+/** Loads a number from memory to all lanes, without a shuffle. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return _mm256_broadcast_sd(from);
 }
-/** The first two lanes of the first argument, and the last two of the second one. */
+/** Returns the first two lanes of the first argument, and the last two of the second one. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return _mm256_blend_pd(low, high, 0b1100);
 }
-/** The first two lanes of both. */
+/** Returns the first two lanes of both arguments. */
 VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
 {
   return _mm256_permute2f128_pd(a, b, 0x20);
 }
-/** The last two lanes of both. */
+/** Returns the last two lanes of both arguments. */
 VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
 {
   return _mm256_permute2f128_pd(a, b, 0x31);
 }
-/** The first lanes of all, the second ones, and so on. */
+/**
+ * Swaps rows and columns: a gets the first lanes of all arguments, b the second lanes, and so on.
+ */
 VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
 {
   const __m256d even = _mm256_unpacklo_pd(a, b);
@@ -211,7 +221,9 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes: first those two apart (0 and 2, 1 and 3), then both of these sums. */
+/**
+ * Computes the sum of the lanes: first of those two apart (0 and 2, 1 and 3), then of both sums.
+ */
 VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)
 {
   return _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));

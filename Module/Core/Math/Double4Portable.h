@@ -52,7 +52,9 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 }
 
 ///@{
-/** Lane by lane; Larger and Smaller give the second argument if a lane is NaN. */
+/**
+ * The functions work lane by lane; Larger and Smaller return the second argument if a lane is NaN.
+ */
 template <typename F>
 VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
 {
@@ -77,7 +79,10 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 ///@}
 
 ///@{
-/** Lane by lane: x if a > b, or a == b, else y; y if a or b is NaN. */
+/**
+ * Return, lane by lane, x if a > b (ChooseAbove) or a == b (ChooseEqual), else y; y if a or b is
+ * NaN.
+ */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
 {
@@ -92,7 +97,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Whole numbers of less than 2^51. */
+/** Stores whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
   for (int lane = 0; lane < 4; ++lane)
@@ -101,7 +106,10 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
   }
 }
 ///@{
-/** One bit per lane, the first lane the lowest bit; 0 for NaN. */
+/**
+ * Return a bit per lane, set where the condition holds; the lowest bit is the first lane's. 0 for
+ * NaN.
+ */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
   std::uint64_t bits = 0;
@@ -131,7 +139,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
 }
 ///@}
 
-/** Four samples of any type. */
+/** Loads four samples of any type. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 {
@@ -140,7 +148,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** The first two lanes from or to one place, and the last two from or to another place. */
+/** Load or store the first two lanes at one place, and the last two at another place. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return { { low[0], low[1], high[0], high[1] } };
@@ -155,8 +163,8 @@ VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double*
 ///@}
 
 /**
- * Two samples that follow each other in memory, from each of four places: the first ones, and the
- * second ones.
+ * Loads two samples that follow each other in memory from each of four places: the first samples to
+ * one vector, the second samples to another.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -170,27 +178,29 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** The same number in all lanes. */
+/** Loads the same number to all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return { { *from, *from, *from, *from } };
 }
-/** The first two lanes of the first argument, and the last two of the second one. */
+/** Returns the first two lanes of the first argument, and the last two of the second one. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return { { low[0], low[1], high[2], high[3] } };
 }
-/** The first two lanes of both. */
+/** Returns the first two lanes of both arguments. */
 VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
 {
   return { { a[0], a[1], b[0], b[1] } };
 }
-/** The last two lanes of both. */
+/** Returns the last two lanes of both arguments. */
 VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
 {
   return { { a[2], a[3], b[2], b[3] } };
 }
-/** The first lanes of all, the second ones, and so on. */
+/**
+ * Swaps rows and columns: a gets the first lanes of all arguments, b the second lanes, and so on.
+ */
 VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
 {
   const Double4 rows[4] = { a, b, c, d };
@@ -202,7 +212,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes: first those two apart (0 and 2, 1 and 3), then both of these sums. */
+/** Returns the sum of the lanes: first of those two apart (0 and 2, 1 and 3), then of both sums. */
 VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
 {
   return (a[0] + a[2]) + (a[1] + a[3]);

@@ -22,7 +22,8 @@ double Excess(const HalfSpace& space, const Vector3& y) noexcept
 }
 
 /**
- * The point nearest to `goal` that lies on all of `count` (1 to 3) bounds; false if there is none.
+ * Finds the point nearest to `goal` that lies on all of `count` (1 to 3) bounds; returns false if
+ * there is none.
  */
 bool Project(
   const HalfSpace* const* spaces, int count, const Vector3& goal, Vector3& point) noexcept

@@ -34,8 +34,8 @@ public:
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * The point in all half-spaces that is nearest to a goal, found with an active set of at most
-   * three; `fallback` if there is none.
+   * Returns the point in all half-spaces that is nearest to a goal, found with an active set of at
+   * most three; `fallback` if there is none.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
 

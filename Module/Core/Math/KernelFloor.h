@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The largest whole number below a position that is not negative. */
+/** Returns the largest whole number that is not above a position; the position is not negative. */
 VOLUME_HAPTICS_INLINE double Floor(double position)
 {
 #if defined(__SSE4_1__)

@@ -32,7 +32,7 @@ VOLUME_HAPTICS_INLINE int LowestBit(std::uint64_t bits)
 #endif
 }
 
-/** The lowest `count` bits, 0 to 64. */
+/** Returns a mask of the lowest `count` bits, 0 to 64. */
 VOLUME_HAPTICS_INLINE std::uint64_t FirstBits(std::size_t count)
 {
   return count > 0 ? ~std::uint64_t{ 0 } >> (64 - count) : 0;

@@ -16,9 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Parses a decimal number, with a point, as C writes it: strtod, atof and streams read 1.6 as 1 in
- * programs that follow the locale of a user who writes 1,6. None if the text contains anything
- * else, or if the number is too large for a double.
+ * Parses a decimal number, with a point, as C writes it, because strtod, atof and streams read 1.6
+ * as 1 in programs that follow the locale of a user who writes 1,6. Returns none if the text
+ * contains anything else, or if the number is too large for a double.
  */
 inline std::optional<double> ParseNumber(std::string_view text) noexcept
 {

@@ -42,14 +42,14 @@ struct ValueRange
   double High;
 };
 
-/** Whether two functions have the same vertices. */
+/** Returns whether two functions have the same vertices. */
 inline bool IsSameLine(const Polyline& a, const Polyline& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
     [](const Vertex& v, const Vertex& w) { return v.X == w.X && v.Y == w.Y; });
 }
 
-/** A constant function. */
+/** Makes a constant function. */
 inline Polyline ConstantPolyline(double value)
 {
   return { { 0.0, value } };
@@ -65,8 +65,8 @@ public:
   explicit PiecewiseTable(const std::array<Polyline, Channels>& functions);
 
   /**
-   * Holds for Begin < x, up to the Begin of the next segment in memory, with Value + Slope (x -
-   * Begin).
+   * A piece of all channels. It holds for Begin < x, up to the Begin of the next segment in memory,
+   * with Value + Slope (x - Begin).
    */
   struct Segment
   {
@@ -75,12 +75,12 @@ public:
     double Slope[Channels];
   };
 
-  /** All channels at x, which must not be NaN. */
+  /** Returns all channels at x, which must not be NaN. */
   Values operator()(double x) const noexcept
   {
     return Evaluate(*this->FindSegment(x), x, std::make_index_sequence<Channels>());
   }
-  /** The segment that contains x, which must not be NaN. */
+  /** Returns the segment that contains x, which must not be NaN. */
   const Segment* FindSegment(double x) const noexcept
   {
     const double position = (x - this->Low) * this->BinsPerUnit;
@@ -99,7 +99,7 @@ public:
     return found;
   }
 
-  /** The smallest and the largest value of a channel. */
+  /** Returns the smallest and the largest value of a channel. */
   const ValueRange& GetRange(int channel) const noexcept { return this->Range[channel]; }
 
   const void* GetMemory() const noexcept { return this->Segments.data(); } ///< beyond the object
@@ -109,13 +109,13 @@ public:
   }
 
 private:
-  /** Without a loop, so that the values stay in registers. */
+  /** Evaluates all channels without a loop, so that the values stay in registers. */
   template <std::size_t... Channel>
   static Values Evaluate(const Segment& segment, double x, std::index_sequence<Channel...>) noexcept
   {
     return { { segment.Value[Channel] + segment.Slope[Channel] * (x - segment.Begin)... } };
   }
-  /** The segment that contains x; for tables with many break points in a bin. */
+  /** Finds the segment that contains x; for tables with many break points in a bin. */
   const Segment* Bisect(double x, int bin) const noexcept;
 
   static constexpr int Bins = 1024;
@@ -123,8 +123,7 @@ private:
   static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment that begins before the wanted one,
-                                                  ///< or is it
+  std::array<std::uint32_t, Bins> FirstSegment{}; ///< the wanted segment, or one before it
   bool IsCrowded = false;
   double Low = 0.0;
   double BinsPerUnit = 0.0;

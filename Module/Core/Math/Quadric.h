@@ -26,7 +26,10 @@ struct Symmetric3
   }
 };
 
-/** depth(x) = Gradient.u + u.Curvature u / 2, u = x - Centre; more than 0 in the structure. */
+/**
+ * A quadric by its depth, which is more than 0 in the structure: depth(x) = Gradient.u +
+ * u.Curvature u / 2, u = x - Centre.
+ */
 struct Quadric
 {
   Vector3 Centre;

@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** It need not be a unit quaternion: see MakeUnit. */
+/** An orientation, or any four numbers: see MakeUnit. */
 struct Quaternion
 {
   double W = 1.0;
@@ -35,14 +35,14 @@ constexpr Quaternion operator*(double s, const Quaternion& q) noexcept
 {
   return { s * q.W, s * q.X, s * q.Y, s * q.Z };
 }
-/** The rotation b, then a, both about fixed axes. */
+/** Returns the rotation that turns by b, then by a, both about fixed axes. */
 constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) noexcept
 {
   return { a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
     a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y, a.W * b.Y - a.X * b.Z + a.Y * b.W + a.Z * b.X,
     a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W };
 }
-/** The inverse rotation, of a unit quaternion. */
+/** Returns the inverse rotation, of a unit quaternion. */
 constexpr Quaternion Conjugate(const Quaternion& q) noexcept
 {
   return { q.W, -q.X, -q.Y, -q.Z };
@@ -53,8 +53,8 @@ constexpr double UnitTolerance = 0.01;
 
 /**
  * Divides a quaternion by its norm. If it is no orientation (a number is not finite, or the norm is
- * not 1 within the tolerance), returns false and leaves it alone. A quaternion whose norm is 1
- * within rounding stays the same to the bit, so that a second call changes nothing.
+ * not 1 within the tolerance), returns false and leaves the quaternion alone. A quaternion whose
+ * norm is 1 within rounding stays the same to the bit, so that a second call changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept
 {
@@ -73,7 +73,7 @@ inline bool MakeUnit(Quaternion& q) noexcept
   return true;
 }
 
-/** The matrix that turns vectors as a unit quaternion does. */
+/** Returns the matrix that turns vectors as a unit quaternion does. */
 constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
 {
   const double x = 2.0 * q.X;
@@ -84,7 +84,7 @@ constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
     { x * q.Z - y * q.W, y * q.Z + x * q.W, 1.0 - x * q.X - y * q.Y } } };
 }
 
-/** The unit quaternion of a rotation matrix; its largest component is positive. */
+/** Returns the unit quaternion of a rotation matrix; the largest component is positive. */
 inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 {
   // The largest component comes from the diagonal, the others by dividing by it: all are accurate.
@@ -118,15 +118,15 @@ inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 /** Stands for no orientation, in arrays and files. */
 inline constexpr Quaternion NoOrientation{ 0.0, 0.0, 0.0, 0.0 };
 /**
- * An orientation as arrays and files have it: turned by a rotation matrix, such as the one from the
- * device's axes to the world's, or NoOrientation if it is not valid.
+ * Returns an orientation for arrays and files: turned by a rotation matrix, such as the rotation
+ * from the device's axes to the world's; NoOrientation if `isValid` is false.
  */
 inline Quaternion TurnedBy(const Matrix3& rotation, const Quaternion& q, bool isValid) noexcept
 {
   return isValid ? ToQuaternion(rotation) * q : NoOrientation;
 }
 
-/** Whether all numbers are equal, exactly. */
+/** Returns whether all numbers are equal, exactly. */
 constexpr bool IsIdentical(const Quaternion& a, const Quaternion& b) noexcept
 {
   return a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;

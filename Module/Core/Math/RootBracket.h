@@ -43,15 +43,15 @@ public:
   {
   }
 
-  /** Whether the bracket is narrow enough, or there is no root. */
+  /** Returns whether the bracket is narrow enough, or there is no root. */
   bool IsNarrow() const noexcept
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
   }
-  /** The end at which the function is below zero. */
+  /** Returns the end at which the function is below zero. */
   double GetHigh() const noexcept { return this->High; }
 
-  /** The next argument; every third one halves the bracket. */
+  /** Returns the next argument; every third call halves the bracket. */
   double Next(int trial) noexcept
   {
     if (this->IsNarrow())

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** More rotations than are ever needed: each one squares what is left beside the diagonal. */
+/** More rotations than are ever needed: each rotation squares what is left beside the diagonal. */
 constexpr int MostRotations = 30;
 
 /** Makes a[p][q] zero by a rotation of the axes p and q. */

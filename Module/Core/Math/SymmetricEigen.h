@@ -15,12 +15,15 @@ namespace VolumeHaptics
 
 struct SymmetricEigen
 {
-  double Value[3] = { 0.0, 0.0, 0.0 }; ///< descending
-  /** Unit vectors, each orthogonal to the others. */
+  double Value[3] = { 0.0, 0.0, 0.0 }; ///< eigenvalues, in descending order
+  /** Eigenvectors: unit vectors, each orthogonal to the others. */
   Vector3 Direction[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
 };
 
-/** Reads the upper triangle. If the matrix is not finite, all values are 0. */
+/**
+ * Computes eigenvalues and eigenvectors from the upper triangle. If the matrix is not finite, all
+ * values are 0.
+ */
 SymmetricEigen ComputeEigen(const Matrix3& matrix) noexcept;
 
 } // namespace VolumeHaptics

@@ -12,7 +12,9 @@ namespace
 /** Contacts closer in time than this fraction are simultaneous: less than the remaining gap. */
 constexpr double Rounding = 1e-9;
 
-/** The fraction of a displacement after which it meets a sphere round a point from outside. */
+/**
+ * Returns the fraction of a displacement after which it meets a sphere round a point from outside.
+ */
 double MeetCorner(
   const Vector3& corner, const Vector3& centre, const Vector3& displacement, double radius)
 {
@@ -30,7 +32,7 @@ double MeetCorner(
   return time <= 1.0 ? time : Never;
 }
 
-/** The counterpart of MeetCorner for a cylinder round an edge, between the edge's ends. */
+/** Does the same as MeetCorner for a cylinder round an edge, between the edge's ends. */
 double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
   const Vector3& displacement, double radius)
 {

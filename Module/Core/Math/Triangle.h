@@ -26,7 +26,7 @@ struct Triangle
 struct TrianglePoint
 {
   Vector3 Position;
-  double Weight[3]; ///< barycentric
+  double Weight[3]; ///< barycentric weights
 };
 
 /** Returned by MeetingTime if the sphere does not meet the triangle. */
@@ -36,7 +36,7 @@ constexpr double Never = 2.0;
 TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept;
 
 /**
- * The fraction (0 to 1) of a displacement after which a moving sphere touches the triangle.
+ * Returns the fraction (0 to 1) of a displacement after which a moving sphere touches the triangle.
  *
  * Returns Never if the sphere does not touch the triangle, if it touches the triangle from the
  * beginning and does not come nearer, and if it would touch the triangle only after `latest` (or

@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** A number above 0 that no other call has returned. */
+/** Returns a number above 0 that no other call has returned. */
 inline std::uint64_t MakeUniqueNumber()
 {
   static std::atomic<std::uint64_t> last{ 0 };

@@ -62,7 +62,7 @@ inline double Norm(const Vector3& a) noexcept
 {
   return std::sqrt(Dot(a, a));
 }
-/** A limit that is not positive, or is NaN, gives zero. */
+/** Shortens a vector to a norm of `most`; a limit that is not positive, or is NaN, gives zero. */
 inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
 {
   if (!(most > 0.0))
@@ -73,7 +73,7 @@ inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
   return norm > most ? (most / norm) * v : v;
 }
 ///@{
-/** The smaller of each component. */
+/** Returns the smaller of each component. */
 inline Vector3 Least(const Vector3& a, const Vector3& b) noexcept
 {
   return { std::fmin(a.X, b.X), std::fmin(a.Y, b.Y), std::fmin(a.Z, b.Z) };
@@ -83,12 +83,12 @@ inline Vector3 Most(const Vector3& a, const Vector3& b) noexcept
   return { std::fmax(a.X, b.X), std::fmax(a.Y, b.Y), std::fmax(a.Z, b.Z) };
 }
 ///@}
-/** Whether all components are below a limit; also false for NaN. */
+/** Returns whether all components are below a limit; false for NaN. */
 inline bool IsNear(const Vector3& a, double most) noexcept
 {
   return std::abs(a.X) < most && std::abs(a.Y) < most && std::abs(a.Z) < most;
 }
-/** A unit vector at a right angle to a unit vector. */
+/** Returns a unit vector at a right angle to a unit vector. */
 inline Vector3 UnitAcross(const Vector3& unit) noexcept
 {
   const Vector3 axis = std::abs(unit.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
@@ -132,7 +132,7 @@ constexpr double Determinant(const Matrix3& m) noexcept
 {
   return Dot(m.Row[0], Cross(m.Row[1], m.Row[2]));
 }
-/** The inverse; the caller makes sure that the determinant is not zero. */
+/** Returns the inverse; the caller makes sure that the determinant is not zero. */
 constexpr Matrix3 Inverse(const Matrix3& m) noexcept
 {
   const double s = 1.0 / Determinant(m);
@@ -141,8 +141,8 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
 }
 
 /**
- * The length of the longest column, that is, of the longest index step in the space to which a
- * matrix maps.
+ * Returns the length of the longest column, that is, of the longest index step in the space to
+ * which a matrix maps.
  */
 inline double LargestColumn(const Matrix3& m) noexcept
 {
@@ -172,14 +172,16 @@ constexpr Affine3 Inverse(const Affine3& a) noexcept
   return { inverse, -(inverse * a.Offset) };
 }
 
-/** The rotation in a map that is a rotation, a translation and one uniform, positive scale. */
+/**
+ * Returns the rotation in a map that is a rotation, a translation and one uniform, positive scale.
+ */
 inline Matrix3 RotationOf(const Affine3& map) noexcept
 {
   return (1.0 / std::cbrt(Determinant(map.Linear))) * map.Linear;
 }
 
 ///@{
-/** Whether all numbers are equal, exactly. */
+/** Returns whether all numbers are equal, exactly. */
 constexpr bool IsIdentical(const Vector3& a, const Vector3& b) noexcept
 {
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;

@@ -20,7 +20,7 @@ namespace VolumeHaptics
 
 /**
  * The material of the last cell whose eight voxels have one label. The next position mostly lies in
- * the same cell; this memory saves time and changes no result.
+ * the same cell. The memory saves time and changes no result.
  */
 struct MixMemory
 {
@@ -37,14 +37,14 @@ struct MixMemory
   }
 };
 
-/** Immutable. The label image has its own geometry. */
+/** A label image with its materials. Immutable. The label image has its own geometry. */
 struct BakedLabels
 {
   LabelView View;
-  Affine3 IndexToWorld;                ///< from View's indices; not singular
+  Affine3 IndexToWorld;                ///< maps View's indices to the world; not singular
   std::shared_ptr<const void> Samples; ///< keeps the memory of the label image alive
   LabelTable Table;
-  std::shared_ptr<const ForbiddenZone> Zone; ///< null if nothing is forbidden
+  std::shared_ptr<const ForbiddenZone> Zone; ///< null if no label is forbidden
   /**
    * If not null, View is its finer grid, and "label image" stands for this grid everywhere here.
    * The zone belongs to the image itself.
@@ -59,7 +59,7 @@ struct BakedLabels
   /** Replaces the view by a finer grid of the image; null changes nothing. */
   void Refine(std::shared_ptr<const FineLabels> fine);
 
-  /** The distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
+  /** Computes the distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
   ForbiddenPlace ComputeForbidden(const Vector3& labelIndex) const noexcept;
 
   /**

@@ -67,7 +67,7 @@ enum class ModeInput : std::uint8_t
 struct ModeFacts
 {
   ModeInput Input;
-  int Primitives; ///< of an active mode, wherever it is read
+  int Primitives; ///< number of primitives of an active mode, wherever the mode is read
   bool HasLine;   ///< whether the hand is free along a line
   bool HasFront;  ///< whether the hand is free on a surface
 };
@@ -93,8 +93,7 @@ constexpr ModeFacts FactsOf(ModeKind kind) noexcept
 enum class GuideSide : std::uint8_t
 {
   Surface, ///< on the surface
-  Outside, ///< whether the hand is held on the side to which normals point, or on the surface
-           ///< itself
+  Outside, ///< on the side to which normals point, or on the surface itself
   Inside
 };
 
@@ -107,14 +106,14 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< N
   Polyline Second = ConstantPolyline(0.0); ///< N
-  bool IsActive = true;                    ///< if not, the mode adds no primitives, but keeps its
+  bool IsActive = true;                    ///< if false, the mode adds no primitives, but keeps its
                                            ///< number
   bool IsDark = false;                     ///< Ridge: the vessel is darker than its surroundings
   double SnapDistance = 3.0;               ///< Ridge: the distance (voxels) up to which the whole
                                            ///< strength holds
   std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
   ///@{
-  /** For a GuideSurface, for which it is not null. */
+  /** For a GuideSurface: the surface; not null. */
   std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   GuideSide Side = GuideSide::Surface;
   ///@}
@@ -137,7 +136,7 @@ struct BakedMode
   {
   }
 
-  /** Whether the mode has what its kind reads. */
+  /** Returns whether the mode has what its kind reads. */
   bool IsValid() const noexcept
   {
     switch (FactsOf(this->Kind).Input)
@@ -162,7 +161,7 @@ struct BakedMode
   const std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
   const bool IsActive;
   const bool IsDark;
-  const double SnapDistance; ///< voxels
+  const double SnapDistance; ///< distance in voxels
   const std::shared_ptr<const GuidePath> Guide;
   const std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   const GuideSide Side;

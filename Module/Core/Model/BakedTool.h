@@ -29,10 +29,10 @@ struct TickRecord;
 struct ToolColumn
 {
   const char* Name;
-  const char* Unit; ///< as in a column's title, such as " (mm^3)"; empty if there is none
+  const char* Unit; ///< unit as in a column's title, such as " (mm^3)"; empty if there is none
   int Components;
   bool IsRecorded; ///< whether recordings have the array, too
-  /** Writes the numbers of a tick; a record of another tool gives zeros. */
+  /** Writes the array's numbers for a tick to `numbers`; 0 for a record of another tool. */
   void (*Read)(const HapticModel& model, const TickRecord& record, double* numbers);
 };
 using ToolColumns = std::vector<ToolColumn>;
@@ -50,12 +50,12 @@ public:
   }
   virtual ~ToolTick() = default;
 
-  /** Feels with a point: one tick of the method. */
+  /** Makes one tick of the method, which feels with a point. */
   virtual void FeelPoint() const noexcept = 0;
 
   const HapticModel& Model;
   ServoState& State;
-  TickRecord& Record;       ///< has the tip
+  TickRecord& Record;       ///< the tick's record, which has the tip
   ToolMemory* const Memory; ///< made by MakeMemory() of the model's tool; null if there is none
 };
 
@@ -65,7 +65,7 @@ class BakedTool
 public:
   virtual ~BakedTool() = default;
 
-  /** Whether another tool feels the same as this one. */
+  /** Returns whether another tool feels the same as this one. */
   virtual bool IsSame(const BakedTool& other) const = 0;
 
   /**
@@ -77,8 +77,8 @@ public:
   ///@{
   /**
    * Carries the tool's state from its model to the next model, which may have another tool or none;
-   * if this is not possible, lets go. `memory` belongs to the next tool. Returns whether the method
-   * begins anew. Afterwards, Begin() of the next tool is called.
+   * if that is not possible, lets go of the hand. `memory` belongs to the next tool. Returns
+   * whether the method begins anew. Afterwards, Begin() of the next tool is called.
    */
   virtual bool Carry(const HapticModel& /*from*/, const HapticModel& /*to*/, ServoState& /*state*/,
     ToolMemory* /*memory*/) const noexcept
@@ -108,15 +108,18 @@ public:
   }
 
   /**
-   * The largest distance (world units) between the tip and a point that touches; less than 0 if
-   * only the method's point touches.
+   * Returns the largest distance (world units) between the tip and a point that touches; less than
+   * 0 if only the method's point touches.
    */
   virtual double GetReach() const noexcept { return -1.0; }
-  /** The stiffness (N m/rad) of the spring that turns the hand; 0 if nothing turns it. */
+  /** Returns the stiffness (N m/rad) of the spring that turns the hand; 0 if nothing turns it. */
   virtual double GetTurningStiffness() const noexcept { return 0.0; }
-  /** Whether the tool writes to BakedVolume::Removal. */
+  /** Returns whether the tool writes to BakedVolume::Removal. */
   virtual bool RemovesTissue() const noexcept { return false; }
-  /** Whether the tool spins while these buttons are pressed, or because the program orders it. */
+  /**
+   * Returns whether the tool spins while these buttons are pressed, or because the program orders
+   * it.
+   */
   virtual bool Spins(std::uint32_t /*buttons*/, bool /*isOrdered*/) const noexcept { return false; }
 };
 

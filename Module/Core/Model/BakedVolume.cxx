@@ -16,8 +16,9 @@ namespace
 {
 
 /**
- * PRECISE holds its proxy on levels of the estimator's own value: the normals must be normal to
- * these levels. LOCAL_SURFACE and the ridges of PRIMITIVES depend on how the normals turn, too.
+ * Chooses the weights of the Gaussian. PRECISE holds its proxy on levels of the estimator's own
+ * value, so the normals must be normal to these levels. LOCAL_SURFACE and the ridges of PRIMITIVES
+ * depend on how the normals turn, too.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {

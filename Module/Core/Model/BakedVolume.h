@@ -25,15 +25,15 @@
 namespace VolumeHaptics
 {
 
-/** A volume that moves, at one instant. */
+/** One time step of a volume that moves. */
 struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
   double Interval; ///< data time to the next time step; 0: no next time step
-  bool BlendsNext; ///< FieldSampler::BlendsSamples() of the next time step
+  bool BlendsNext; ///< whether FieldSampler::BlendsSamples() holds for the next time step
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
-  /** The motion of the material until the next time step, if known. */
+  /** The motion of the material until the next time step, if it is known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
   /**
@@ -46,10 +46,10 @@ struct FieldTimeStep
 /** A moving mesh between two fractions of its way. */
 struct MeshWay
 {
-  const SurfaceMesh* Mesh; ///< null: no mesh
+  const SurfaceMesh* Mesh; ///< null if there is no mesh
   double From;
   double To;
-  /** Whether its points move with the material, not only with their level. */
+  /** Whether the mesh's points move with the material, not only with their level. */
   bool IsMaterial;
 };
 
@@ -57,7 +57,7 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** Makes the same volume with other time steps of its series, without baking again. */
+  /** Makes the same volume with other time steps of the series, without baking again. */
   BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
     const TimeStepSeries& series);
   /** Makes the same volume, which does not move, with another removal, without baking again. */
@@ -81,7 +81,7 @@ struct BakedVolume
    * does not move.
    */
   const std::vector<FieldTimeStep> TimeSteps;
-  const bool HasMotion;                 ///< the material's motion is known between some time steps
+  const bool HasMotion;                 ///< whether a motion of the material is known
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const bool IsDistinctFromNoise;       ///< see HapticMaterial
@@ -90,9 +90,9 @@ struct BakedVolume
   const HapticSettings Settings;
   const double ResidentShare;                      ///< see HapticModelDescription
   const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
-  const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without one
+  const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without a mesh
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
-  /** Null if all surfaces are those of the scalars. */
+  /** The walls between labels; null if all surfaces come from the scalars. */
   const std::shared_ptr<const LabelWalls> Walls;
   const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
   /** Whether surfaces depend on more than the scalars: labels or a cut. */
@@ -100,17 +100,20 @@ struct BakedVolume
   const std::vector<BakedMode> Modes;          ///< for HapticMethod::Primitives
   const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
-  /** The fraction that is felt at an index of a cut volume: see CutPlace::Share. */
+  /**
+   * Returns the fraction of the force that is felt at an index of a cut volume: see
+   * CutPlace::Fraction.
+   */
   double KeptFraction(const Vector3& index) const noexcept
   {
     return this->Cut ? this->Cut->Compute(index).Fraction() : 1.0;
   }
   bool IsMoving() const noexcept { return !this->TimeSteps.empty(); }
-  /** Whether surfaces and materials come from its scalars alone. */
+  /** Returns whether surfaces and materials come from the volume's scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * Returns the volume at a data time. Before the first time step and after the last one, it stands
-   * still. `memory` holds the last gradients.
+   * Returns the volume at a data time. Before the first time step and after the last one, the
+   * volume stands still. `memory` holds the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
@@ -118,8 +121,7 @@ struct BakedVolume
   }
   /**
    * Returns the step between two data times that lie between the same two time steps; none if the
-   * material's motion is known, if either time is that of a time step, or if samples are not
-   * blended.
+   * material's motion is known, if a time step is at either time, or if samples are not blended.
    */
   std::optional<FieldStep> ComputeStep(
     double before, double now, TickMemory& memory) const noexcept;
@@ -133,7 +135,7 @@ struct BakedVolume
    * one.
    */
   std::size_t FindTimeStep(double time) const noexcept;
-  /** The number of the time step that is nearest to a data time. */
+  /** Returns the number of the time step that is nearest to a data time. */
   std::size_t FindNearestTimeStep(double time) const noexcept;
   /**
    * Follows the material at an index to another data time, and returns its index there, within the
@@ -143,9 +145,9 @@ struct BakedVolume
 
   ///@{
   /**
-   * Returns the meshes on the way from one data time to another: the mesh of the time step in which
-   * the way begins, and that of the time step in which it ends. If the way crosses more time steps,
-   * or the end of a series, only the last mesh.
+   * Collects the meshes on the way from one data time to another, and returns their number: the
+   * mesh of the time step in which the way begins, and the mesh of the time step in which the way
+   * ends. If the way crosses more time steps, or the end of a series, collects only the last mesh.
    */
   static constexpr int MostMeshWays = 2;
   int CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
@@ -155,11 +157,11 @@ struct BakedVolume
   {
     return this->Labels ? this->Labels->Zone.get() : nullptr;
   }
-  /** Whether the label image makes surfaces. */
+  /** Returns whether the label image makes surfaces. */
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /**
-   * Identifies volume, material and settings; only regions of one volume, and parts of one series
-   * of time steps, may share it.
+   * Identifies volume, material and settings. Only regions of one volume, and parts of one series
+   * of time steps, may share a number.
    */
   const std::uint64_t Number;
 
@@ -173,7 +175,7 @@ private:
     const TimeStepSeries& series);
 
   FieldAtTime BlendTimeSteps(double time, TickMemory* memory) const noexcept;
-  /** The fraction of the way from this time step to the next one, at a data time. */
+  /** Returns the fraction of the way from this time step to the next one, at a data time. */
   double ComputeFraction(std::size_t timeStep, double time) const noexcept;
 };
 

@@ -71,7 +71,9 @@ struct HiddenVoxels
   std::shared_ptr<const void> Holder; ///< keeps the memory of Flags alive
   std::uint64_t Version = 0;          ///< changes with the flags
 
-  /** 1 if a voxel, or the nearest one in the image, is kept; else 0. */
+  /**
+   * Returns 1 if a voxel is kept, else 0. Outside the image, the nearest voxel in the image counts.
+   */
   double IsKept(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
 
   friend bool operator==(const HiddenVoxels& a, const HiddenVoxels& b) noexcept
@@ -95,13 +97,13 @@ struct CutPlace
   std::uint32_t Faces = 0;
 
   /**
-   * The fraction of the force that is felt: falls from 1 to 0 over the last voxel in front of a
-   * face.
+   * Returns the fraction of the force that is felt: falls from 1 to 0 over the last voxel in front
+   * of a face.
    */
   double Fraction() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
 };
 
-/** Immutable. */
+/** The cut of a volume. Immutable. */
 class CutAway
 {
 public:
@@ -112,15 +114,15 @@ public:
     bool isSolid, HiddenVoxels hidden = {});
 
   CutPlace Compute(const Vector3& index) const noexcept;
-  /** The normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
+  /** Returns the normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
   Vector3 GetNormal(int face) const noexcept
   {
     return face % 2 == 0 ? -this->Axes[face / 2].Normal : this->Axes[face / 2].Normal;
   }
   /**
-   * Returns the end of a motion (in index space) that begins in a region that is cut away, or on
-   * one of its faces. The motion stops at the next face, because solid faces hold once they are
-   * touched. The faces of planes form no hollow corner, and stop no motion.
+   * Returns the end of a motion (in index space) that begins in a region that is cut away, or at
+   * one of the region's faces. The motion stops at the next face, because solid faces hold once
+   * they are touched. The faces of planes form no hollow corner, and stop no motion.
    */
   Vector3 StopAtFaces(const Vector3& from, const Vector3& to) const noexcept;
   bool IsSolid() const noexcept { return this->HasSolidFaces; }
@@ -134,10 +136,13 @@ public:
 private:
   struct Axis
   {
-    Vector3 Normal;       ///< of the axis's planes; world, a unit vector
+    Vector3 Normal;       ///< normal of the axis's planes; world, a unit vector
     double WorldPerIndex; ///< the distance between planes of consecutive indices
   };
-  /** A region seen from a position: how far the position is behind its planes, world units. */
+  /**
+   * A region as seen from a position. Low and High tell how far (world units) the position is
+   * behind the region's planes.
+   */
   struct Beyond
   {
     double Low[3];
@@ -147,20 +152,26 @@ private:
       return face % 2 == 0 ? this->Low[face / 2] : this->High[face / 2];
     }
     double Distance() const noexcept;
-    /** World units, away from the region. */
+    /**
+     * Returns the vector (world units) from the region's nearest point to the position; zero inside
+     * the region.
+     */
     Vector3 Direction(const Axis (&axes)[3]) const noexcept;
   };
 
   bool IsKept(int region) const noexcept { return (this->Regions.Kept >> region & 1U) != 0; }
-  /** Whether a position at this distance behind a face touches it. */
+  /** Returns whether a position at this distance behind a face touches the face. */
   bool IsAt(int face, double aside) const noexcept
   {
     return aside > -TouchDistance * this->Axes[face / 2].WorldPerIndex;
   }
   int FindRegionOf(const Vector3& index) const noexcept;
-  /** Returns the nearest kept or cut region; -1 if there is none. */
+  /**
+   * Returns the number of the nearest kept or cut region, and writes how far the index is from it
+   * to `distance`. Returns -1 if there is no such region.
+   */
   int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
-  /** Whether a kept part lies behind a face of a region that is cut away. */
+  /** Returns whether a kept part lies behind a face of a region that is cut away. */
   bool HasFace(int region, int face) const noexcept;
   Beyond ComputeBeyond(const Vector3& index, int region) const noexcept;
   CutPlace ComputeRegion(const Vector3& index) const noexcept;
@@ -171,7 +182,7 @@ private:
   const CutRegions Regions;
   const Affine3 IndexToWorld;
   const Matrix3 WorldToIndex;
-  Axis Axes[3]; ///< by rising index
+  Axis Axes[3]; ///< axes in the order of the index
   const bool HasSolidFaces;
   const HiddenVoxels Hidden;
 };

@@ -102,7 +102,10 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table,
     });
 }
 
-/** The box of forbidden voxels with everything within the stand-off; false if there are none. */
+/**
+ * Makes the box of forbidden voxels with everything within the stand-off; returns false if there
+ * are none.
+ */
 bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
   double standOff, const ForbiddenZone::Progress& goesOn, Mask& mask)
 {
@@ -168,7 +171,7 @@ Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
   return wall.IsThere && norm > 0.0 ? (-1.0 / norm) * wall.Gradient : Vector3{};
 }
 
-/** The sum of the principal curvatures (1 / voxel) of the boundary with this normal. */
+/** Returns the sum of the principal curvatures (1 / voxel) of the boundary with this normal. */
 double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
 {
   constexpr double h = 3.0;
@@ -186,7 +189,9 @@ double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector
   return std::clamp(divergence, -most, most);
 }
 
-/** Follows the gradient from a voxel to the boundary. */
+/**
+ * Follows the gradient from a voxel to the boundary. Returns false if there is no boundary nearby.
+ */
 bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& gradientToWorld,
   BoundaryPoint& point)
 {
@@ -263,7 +268,7 @@ public:
 
   bool IsEmpty() const { return this->Points.empty(); }
 
-  /** Returns the distance (world units); below 0 inside. */
+  /** Returns the distance (world units); below 0 inside a label. */
   double DistanceAt(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const BoundaryPoint& point = this->Points[static_cast<std::size_t>(

@@ -24,11 +24,11 @@
 namespace VolumeHaptics
 {
 
-/** The distance at a position. */
+/** The distance of a position from forbidden labels. */
 struct ForbiddenPlace
 {
   bool IsNear = false;   ///< if false, the stand-off is farther away
-  double Distance = 0.0; ///< world units; below 0 inside
+  double Distance = 0.0; ///< world units; below 0 inside a label
   Vector3 Gradient;      ///< the derivative of Distance, per index step of the label image
 };
 
@@ -38,12 +38,13 @@ public:
   /** The most voxels of a zone: 0.5 GiB while it is baked. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
 
-  /** Called for every slice of voxels; returning false ends the work. */
+  /** A function that is called for every slice of voxels; if it returns false, the work ends. */
   using Progress = std::function<bool()>;
 
   /**
-   * Null if there is no forbidden label in the image, or if the work was ended. Throws
-   * std::bad_alloc if the zone, with a stand-off in world units, has more than MostVoxels.
+   * Makes the zone of a label image. Returns null if there is no forbidden label in the image, or
+   * if `goesOn` ended the work. Throws std::bad_alloc if the zone, with a stand-off in world units,
+   * has more than MostVoxels.
    */
   static std::shared_ptr<const ForbiddenZone> Make(const LabelView& view, const LabelTable& table,
     const Affine3& indexToWorld, double standOff, const Progress& goesOn = nullptr);
@@ -54,7 +55,7 @@ public:
   ForbiddenPlace Compute(const Vector3& labelIndex) const noexcept;
 
   double GetStandOff() const noexcept { return this->StandOff; }
-  /** The world units over which the wall begins to hold. */
+  /** Returns the distance (world units) over which the wall begins to hold. */
   double GetTolerance() const noexcept { return this->Tolerance; }
   std::size_t GetMemorySize() const noexcept
   {
@@ -68,7 +69,7 @@ private:
 
   double StandOff = 0.0;
   double Tolerance = 0.0;
-  std::int64_t First[3] = {}; ///< the box's first voxel, in the label image
+  std::int64_t First[3] = {}; ///< the first voxel of the stored box, in the label image
   std::vector<float> Distances;
   GradientKernel Kernel{ GradientEstimator::CubicBSpline, 1 };
   FieldSampler Field;

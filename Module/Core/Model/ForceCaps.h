@@ -27,7 +27,7 @@ struct ForceCaps
   }
 };
 
-/** The smaller of two caps; 0 means no cap. */
+/** Returns the smaller of two caps, where 0 means no cap. */
 inline double TighterCap(double a, double b) noexcept
 {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);

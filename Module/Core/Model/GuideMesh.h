@@ -37,11 +37,14 @@ struct GuideMeshPlace
   bool IsThere = false;
 };
 
-/** Immutable. */
+/** A mesh with what guiding needs. Immutable. */
 class GuideMesh
 {
 public:
-  /** Points of the mesh at the same place are merged. @param rounding in the units of the mesh */
+  /**
+   * Makes a guide of a mesh; merges points at the same place. @param rounding in the units of the
+   * mesh
+   */
   GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
 
   /** Returns the place nearest to a finite position; no place if the mesh has no triangles. */
@@ -54,7 +57,7 @@ private:
   struct Face
   {
     Vector3 Normal;
-    Vector3 AtEdge[3]; ///< at the edge opposite to each corner
+    Vector3 AtEdge[3]; ///< normals at the edge opposite to each corner
     double Height[3] = { 0.0, 0.0, 0.0 };
     double Turn = 0.0;
   };
@@ -70,7 +73,7 @@ private:
   static constexpr int Budget = 2000;
 
   void CollectFaces();
-  /** The corner numbers of the triangles, with corners at the same place merged. */
+  /** Returns the corner numbers of the triangles; corners at the same place share a number. */
   std::vector<SurfaceMesh::Indices> MergeCorners();
   void ComputeCorners(const std::vector<SurfaceMesh::Indices>& merged);
   void CollectEdges(const std::vector<SurfaceMesh::Indices>& merged);
@@ -79,7 +82,7 @@ private:
   double Rounding;
   std::vector<Face> Faces;
   std::vector<Corner> Corners;
-  std::vector<SurfaceMesh::Indices> CornersOf; ///< for each triangle, in Corners
+  std::vector<SurfaceMesh::Indices> CornersOf; ///< for each triangle, indices into Corners
 };
 
 } // namespace VolumeHaptics

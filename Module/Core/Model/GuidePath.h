@@ -31,13 +31,13 @@ struct GuidePlace
   Vector3 Direction; ///< unit, along the line
   bool IsNearEnd = false;
   ///@{
-  /** For a place on the first or the last segment of an open line. */
+  /** For a place on the first or the last segment of an open line: the line's end. */
   Vector3 End;
   Vector3 Outward; ///< unit, at the end
   ///@}
 };
 
-/** Immutable. */
+/** Polylines in a tree of boxes. Immutable. */
 class GuidePath
 {
 public:
@@ -51,7 +51,7 @@ public:
   GuidePath(const std::vector<Line>& lines, double rounding);
 
   bool IsEmpty() const noexcept { return this->Segments.empty(); }
-  /** Whether another guide has the same places and directions. */
+  /** Returns whether another guide has the same places and directions. */
   bool IsSame(const GuidePath& other) const noexcept;
 
   /**
@@ -61,7 +61,7 @@ public:
   GuidePlace Find(const Vector3& place) const noexcept;
 
   ///@{
-  /** The memory that Find reads, and its size (bytes). */
+  /** Return the memory that Find reads, and its size (bytes). */
   const void* GetSegments() const noexcept { return this->Segments.data(); }
   std::size_t GetSegmentsSize() const noexcept { return this->Segments.size() * sizeof(Segment); }
   const void* GetBoxes() const noexcept { return this->Boxes.data(); }
@@ -95,7 +95,7 @@ private:
   double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
 
   std::vector<Segment> Segments;
-  std::vector<Box> Boxes; ///< a complete binary tree; the last ones are leaves
+  std::vector<Box> Boxes; ///< a complete binary tree; the last boxes are the leaves
   std::size_t FirstLeaf = 0;
 };
 

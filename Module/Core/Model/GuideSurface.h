@@ -27,16 +27,16 @@ struct GuideSurfacePlace
 {
   Vector3 Anchor;
   Vector3 Normal;        ///< unit; outwards, where distances grow
-  double Distance = 0.0; ///< from the surface to the position
-  double Fraction = 0.0; ///< factor of the holding strength, 0 to 1; 0 if no place was found
+  double Distance = 0.0; ///< distance from the surface to the position
+  double Fraction = 0.0; ///< factor on the holding strength, 0 to 1; 0 if no place was found
 };
 
-/** Immutable. All lengths are in world units. */
+/** A surface that guides. Immutable. All lengths are in world units. */
 class GuideSurface
 {
 public:
   GuideSurface(std::shared_ptr<const GuideMesh> mesh, double distance);
-  /** `view` shows `samples`, which are kept alive. */
+  /** Makes the levels of a distance field. `view` shows `samples`, which are kept alive. */
   GuideSurface(const VolumeView& view, std::shared_ptr<const void> samples,
     const Affine3& indexToWorld, double distance);
   GuideSurface(const GuideSurface&) = delete; // the sampler borrows the kernel
@@ -45,7 +45,7 @@ public:
   /** Returns the place for a position. */
   GuideSurfacePlace Find(const Vector3& position) const noexcept;
 
-  /** Whether another surface is made of the same mesh or samples. */
+  /** Returns whether another surface is made of the same mesh or samples. */
   bool IsSame(const GuideSurface& other) const noexcept;
   std::size_t GetMemorySize() const noexcept;
 

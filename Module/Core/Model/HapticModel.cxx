@@ -31,7 +31,10 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
   return baked.Labels ? baked.Labels->IndexToWorld : baked.IndexToWorld;
 }
 
-/** Whether voxels are cubes, apart from rounding, so that all directions have the same length. */
+/**
+ * Returns whether voxels are cubes, apart from rounding, so that all directions have the same
+ * length.
+ */
 bool IsOfCubes(const Matrix3& indexToWorld)
 {
   constexpr double rounding = 1e-9;
@@ -41,7 +44,7 @@ bool IsOfCubes(const Matrix3& indexToWorld)
     (1.0 - rounding) * largest;
 }
 
-/** Whether the solver is PAPER, whose r is one number in all directions. */
+/** Returns whether the solver is PAPER, whose r is one number in all directions. */
 bool IsOfPaper(const HapticSettings& settings)
 {
   return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;

@@ -55,7 +55,7 @@ public:
   const double WorldUnitsPerMeter;
   /** The largest number of index steps along any axis for a vector of 1 m. */
   const Vector3 VoxelsPerMeter;
-  const double MostVoxelsPerMeter; ///< along the axis of the smallest spacing
+  const double MostVoxelsPerMeter; ///< index steps in 1 m along the axis of the smallest spacing
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
   const Matrix3 GradientToDevice;
   /** Stands in for the normal without a gradient: the volume's third axis. */
@@ -106,13 +106,17 @@ public:
   const double MostStepsPerMeter;
 
   /**
-   * The length of KernelRadius voxels along a direction whose unit vector has these index steps.
+   * Returns the length of KernelRadius voxels along a direction whose unit vector has these index
+   * steps.
    */
   double KernelLengthOf(const Vector3& steps) const noexcept
   {
     return this->Baked->Kernel.Radius / std::fmax(Norm(steps), 1e-300);
   }
-  /** The distance (m) of x_s and x_v from a proxy whose surface has this normal (unit or zero). */
+  /**
+   * Returns the distance (m) of x_s and x_v from a proxy whose surface has this normal (unit or
+   * zero).
+   */
   double KernelLengthAlong(const Vector3& normal) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(this->DeviceToIndex.Linear * normal)
@@ -126,7 +130,10 @@ public:
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
   }
-  /** W_d and the visibility of a gradient: its magnitude (per world unit), and its direction. */
+  /**
+   * Returns W_d and the visibility of a gradient, given its magnitude (per world unit) and its
+   * direction.
+   */
   DistinctnessTable::Values DistinctnessOf(double magnitude, const Vector3& normal) const noexcept
   {
     DistinctnessTable::Values values = this->Baked->Distinctness(magnitude);
@@ -138,7 +145,7 @@ public:
     }
     return values;
   }
-  /** The counterpart of KernelLengthAlong at a wall between labels. */
+  /** Does the same as KernelLengthAlong, at a wall between labels. */
   double LabelReachAlong(const Vector3& normal) const noexcept;
 
   bool IsCutAway(const Vector3& world) const noexcept
@@ -168,7 +175,7 @@ public:
     return this->Baked->At(time).Value(this->DeviceToIndex(device));
   }
 
-  /** The label at a device position; NoLabel if there is none. */
+  /** Returns the label at a device position; NoLabel if there is none. */
   std::int64_t LabelAtDevice(const Vector3& device) const noexcept
   {
     return this->Baked->Labels ? this->Baked->Labels->View.Nearest(this->DeviceToLabel(device))
@@ -178,7 +185,7 @@ public:
   /** Returns the tables that every tick reads, without the samples and the mesh. */
   std::vector<MemoryRange> GetTables() const;
 
-  /** Returns the size (bytes) without the image. */
+  /** Returns the size (bytes) of the model without the image. */
   std::size_t GetMemorySize() const;
 };
 

@@ -35,7 +35,7 @@ struct HapticMaterial
   Polyline Friction = ConstantPolyline(0.0);           ///< mu
   Polyline SurfaceStrength = ConstantPolyline(2.0);    ///< T_N, N
   Polyline Viscosity = ConstantPolyline(0.0);          ///< R, N
-  Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1
+  Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1, of the gradient magnitude
   Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
   Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
   /**
@@ -58,7 +58,7 @@ struct VolumeTimeStep
    */
   DisplacementView Displacements = {};
   std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps the displacements alive
-  /** For HapticMethod::SurfaceProxy: its isosurface, which moves to the next time step. */
+  /** The isosurface for HapticMethod::SurfaceProxy, which moves to the next time step. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
@@ -85,7 +85,7 @@ struct HapticModelDescription
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;
   HapticSettings Settings;
-  std::shared_ptr<const SurfaceMesh> Mesh;   ///< in the world; for HapticMethod::SurfaceProxy
+  std::shared_ptr<const SurfaceMesh> Mesh;   ///< isosurface (world) of HapticMethod::SurfaceProxy
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   std::shared_ptr<const CutAway> Cut;        ///< null if all of the volume is felt
   /**
@@ -93,7 +93,7 @@ struct HapticModelDescription
    * primitives exceed the limit of a tick, are not felt.
    */
   std::vector<ModeDescription> Modes;
-  std::shared_ptr<const BakedTool> Tool; ///< null: a point
+  std::shared_ptr<const BakedTool> Tool; ///< null: the hand feels with a point
   /**
    * The tissue that a tool removes from the samples of View, which are then read as if it were
    * absent; may be null. The thread that ticks writes to it. Not for a volume that moves.
@@ -102,8 +102,8 @@ struct HapticModelDescription
   double AirValue = 0.0; ///< the value of a sample without tissue
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other time
-   * steps, with the same material and settings: a servo goes on from that model as if both were the
-   * whole.
+   * steps, with the same material and settings: a servo goes on from that model as if both models
+   * were the whole volume.
    */
   std::uint64_t Number = 0;
   /**

@@ -89,7 +89,7 @@ struct HapticSettings
   double ForceFieldGain = 0.0;      ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0;   ///< C2 of eq. 1, N s/m
   double IsoValue = 0.0;            ///< value of the surface of SurfaceProxy and LocalSurface
-  bool HasIsoSurface = false;       ///< the surface has IsoValue; it is not another mesh
+  bool HasIsoSurface = false;       ///< whether the mesh is the isosurface at IsoValue
   double ProxyRadius = 0.5;         ///< world units, more than 0; for SurfaceProxy
   bool ForceShading = true;         ///< for SurfaceProxy, if the mesh has normals
   double LocalSurfaceRate = 60.0;   ///< Hz, the slow loop of LocalSurface

@@ -12,9 +12,9 @@ namespace VolumeHaptics
 /** Memories of the last label lookups, kept from tick to tick. They change no result. */
 struct LabelMemory
 {
-  WallMemory Wall;  ///< around the proxy
-  MixMemory Ahead;  ///< at x_s
-  MixMemory Behind; ///< at x_v
+  WallMemory Wall;  ///< memory of the lookup around the proxy
+  MixMemory Ahead;  ///< memory of the lookup at x_s
+  MixMemory Behind; ///< memory of the lookup at x_v
 };
 
 } // namespace VolumeHaptics

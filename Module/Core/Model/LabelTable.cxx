@@ -20,7 +20,7 @@ LabelTable::LabelTable(const std::vector<LabelledMaterial>& entries)
   for (LabelledMaterial& entry : this->Entries)
   {
     LabelMaterial& material = entry.Material;
-    for (const int channel : { 2, 3 }) // T_N and R
+    for (const int channel : { 2, 3 }) // the channels of T_N and R
     {
       if (!material.IsFelt)
       {

@@ -73,14 +73,17 @@ class LabelTable
 {
 public:
   LabelTable() = default;
-  /** Each label once. Channels whose surfaces must not be felt are set to 0 here. */
+  /**
+   * Makes the table from entries with each label once. Sets the channels to 0 whose surfaces must
+   * not be felt.
+   */
   explicit LabelTable(const std::vector<LabelledMaterial>& entries);
 
   /** Sets the stiffness (N/m) of all labels whose own stiffness is above a floor. */
   void SetOneStiffness(double stiffness, double floor);
 
   bool IsEmpty() const noexcept { return this->Entries.empty(); }
-  /** Whether any label has a specific energy. */
+  /** Returns whether any label has a specific energy. */
   bool HasSpecificEnergy() const noexcept { return this->AnySpecificEnergy; }
 
   /** Returns the material of a label; null if it has none. */

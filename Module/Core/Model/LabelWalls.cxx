@@ -294,7 +294,7 @@ template <typename F>
 LabelWall LabelWalls::FindNearest(
   int count, const std::int64_t* labels, F&& fraction) const noexcept
 {
-  // Sort the labels, hardest first. A wall is where the fractions of the hardest ones add up to
+  // Sort the labels, hardest first. A wall is where the fractions of the hardest labels add up to
   // 1/2, if the next label has a lower order. Find the nearest wall.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];

@@ -50,9 +50,9 @@ struct WallMemory
 {
   std::uint64_t Walls = 0; ///< the number of the LabelWalls that used it; 0: none
   std::int64_t Cell[3] = {};
-  bool HasWall = false; ///< between two labels; if false, there is no wall
+  bool HasWall = false; ///< whether the voxels have two labels; if false, there is no wall
   ///@{
-  /** For the harder label. The planes, as in LabelBlock, are used if its rows are not steps. */
+  /** Whether the harder label's rows are steps. If not, the planes, as in LabelBlock, are used. */
   bool HasSteps = false;
   LabelSteps Steps = {};
   std::uint64_t Planes[LabelBlock::Taps] = {};
@@ -64,8 +64,8 @@ class LabelWalls
 {
 public:
   /**
-   * `radius` (voxels of the label image) is the radius of the kernel. `fractions`, if any, belong
-   * to the FineLabels with this view.
+   * Makes walls for a label image. `radius` (voxels of the label image) is the radius of the
+   * kernel. `fractions`, if any, belong to the FineLabels with this view.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
     const std::uint8_t* fractions = nullptr);
@@ -112,15 +112,15 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
-  /** The same as Gather, for voxels with fractions. */
+  /** Does the same as Gather, for voxels with fractions. */
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
   LabelWall ComputeInBlock(const Vector3& index, WallMemory& memory) const noexcept;
-  /** Returns false if there are more than two labels. */
+  /** Stores the labels of a block; returns false if there are more than two labels. */
   bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
   LabelWall ComputeInRuns(const Vector3& index) const noexcept;
-  /** Returns the nearest wall; fraction(i) is the fraction of label i, and its gradient. */
+  /** Returns the nearest wall; fraction(i) returns the fraction of label i, and its gradient. */
   template <typename F>
   LabelWall FindNearest(int count, const std::int64_t* labels, F&& fraction) const noexcept;
 

@@ -28,7 +28,7 @@ struct MeshPlace
 {
   std::int32_t Triangle = -1; ///< -1 if the mesh has no triangles
   TrianglePoint Point{};
-  double Square = 0.0; ///< square of the distance
+  double Square = 0.0; ///< square of the distance from the position
 };
 
 class SurfaceMesh
@@ -37,9 +37,10 @@ public:
   using Indices = std::array<std::int32_t, 3>;
 
   /**
-   * Triangles are given by indices into points (world units). `normals` are unit normals of the
-   * points, for shading, or empty. Triangles without an area, or with a corner that is not finite,
-   * are left out. `motions` are the points' motions until the next time step, or empty.
+   * Makes a mesh of triangles, given by indices into points (world units). `normals` are unit
+   * normals of the points, for shading, or empty. Triangles without an area, or with a corner that
+   * is not finite, are left out. `motions` are the points' motions until the next time step, or
+   * empty.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals, std::vector<Vector3> motions = {});
@@ -67,16 +68,19 @@ public:
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
   /** Returns the longest way of any point to the next time step (world units). */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
-  /** The interpolated normal at a point of a triangle, not quite of unit length. */
+  /** Returns the interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
   /**
-   * The largest number of boxes that VisitNear visits around some hundred triangles, which are
-   * spread over the mesh.
+   * Estimates the largest number of boxes that VisitNear visits, from queries around some hundred
+   * triangles that are spread over the mesh.
    */
   int EstimateVisits(double distance) const noexcept;
 
-  /** Calls visit(i) for all triangles whose boxes are within a distance of a position. */
+  /**
+   * Calls visit(i) for all triangles whose boxes are within a distance of a position; returns false
+   * if the budget is spent.
+   */
   template <typename Visitor>
   bool VisitNear(
     const Vector3& position, double distance, int& budget, Visitor&& visit) const noexcept
@@ -102,7 +106,8 @@ public:
 
   /**
    * Calls visit(i) for the triangles that a sphere may meet on a displacement. `visit` returns the
-   * fraction of the displacement (0 to 1) beyond which other triangles no longer matter.
+   * fraction of the displacement (0 to 1) beyond which other triangles no longer matter. VisitAlong
+   * returns false if the budget is spent.
    */
   template <typename Visitor>
   bool VisitAlong(const Vector3& start, const Vector3& displacement, double radius, int& budget,
@@ -197,10 +202,10 @@ private:
 
   std::vector<Vector3> Points;
   std::vector<Vector3> Normals;
-  std::vector<Vector3> Motions; ///< per point; empty if the points stand still
+  std::vector<Vector3> Motions; ///< motions of the points; empty if the points stand still
   double LongestMotion = 0.0;
-  std::vector<Indices> Triangles; ///< in the order of the leaves
-  std::vector<Box> Boxes;         ///< per triangle
+  std::vector<Indices> Triangles; ///< triangles in the order of the leaves
+  std::vector<Box> Boxes;         ///< box of each triangle
   std::vector<Node> Nodes;
 };
 

@@ -30,14 +30,14 @@ struct TimeStepSeries
   double GetPeriod() const noexcept { return this->Last - this->First + this->LoopInterval; }
 };
 
-/** The times for which a model has the time steps. */
+/** The span of data time for which a model has the time steps. */
 struct TimeSpan
 {
   TimeStepSeries Series;
   double Front = 0.0; ///< the first time step's time
   /** The last time step's time; equals Front if the time span has the whole loop. */
   double Back = 0.0;
-  bool IsInstant = false; ///< it has one time step only
+  bool IsInstant = false; ///< the time span has one time step only
 
   bool IsLoop() const noexcept { return this->Front == this->Back && !this->IsInstant; }
   bool Has(double time) const noexcept

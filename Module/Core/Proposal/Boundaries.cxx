@@ -131,7 +131,7 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
   return parent;
 }
 
-/** The extreme of a parabola through a sample and its neighbours. */
+/** Returns the extreme of a parabola through a sample and its neighbours. */
 double Extreme(const std::vector<double>& curve, std::size_t at)
 {
   if (at == 0 || at + 1 == curve.size())

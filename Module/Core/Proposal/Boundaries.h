@@ -28,7 +28,7 @@ struct Boundary
   /** Variance of the estimator's own blur (world units squared), which Width does not include. */
   double Blur = 0.0;
   double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
-  /** The fraction of the area of all boundaries. */
+  /** The boundary's fraction of the area of all boundaries. */
   double Fraction = 0.0;
   /** The fraction of the lines that are brighter towards the middle of all edges. */
   double Inward = 0.0;
@@ -41,7 +41,10 @@ struct Boundary
 class ValueAxis
 {
 public:
-  /** Logarithmic if the lines have no value below 0 other than noise, else linear. */
+  /**
+   * Makes a logarithmic axis if the lines have no value below 0 other than noise, else a linear
+   * one.
+   */
   ValueAxis(const std::vector<EdgeLine>& lines, double noise);
 
   double operator()(double value) const noexcept;
@@ -50,10 +53,13 @@ public:
   double Last = 1.0;
 
 private:
-  double Scale = 0.0; ///< logarithmic from here on; 0: linear
+  double Scale = 0.0; ///< the axis is logarithmic from this value on; 0: linear
 };
 
-/** In descending order of their fractions; boundaries with hardly any lines are left out. */
+/**
+ * Returns the boundaries in descending order of their fractions; leaves out boundaries with hardly
+ * any lines.
+ */
 std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
 
 } // namespace VolumeHaptics

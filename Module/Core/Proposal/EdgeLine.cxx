@@ -34,16 +34,16 @@ constexpr int MostClimbs = 16; // the most steps from the slope of an edge to it
 struct LinePoint
 {
   double Value;
-  double Slope; // per world unit
+  double Slope; // slope per world unit
 };
 
 } // namespace
 
 struct EdgeTracer::Ray
 {
-  Vector3 Centre;    ///< index
+  Vector3 Centre;    ///< the index of the line's centre
   Vector3 Step;      ///< the step along the line (index)
-  double StepLength; ///< world units
+  double StepLength; ///< length of a step in world units
   double Slope;      ///< the slope at the centre, per world unit
 };
 
@@ -197,7 +197,10 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
 namespace
 {
 
-/** The derivative of the slope at a step, from its neighbours as far as they are known. */
+/**
+ * Returns the derivative of the slope at a step, from the step's neighbours as far as they are
+ * known.
+ */
 template <typename Profile>
 double Curvature(const Profile& profile, int step, double length)
 {
@@ -214,7 +217,7 @@ double Curvature(const Profile& profile, int step, double length)
   return to > from ? (profile.At(to).Slope - profile.At(from).Slope) / ((to - from) * length) : 0.0;
 }
 
-/** Slope and curvature of a profile against the fraction of its rise. */
+/** Computes slope and curvature of a profile against the fraction of its rise. */
 template <typename Profile>
 bool KeepFractions(const Profile& profile, double length, EdgeLine& line)
 {

@@ -32,7 +32,9 @@ struct EdgeLine
 
   double Low = 0.0;
   double High = 0.0;
-  /** Whether both ends are plateaus; an end may also be the middle of a layer that is too thin. */
+  /**
+   * Whether both ends are plateaus; otherwise an end may be the middle of a layer that is too thin.
+   */
   bool IsWide = false;
   /** The area of the boundary for which the line stands (relative). */
   double Weight = 0.0;
@@ -54,18 +56,21 @@ struct EdgeLine
 /** The noise of a field, as slopes per voxel. */
 struct EdgeThresholds
 {
-  double Least = 0.0; ///< an edge has a slope of at least this
-  double Flat = 0.0;  ///< a plateau has a slope of at most this
+  double Least = 0.0; ///< the least slope of an edge
+  double Flat = 0.0;  ///< the largest slope of a plateau
 };
 
 /**
- * Traces lines through a volume. Its sampler estimates gradients that are the derivatives of its
+ * Traces lines through a volume. The sampler estimates gradients that are the derivatives of its
  * values (GaussianWeights::OwnDerivative).
  */
 class EdgeTracer
 {
 public:
-  /** `variance`: the variance of the estimator's kernel along an axis (voxels squared). */
+  /**
+   * Makes a tracer. `variance` is the variance of the estimator's kernel along an axis (voxels
+   * squared).
+   */
   EdgeTracer(const FieldSampler& field, const Affine3& indexToWorld, double variance,
     const EdgeThresholds& thresholds);
 
@@ -76,9 +81,9 @@ public:
   double Slope(const Vector3& index) const noexcept;
 
   /**
-   * Traces the edge on whose slope an index stands. False if there is too little slope, no plateau
-   * within reach, or if the border of the volume or a sample that is not finite comes before a
-   * plateau.
+   * Traces the edge on whose slope an index stands. Returns false if there is too little slope, no
+   * plateau within reach, or if the border of the volume or a sample that is not finite comes
+   * before a plateau.
    */
   bool Trace(const Vector3& index, EdgeLine& line) const noexcept;
 

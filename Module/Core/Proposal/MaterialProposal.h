@@ -50,10 +50,12 @@ struct ProposalFacts
   std::optional<double> BackgroundEnd;
   double SearchVariance = 1.0; ///< variance of the kernel that found the edges (voxels squared)
   int MostRadius = 2;          ///< the largest kernel that the volume allows (voxels)
-  /** 3.4 times the noise of a gradient (scalar units per world unit), with a kernel's radius. */
+  /**
+   * Returns 3.4 times the noise of a gradient (scalar units per world unit) for a kernel radius.
+   */
   std::function<double(int)> NoiseGradient;
 
-  /** Whether a value belongs to a noisy background. */
+  /** Returns whether a value belongs to a noisy background. */
   bool Covers(double value) const noexcept;
 };
 
@@ -64,7 +66,7 @@ struct MaterialProposal
   static constexpr double Ceiling = 12.0;    // N: more than most devices exert
 
   std::vector<Boundary> Boundaries; ///< felt boundaries, in descending order of area times rise
-  std::vector<double> Slopes;       ///< their largest slopes, as the kernel estimates them
+  std::vector<double> Slopes;       ///< largest slopes of Boundaries, as the kernel estimates
   std::vector<double> Materials;    ///< values of the materials, in ascending order
   std::size_t Background = 0;       ///< the index of the outside material
   ProposedSide Side = ProposedSide::Higher;
@@ -75,7 +77,7 @@ struct MaterialProposal
   Polyline Distinctness;
 };
 
-/** Has no boundaries if none stands out of the noise. */
+/** Proposes material functions. The proposal has no boundaries if none stands out of the noise. */
 MaterialProposal ProposeMaterials(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts);
 

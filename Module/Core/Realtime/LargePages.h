@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The system provides and clears each page of 4 KiB separately when it is first touched, which
- * costs more than filling it; it provides a large page (2 MiB) at once.
+ * Allocator of large pages (2 MiB), which the system provides at once. It provides and clears each
+ * page of 4 KiB separately when the page is first touched, which costs more than filling it.
  */
 template <typename T>
 struct LargePages
@@ -43,8 +43,8 @@ struct LargePages
 #if defined(__linux__)
     if (count * sizeof(T) >= PageSize)
     {
-      // Does nothing where large pages are off. The end that does not fill a large page stays in
-      // small pages.
+      // The call has no effect where large pages are off. The end that does not fill a large page
+      // stays in small pages.
       (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
     }
 #endif

@@ -30,9 +30,9 @@ std::size_t GetPageSize() noexcept; ///< bytes
  */
 void RequestPages(const void* begin, std::size_t size) noexcept;
 /**
- * Brings the pages of a range into memory, for reading. It may wait for the disk, but other threads
- * can lock and unlock meanwhile. Skips pages that can't be read, such as the end of a file that was
- * cut.
+ * Brings the pages of a range into memory, for reading. The call may wait for the disk, but other
+ * threads can lock and unlock meanwhile. Skips pages that can't be read, such as the end of a file
+ * that was cut.
  */
 void FetchPages(const void* begin, std::size_t size) noexcept;
 
@@ -41,8 +41,9 @@ class MemoryLock
 public:
   MemoryLock() = default;
   /**
-   * Unlocks ranges of one array that come in rising order together, with a few system calls instead
-   * of hundreds. Pages between these ranges that the application has locked are unlocked, too.
+   * Makes a lock that unlocks ranges of one array that come in rising order together, with a few
+   * system calls instead of hundreds. Pages between these ranges that the application has locked
+   * are unlocked, too.
    */
   explicit MemoryLock(bool isOfOneArray)
     : IsOfOneArray(isOfOneArray)
@@ -59,8 +60,8 @@ public:
    */
   bool Add(const void* begin, std::size_t size) noexcept;
   /**
-   * As Add, for the next `size` bytes of the calling thread's stack. Unlock them before the thread
-   * ends.
+   * Keeps the next `size` bytes of the calling thread's stack in memory, as Add does. Unlock them
+   * before the thread ends.
    */
   bool AddStack(std::size_t size) noexcept;
 

@@ -84,7 +84,7 @@ struct Library
   void (*GetValue)(Iterator*, void* value) = nullptr;
   void (*ReleaseMessage)(Message*) = nullptr;
 
-  /** Null if libdbus is not installed, or not as expected. */
+  /** Returns the functions; null if libdbus is not installed, or not as expected. */
   static const Library* Get() noexcept
   {
     static Library functions;
@@ -147,7 +147,7 @@ public:
     return this->Content && this->Functions.GetType(this->Content) == MethodReturn;
   }
 
-  /** Whether the bus answers that the service does not exist. */
+  /** Returns whether the bus answers that the service does not exist. */
   bool IsAbsent() const
   {
     const char* const name = this->Content ? this->Functions.GetErrorName(this->Content) : nullptr;
@@ -162,7 +162,7 @@ public:
     return false;
   }
 
-  /** The number in the variant of a property; 0 if there is none. */
+  /** Returns the number in the variant of a property; 0 if there is none. */
   std::int64_t GetNumber() const
   {
     Iterator outer;
@@ -215,7 +215,7 @@ public:
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /** Call it first. */
+  /** Registers with the bus. Call this function first. */
   bool SayHello()
   {
     return this->Wire && this->Call(BusService, BusPath, BusService, "Hello").Returned();
@@ -232,7 +232,7 @@ public:
   }
 
 private:
-  /** `arguments` are pairs of a type and a pointer. */
+  /** Calls a method. `arguments` are pairs of a type and a pointer. */
   template <typename... Arguments>
   Reply Call(const char* service, const char* path, const char* interface, const char* method,
     Arguments... arguments)

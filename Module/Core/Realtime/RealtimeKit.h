@@ -49,8 +49,8 @@ Wish ReadEnvironment();
 
 /**
  * Requests a real-time class for a thread of this process, given by the kernel's thread number.
- * Waits for the service, which may have to be started, at most 10 s for each of three answers;
- * returns within milliseconds once `stop` is set.
+ * Waits at most 10 s for each of three answers of the service, which may have to be started.
+ * Returns within milliseconds once `stop` is set.
  */
 Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept;
 

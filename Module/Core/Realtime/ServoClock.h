@@ -18,20 +18,20 @@ constexpr double SecondsPerNanosecond = 1e-9;
 constexpr double NanosecondsPerSecond = 1e9;
 constexpr std::int64_t Millisecond = 1000000; ///< ns
 
-/** Monotonic time in ns. */
+/** Returns the monotonic time in ns. */
 std::int64_t Now() noexcept;
 /** Returns the seconds that have passed since a time of Now(). */
 inline double SecondsSince(std::int64_t time) noexcept
 {
   return static_cast<double>(Now() - time) * SecondsPerNanosecond;
 }
-/** Sleeps until a time of Now(); returns at once if it has passed. */
+/** Sleeps until a time of Now(); returns at once if that time has passed. */
 void SleepUntil(std::int64_t time) noexcept;
 /** Leaves the process's signals to other threads, except crash signals of the calling thread. */
 void BlockSignals() noexcept;
 /**
- * The number of this process. A forked child has copies of all objects but none of the threads, so
- * it must not wait for them; and the devices belong to the parent.
+ * Returns the number of this process. A forked child has copies of all objects but none of the
+ * threads, so the child must not wait for threads; and the devices belong to the parent.
  */
 std::int64_t GetProcess() noexcept;
 

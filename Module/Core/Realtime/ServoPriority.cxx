@@ -58,7 +58,7 @@ std::int64_t GetThread() noexcept
   return syscall(SYS_gettid);
 }
 
-/** The highest real-time priority that the user may have without a privilege. */
+/** Returns the highest real-time priority that the user may have without a privilege. */
 int GetAllowedPriority() noexcept
 {
   rlimit limit{};

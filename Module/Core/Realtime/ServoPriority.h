@@ -44,16 +44,16 @@ class ServoPriority
 {
 public:
   /**
-   * For the calling thread: requests a real-time class below the kernel's interrupt threads and, if
-   * that is refused, sets what needs no privilege. Returns whether the class was granted.
+   * Requests a real-time class for the calling thread, below the kernel's interrupt threads. If the
+   * request is refused, sets what needs no privilege. Returns whether the class was granted.
    */
   static bool RaiseThread() noexcept;
 
-  /** On the servo's thread: calls RaiseThread, and stores the answer. */
+  /** Calls RaiseThread on the servo's thread, and stores the answer. */
   void Raise() noexcept;
   /**
-   * On another thread: waits for Raise; if the kernel has refused, asks RealtimeKit. Returns after
-   * its answer, or soon after RequestStop.
+   * Waits on another thread for Raise; if the kernel has refused, asks RealtimeKit. Returns after
+   * RealtimeKit's answer, or soon after RequestStop.
    */
   void AskRealtimeKit() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
@@ -61,7 +61,7 @@ public:
   RealTimeGrant GetGrant() const noexcept { return this->Grant.load(std::memory_order_acquire); }
 
 private:
-  /** Read by the thread that makes this object. */
+  /** The environment's settings, read by the thread that makes this object. */
   const RealtimeKit::Wish Environment = RealtimeKit::ReadEnvironment();
   std::atomic<RealTimeGrant> Grant{ RealTimeGrant::Unknown };
   std::atomic<std::int64_t> Thread{ 0 }; ///< the kernel's number of the servo's thread

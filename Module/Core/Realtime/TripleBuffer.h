@@ -28,7 +28,7 @@ public:
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  /** Called by the writer. */
+  /** Stores a value for the reader. Called by the writer. */
   void Write(const T& value) noexcept
   {
     this->Slot[this->Writing].Value = value;
@@ -38,7 +38,7 @@ public:
   }
 
   /**
-   * Called by the reader: returns whether a value came since the last call. The value stays
+   * Called by the reader: returns whether a value came since the last call. The latest value stays
    * readable.
    */
   bool Update() noexcept
@@ -52,14 +52,14 @@ public:
     return true;
   }
 
-  /** Called by the reader: the value that the last Update found. */
+  /** Called by the reader: returns the value that the last Update found. */
   const T& Read() const noexcept { return this->Slot[this->Reading].Value; }
 
 private:
   static constexpr std::uint8_t Index = 3;
   static constexpr std::uint8_t Fresh = 4;
 
-  // A cache line each, so that the two sides do not slow each other down.
+  // A slot in cache lines of its own, so that the two sides do not slow each other down.
   struct alignas(64) Padded
   {
     T Value{};

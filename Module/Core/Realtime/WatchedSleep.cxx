@@ -38,8 +38,8 @@ constexpr long FutexCall = SYS_futex;
 #endif
 
 /**
- * The processors on which a thread may run; 0 is the calling thread. False if the kernel does not
- * report them.
+ * Reads the processors on which a thread may run; 0 is the calling thread. Returns false if the
+ * kernel does not report them.
  */
 bool GetProcessors(std::int64_t thread, cpu_set_t& processors) noexcept
 {
@@ -126,8 +126,8 @@ void WatchedSleep::Watch() noexcept
 }
 
 /**
- * Moves the watcher to a processor other than the sleeper's, on which the sleeper may run. False if
- * there is none.
+ * Moves the watcher to a processor other than the sleeper's, on which the sleeper may run. Returns
+ * false if there is none.
  */
 bool WatchedSleep::StandApart() noexcept
 {
@@ -151,7 +151,7 @@ bool WatchedSleep::StandApart() noexcept
   return isApart;
 }
 
-/** Wakes the sleeper up on the watcher's processor, if it may run there. */
+/** Wakes the sleeper up on the watcher's processor, if the sleeper may run there. */
 bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
 {
   const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);

@@ -44,25 +44,25 @@ namespace VolumeHaptics
 class WatchedSleep
 {
 public:
-  /** The time between two ticks (ns). */
+  /** `period` is the time between two ticks (ns). */
   explicit WatchedSleep(std::int64_t period) noexcept;
 
   /** Sleeps until a time of ServoClock::Now(), never shorter. */
   void SleepUntil(std::int64_t time) noexcept { this->SleepUntil(time, time); }
   /**
-   * For tests: sleeps with an alarm that comes too late, so that only a watcher can wake the
-   * sleeper in time.
+   * Sleeps with an alarm that comes too late, so that only a watcher can wake the sleeper in time.
+   * For tests.
    */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
   /**
-   * Called by one thread, which gets the priority of a servo (ServoPriority::RaiseThread) and
-   * leaves the sleeper's processor. Returns after RequestStop, which holds for good.
+   * Watches the sleeper until RequestStop, which holds for good. Called by one thread, which gets
+   * the priority of a servo (ServoPriority::RaiseThread) and leaves the sleeper's processor.
    */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
 
-  /** The number of sleeps that a watcher has tried to end. */
+  /** Returns the number of sleeps that a watcher has tried to end. */
   std::uint64_t GetRescues() const noexcept { return this->Rescues.load(); }
 
 private:
@@ -87,13 +87,15 @@ private:
 
   const std::int64_t Patience;            // ns; the sleeper is woken up if it is this late
   std::atomic<std::int64_t> Sleeper{ 0 }; // the kernel's number of the sleeping thread
-  std::atomic<int> Processor{ -1 };       // on which the sleeper fell asleep
-  std::atomic<std::uint32_t> Wakes{ 0 };  // the sleeper waits for a change of this
+  std::atomic<int> Processor{ -1 };       // the processor on which the sleeper fell asleep
+  std::atomic<std::uint32_t> Wakes{ 0 };  // the word that the sleeper waits on
   std::atomic<Binding> State{ Binding::None };
-  cpu_set_t Allowed{}; // where the sleeper may run,
-  cpu_set_t Here{};    // and the processor to which it is bound
+  cpu_set_t Allowed{}; // the processors on which the sleeper may run
+  cpu_set_t Here{};    // the processor to which the sleeper is bound
   ///@{
-  /** For the watcher only: whether it has to end a binding, and which processor it has left. */
+  /**
+   * Used by the watcher only: whether it has to end a binding, and the processor that it has left.
+   */
   bool IsOwing = false;
   int Left = -1;
   ///@}

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest length in use (world units); longer ones are cut to it. */
+/** The longest length in use (world units); longer lengths are cut to it. */
 constexpr double Longest = 1e12;
 /** The smallest useful width of a region along an axis (samples), unless the volume is smaller. */
 constexpr double LeastWidth = 16.0;
@@ -26,8 +26,8 @@ double Length(double value) noexcept
 
 struct Cube
 {
-  double Centre[3];  // index
-  double PerUnit[3]; // index steps
+  double Centre[3];  // the index of the cube's centre
+  double PerUnit[3]; // index steps per world unit
 };
 
 /**

@@ -31,11 +31,11 @@
 namespace VolumeHaptics
 {
 
-/** The extent of a volume, by indices (both ends included), and its place in the world. */
+/** The extent of a volume, by indices (both ends included), and the volume's place in the world. */
 struct WholeGeometry
 {
   int Extent[6] = { 0, -1, 0, -1, 0, -1 };
-  Affine3 IndexToWorld; ///< from index (0, 0, 0)
+  Affine3 IndexToWorld; ///< maps indices to the world, from index (0, 0, 0)
 };
 
 /** Lengths in world units. */
@@ -46,7 +46,7 @@ struct RegionNeeds
   double SpringLength = 0.0;     ///< T_N/k
   double Reach = 0.0;            ///< r
   double Band = 0.0;             ///< b
-  double MostVoxels = 2097152.0; ///< of a region; at least LeastVoxels
+  double MostVoxels = 2097152.0; ///< most voxels of a region; at least LeastVoxels
 };
 
 /** The smallest region: kernels fit into it, whatever the limit is. */
@@ -69,8 +69,9 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
 
 /**
  * Returns the room (world units): the distance of a tip (world) from the region's nearest border
- * that is not the volume's own, less T_N/k + r + b. If it is negative, a tick there may lack
- * samples. A large negative number for an empty region, a large positive one for the whole volume.
+ * that is not the volume's own, less T_N/k + r + b. If the room is negative, a tick there may lack
+ * samples. Returns a large negative number for an empty region, and a large positive number for the
+ * whole volume.
  */
 double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;

@@ -23,7 +23,8 @@ Vector3 ComputeToolReach(const HapticModel& model) noexcept
     return {};
   }
   const double reach = tool->GetReach() / model.WorldUnitsPerMeter;
-  // The foot of a point may move over a voxel, and its gradient reads one more on either side.
+  // The foot of a point may move over a voxel, and its gradient reads one more voxel on either
+  // side.
   constexpr double around = 3.0;
   return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };
 }

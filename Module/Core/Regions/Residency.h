@@ -25,13 +25,14 @@ namespace VolumeHaptics
 {
 
 /**
- * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
+ * Returns the reach (index steps along each axis) of the samples that a tick reads around tip and
+ * proxy.
  */
 Vector3 ComputeReadReach(const HapticModel& model) noexcept;
 
 /**
- * Computes the samples that are read by the tick that takes a state to a tip (device); false if
- * the tick reads none.
+ * Computes the box of the samples that a tick reads if it takes a state to a tip (device); returns
+ * false if the tick reads none.
  */
 bool ComputeReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;

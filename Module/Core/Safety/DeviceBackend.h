@@ -41,10 +41,10 @@ struct DeviceLimits
   /// The smallest motion (m) that a device reports if it sends only what is new, so that it is
   /// silent at rest; 0 if it also reports at rest.
   double LeastMotion = 0.0;
-  unsigned ForceAxes = 7;     ///< bit i: the device can push along axis i
-  bool MovesTip = true;       ///< forces move the tip, so that PortObserver can judge them
-  bool Vibrates = false;      ///< the device can't push: it vibrates when the force changes
-  double MaximumTorque = 0.0; ///< N m; 0 if it gives no torque
+  unsigned ForceAxes = 7;     ///< bit i is set if the device can push along axis i
+  bool MovesTip = true;       ///< whether forces move the tip, so that PortObserver can judge them
+  bool Vibrates = false;      ///< whether the device can't push, but only vibrates
+  double MaximumTorque = 0.0; ///< N m; 0 if the device gives no torque
 };
 
 /** The round trip (s) to which the largest stiffness and damping that devices state refer. */
@@ -53,8 +53,8 @@ constexpr double StatedRoundTrip = 1e-3;
 /**
  * Computes the largest stiffness and damping that a device holds if forces are late by a round trip
  * of T (s, LoopTiming.h): its own limits, and a stiffness of 2 b / T, above which a sampled spring
- * feeds energy in. If b is not known, it follows from the device's stated limits: b = k T / 2 with
- * its largest k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
+ * feeds energy in. If b is not known, the stated limits of the device give it: b = k T / 2 with the
+ * largest stated k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
  */
 inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
 {
@@ -78,7 +78,7 @@ struct DeviceSample
 {
   Vector3 Tip;               ///< m
   std::uint32_t Buttons = 0; ///< bit 0 is the main button
-  bool Fresh = false;        ///< measured since the last Read
+  bool Fresh = false;        ///< whether the tip was measured since the last Read
   /// Since the last Read, the device has shown that it is connected and that the tip has not moved.
   /// For devices that are silent at rest; always true if Fresh is.
   bool Alive = false;
@@ -92,7 +92,7 @@ struct DeviceSample
   /// norm, and treats it as invalid if the norm is not 1 within UnitTolerance, or if a number is
   /// not finite.
   Quaternion Orientation;
-  bool HasOrientation = false; ///< Orientation is valid; false if the device measures none
+  bool HasOrientation = false; ///< whether Orientation is valid; false if the device measures none
 };
 
 /** The order to a device in a tick. */
@@ -117,8 +117,8 @@ enum class DeviceState : std::uint8_t
 /** How far a device is from accepting forces, for displays. */
 enum class DeviceStage : std::uint8_t
 {
-  Firmware, ///< its firmware is being loaded
-  Homing,   ///< its encoders wait until the hand moves them
+  Firmware, ///< the device's firmware is being loaded
+  Homing,   ///< the encoders wait until the hand moves them
   Ready,
   Lost ///< unplugged or broken
 };
@@ -128,7 +128,7 @@ struct DeviceCondition
 {
   DeviceStage Stage = DeviceStage::Ready;
   std::array<char, 320>
-    Text{}; ///< what the hand has to do, or the fault and the cure; may be empty
+    Text{}; ///< what the user has to do, or the fault and the cure; may be empty
 };
 
 class DeviceBackend
@@ -141,15 +141,15 @@ public:
 
   ///@{
   /**
-   * Called outside the servo loop. Open returns false, with the reason and the cure, if the device
-   * can't be opened; Close sends zero force first. A device that has to be homed opens at once, and
-   * is NotReady until it is homed.
+   * Open and Close the device; called outside the servo loop. If the device can't be opened, Open
+   * returns false and writes the reason and the cure to `error`. Close sends zero force first. A
+   * device that has to be homed opens at once, and is NotReady until it is homed.
    */
   virtual bool Open(std::string& error) = 0;
   virtual void Close() = 0;
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
-  /** Called at any time, from the owner's thread. */
+  /** Returns the device's condition. Called at any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
   /**
    * Returns a name that identifies this device, once it is open: its kind and serial number, or its
@@ -159,18 +159,19 @@ public:
    */
   virtual std::string GetIdentity() const { return {}; }
   /**
-   * Whether GetIdentity identifies this device only. False if another device may have the same
-   * name, because this one reports neither a serial number nor its port: then the user's
-   * confirmation and calibration hold until Close.
+   * Returns whether GetIdentity identifies this device only. False if another device may have the
+   * same name, because this device reports neither a serial number nor its port; the user's
+   * confirmation and calibration then hold until Close.
    */
   virtual bool KeepsIdentity() const { return true; }
   /**
-   * Sets how many newtons the device really gives for each newton that it is asked for. From then
-   * on forces and limits are true newtons.
+   * Sets how many newtons the device really gives for each newton that it is asked for. Forces and
+   * limits are true newtons after that.
    */
   virtual void SetForceScale(double) noexcept {}
   /**
-   * Homes the encoders again, for example after they lost their zero: NotReady until that is done.
+   * Homes the encoders again, for example after they lost their zero. The device is NotReady until
+   * then.
    */
   virtual void Home() noexcept {}
   /**
@@ -196,11 +197,14 @@ public:
   ///@}
 
   /**
-   * Called from any thread if the servo thread does not answer: ends force and torque until Write
-   * or Send is called again.
+   * Ends force and torque until Write or Send is called again. Called from any thread if the servo
+   * thread does not answer.
    */
   virtual void Quench() noexcept = 0;
-  /** Called from any thread, after Quench: returns whether the device has received the order. */
+  /**
+   * Returns whether the device has received the order of Quench. Called from any thread, after
+   * Quench.
+   */
   virtual bool IsAtRest() const noexcept { return true; }
 };
 

@@ -20,9 +20,9 @@ namespace VolumeHaptics
 class DriftLine
 {
 public:
-  /** s, between two stored tips. */
+  /** Time (s) between two stored tips. */
   static constexpr double Spacing = 0.008;
-  /** The number of stored tips, and of the tips that a line is fitted to. */
+  /** The number of stored tips, and the number of tips that a line is fitted to. */
   static constexpr int Capacity = 50;
   static constexpr int Fitted = 31;
 
@@ -33,8 +33,8 @@ public:
   bool IsFull() const noexcept { return this->Count == Capacity; }
 
   /**
-   * The largest distance (m) of the newer tips, along each axis, from a line through the older
-   * ones. Call it only when all places are full.
+   * Returns the largest distance (m) of the newer tips, along each axis, from a line through the
+   * older tips. Call it only when all places are full.
    */
   Vector3 ComputeSurprise() noexcept;
 

@@ -122,7 +122,7 @@ bool EnergyObserver::CountCycle(const Instant& from, const Instant& to, double l
   return gives;
 }
 
-/** Judges the last cycles of the row. */
+/** Returns whether the last cycles of the row give energy. */
 bool EnergyObserver::IsGiving(std::size_t cycles, double leastGain) const noexcept
 {
   if (this->Count < cycles)

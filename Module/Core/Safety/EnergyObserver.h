@@ -95,26 +95,27 @@ public:
   /** Clears everything: force and tip are unknown. */
   void Reset() noexcept;
 
-  /** Treats the energy so far as no fault of the loop: the row begins anew. */
+  /** Excuses the energy so far as no fault of the loop: the row begins anew. */
   void Excuse() noexcept;
 
   /**
-   * Processes a measurement of the tip (m), with the time (s) since the one before. Returns true if
-   * the port gives energy; the row then begins anew.
+   * Processes a measurement of the tip (m), with the time (s) since the last measurement. Returns
+   * true if the port gives energy; the row then begins anew.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * Records, in every tick, the force (N) until the next one, without its purely dissipative part,
-   * and the work (J) of a wall that moves.
+   * Records the force (N) until the next tick, without its purely dissipative part, and the work
+   * (J) of a wall that moves. Called in every tick.
    */
   void RecordSent(const Vector3& force, double wallWork = 0.0) noexcept;
 
   /**
-   * The energy (J) that the port itself has given since Reset; below zero, the hand has put it in.
+   * Returns the energy (J) that the port itself has given since Reset; below zero, the hand has put
+   * it in.
    */
   double GetEnergy() const noexcept { return this->Energy; }
-  /** The number of cycles in the row. */
+  /** Returns the number of cycles in the row. */
   std::size_t GetCount() const noexcept { return this->Count; }
 
 private:
@@ -140,13 +141,13 @@ private:
   double Path = 0.0;
   double Energy = 0.0;
   double WallWork = 0.0; ///< J, the sum of absolute values
-  Vector3 SentSum;       ///< N, of all ticks since the last measurement
+  Vector3 SentSum;       ///< N, the sum of the forces sent in all ticks since the last measurement
   double SentCount = 0.0;
   double Force = 0.0; ///< N, the last force sent
 
-  bool Rises = false;   ///< E rises since its last extreme
-  bool HasPeak = false; ///< Peak is a maximum
-  Instant Extreme;      ///< the highest or lowest E since it turned
+  bool Rises = false;   ///< whether E rises since its last extreme
+  bool HasPeak = false; ///< whether Peak is a maximum
+  Instant Extreme;      ///< the highest or lowest E since its direction changed
   Instant Peak;         ///< the last maximum
   double Low = 0.0;     ///< J, the last minimum
   double Swing = 0.0;   ///< J, the last swing
@@ -156,9 +157,9 @@ private:
     double Taken = 0.0; ///< J
     double Given = 0.0; ///< J
   };
-  std::array<Cycle, Cycles> Row{}; ///< a ring
+  std::array<Cycle, Cycles> Row{}; ///< a ring of the last cycles
   std::size_t Count = 0;
-  double Largest = 0.0; ///< J, the largest in the row
+  double Largest = 0.0; ///< J, the largest energy given back in the row
 };
 
 } // namespace VolumeHaptics

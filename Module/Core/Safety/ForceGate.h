@@ -113,7 +113,7 @@ enum class GateReason : std::uint8_t
   LongWork,   ///< held by the owner
   NoSamples,  ///< no sample came within SafetyLimits::WatchdogTime
   NoData,     ///< some samples of the volume around the tip are missing (Residency.h)
-  Rising,     ///< after Arm, a hold, a gap, missing data or a new model
+  Rising,     ///< the force rises after Arm, a hold, a gap, missing data or a new model
   Confirming, ///< small pushes find out the device's signs
   Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
   WrongSign,  ///< a fault: the device moves against the force
@@ -128,7 +128,7 @@ constexpr bool IsFault(GateReason reason) noexcept
     reason == GateReason::Unmoved || reason == GateReason::WrongSign ||
     reason == GateReason::Active;
 }
-/** The fault that needs Arm; None if there is none. */
+/** Returns the fault that needs Arm; None if there is none. */
 constexpr GateReason ComputeFault(GateState state, GateReason reason) noexcept
 {
   const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
@@ -143,40 +143,41 @@ public:
 
   ///@{
   /**
-   * Orders, before a tick. Arm returns true if it changes anything: the contact before then no
-   * longer counts. `isSole` is false if other orders came at the same time, one of which may have
-   * been Disarm.
+   * Orders, given before a tick. Arm returns true if it changes anything; the contact before then
+   * no longer counts. `isSole` is false if other orders came at the same time, one of which may
+   * have been Disarm.
    */
   bool Arm(bool isSole = true) noexcept;
   void Disarm() noexcept;
   void FadeOut() noexcept;
   void SetHeld(bool held) noexcept;
-  /** Whether the device's signs have yet to be confirmed. */
+  /** Sets whether the device's signs have yet to be confirmed. */
   void SetUnconfirmed(bool unconfirmed) noexcept;
-  /** Returns true if it armed the gate, as Arm does. */
+  /** Returns true if the call armed the gate, as Arm does. */
   bool SetClutched(bool clutched) noexcept;
   ///@}
 
   ///@{
   /**
-   * ReportSilence: the owner was silent for longer than SafetyLimits::AttentionTime.
-   * ReportNotReady: the device is not ready.
+   * ReportSilence reports that the owner was silent for longer than SafetyLimits::AttentionTime,
+   * ReportNotReady that the device is not ready.
    */
   void ReportSilence() noexcept;
   void ReportNotReady() noexcept;
   ///@}
 
-  /** A new model would let the force leap. */
+  /** Reports that a new model would let the force leap. */
   void ReportJump() noexcept;
   /** Sets the share of the data for this tick of a period (s): 1, or the residency. */
   void ReportData(double residency, double period) noexcept;
 
   ///@{
   /**
-   * SafetyStage calls these in this order: a fault, or a loop that swings although it is damped, so
-   * that the force fades with a fault; a gap, that is, missing samples; then one of Pass (which
-   * returns the share, of the pushes if there are some, and raises the ramp by a step),
-   * ReportRetreat and Cut; and last whether force flows to the device.
+   * SafetyStage calls these in this order: ReportFault, or ReportUnstable for a loop that swings
+   * although it is damped, so that the force fades with a fault; ReportGap for missing samples;
+   * then Pass (which returns the share, that of the pushes if there are some, and raises the ramp
+   * by a step), ReportRetreat or Cut; and last ReportCommand, which tells whether force flows to
+   * the device.
    */
   void ReportFault(GateReason fault) noexcept;
   void ReportUnstable() noexcept;
@@ -194,18 +195,21 @@ public:
   {
     return this->State != GateState::Disarmed && this->State != GateState::Fault;
   }
-  /** The share in the last tick: 0 to 1. */
+  /** Returns the share in the last tick: 0 to 1. */
   double GetShare() const noexcept { return this->Share; }
-  /** The share that remains after fades, holds and missing data, without the ramp: 0 to 1. */
+  /**
+   * Returns the share that remains after fades, holds and missing data, without the ramp: 0 to 1.
+   */
   double GetOpening() const noexcept { return this->Opening; }
-  /** Whether an order moves the opening to 0, independent of the data. */
+  /** Returns whether an order moves the opening to 0, independent of the data. */
   bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
   /**
-   * Whether the last force falls to zero by itself, or has done so, because samples are missing.
+   * Returns whether the last force falls to zero by itself, or has done so, because samples are
+   * missing.
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
   bool IsUnconfirmed() const noexcept { return this->Unconfirmed; }
-  /** Whether the gate is held and no force flows any more. */
+  /** Returns whether the gate is held and no force flows any more. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
   /** Returns true once after an event that makes the proxy begin at the tip. */
@@ -222,7 +226,7 @@ private:
   void Shut(GateReason why) noexcept;
   void EndFade() noexcept;
   void EndInFault(GateReason fault) noexcept;
-  /** Sets the open state by its causes. */
+  /** Sets the open state from its causes. */
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;
@@ -235,8 +239,8 @@ private:
   bool Returns = false; ///< whether the force returns after the clutch
   bool Rests = false;
   bool Retreats = false;
-  bool Retreated = false; ///< retreated at the end of the last tick
-  bool Flows = false;     ///< the last command had force
+  bool Retreated = false; ///< whether the force had retreated at the end of the last tick
+  bool Flows = false;     ///< whether the last command had force
   bool Restarts = false;
   double Data = 1.0; ///< the share of the data
   double Opening = 1.0;

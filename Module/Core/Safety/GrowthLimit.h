@@ -65,7 +65,7 @@ struct GrowthInput
   Vector3 Wanted;          ///< N
   Vector3 Drag;            ///< N, the purely dissipative part of Wanted, if known
   Vector3 Tip;             ///< m
-  bool IsMeasured = false; ///< the tip was measured since the last Apply, even if it rests
+  bool IsMeasured = false; ///< whether the tip was measured since the last Apply, even if it rests
   double Share = 1.0;      ///< the share of Wanted that may be sent: 0 to 1
   double Growth = 0.0;     ///< N, the largest growth above the last force
   /** The most energy (J) that the hand can get back from Wanted; negative if it is not known. */
@@ -83,23 +83,23 @@ public:
 
   /**
    * Returns the force to send: at most `Share` of the wanted force, and at most `Growth` above the
-   * last one.
+   * last force.
    */
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * Records that a smaller force in the direction of the last one was sent. The contact goes on;
+   * Records that a smaller force in the direction of the last force was sent. The contact goes on;
    * the tip is unknown until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 
   /**
-   * Whether the account holds back more than a tenth of the wanted force: the hand was spared work
-   * on the way in, and has not pressed deeper since.
+   * Returns whether the account holds back more than a tenth of the wanted force, because the hand
+   * was spared work on the way in and has not pressed deeper since.
    */
   bool IsSoft() const noexcept { return this->ComputeMostShare() < 0.9; }
 
-  /** The last force sent (N). */
+  /** Returns the last force sent (N). */
   const Vector3& GetForce() const noexcept { return this->Sent; }
 
 private:
@@ -112,7 +112,7 @@ private:
   Vector3 Tip;
   bool HasTip = false;
   double LeastShare = 1.0; ///< smallest s since the tip was last measured
-  double MostShare = 1.0;  ///< largest s since then
+  double MostShare = 1.0;  ///< largest s since the tip was last measured
   double LastShare = 1.0;  ///< the last s
   double Work = 0.0;       ///< J
   double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 until something is held back

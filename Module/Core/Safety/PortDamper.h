@@ -48,13 +48,13 @@ public:
   bool IsEngaged() const noexcept { return this->Engaged; }
   ///@}
 
-  /** Processes a measurement of the tip (m), with the time (s) since the one before. */
+  /** Processes a measurement of the tip (m), with the time (s) since the last measurement. */
   void Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * Adds the damping to the force of the wall (N), in every tick of a period (s). The damping makes
-   * no force larger than `most` (N). `cap` is the largest B (N s/m) that the device holds; 0 if it
-   * is not limited.
+   * Returns the force of the wall (N) with the damping. Called in every tick of a period (s). The
+   * damping makes no force larger than `most` (N). `cap` is the largest B (N s/m) that the device
+   * holds; 0 if B is not limited.
    */
   Vector3 Apply(const Vector3& wall, double most, double cap, double period) noexcept;
 
@@ -69,7 +69,7 @@ private:
   bool Engaged = false;
   std::array<Measurement, Kept> Measurements{}; ///< a ring
   std::size_t Count = 0;
-  double Time = 0.0;    ///< s, at the last measurement
+  double Time = 0.0;    ///< s, time of the last measurement
   double Free = 0.0;    ///< s, since the wall last pushed
   double Taken = 0.0;   ///< J
   double Between = 0.0; ///< s, between the last two measurements

@@ -15,8 +15,8 @@ namespace
 /** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 15 mm/s. */
 constexpr double VelocityTime = 4e-3;
 /**
- * A tip that has not moved for this long (s) rests; before that, the device may just not have
- * reported.
+ * A tip that has not moved for this long (s) rests. Before that, the device may not have reported
+ * the motion yet.
  */
 constexpr double RestTime = 10e-3;
 /** A hand withstands a force for this long (s) after the force has fallen. */

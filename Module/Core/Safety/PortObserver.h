@@ -64,16 +64,16 @@ public:
   void Reset() noexcept;
 
   /**
-   * Processes a measurement of the tip (m), with the time (s) since the one before. Returns true if
-   * the device moves against the force.
+   * Processes a measurement of the tip (m), with the time (s) since the last measurement. Returns
+   * true if the device moves against the force.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
-  /** Records, in every tick, the force (N) on the device until the next one. */
+  /** Records the force (N) on the device until the next tick. Called in every tick. */
   void RecordSent(const Vector3& force) noexcept;
 
   ///@{
-  /** Energies (J) in the present contact; see above. */
+  /** Return energies (J) in the present contact; see above. */
   double GetRisingRunAway() const noexcept;
   double GetRunAway() const noexcept;
   ///@}
@@ -100,8 +100,8 @@ private:
   double Time = 0.0; ///< s
   Vector3 SentSum;   ///< N, the sum over all ticks since the last measurement
   double SentCount = 0.0;
-  double LargestForce = 0.0; ///< N, the largest in the recent past
-  double EarlierForce = 0.0; ///< N, smoothed over RiseTime
+  double LargestForce = 0.0; ///< N, the largest force in the recent past
+  double EarlierForce = 0.0; ///< N, the force smoothed over RiseTime
   Vector3 Velocity;          ///< m/s
   bool IsContact = false;
   double Work = 0.0;         ///< J

@@ -54,7 +54,7 @@ struct SafetyLimits
    * limit.
    */
   double AttentionTime = 0.0;
-  bool MovesTip = false;           ///< forces move the tip: see DeviceLimits
+  bool MovesTip = false;           ///< whether forces move the tip: see DeviceLimits
   double MaximumDamping = 0.0;     ///< N s/m, the largest that the device holds; 0: no limit
   double MaximumTorque = 0.0;      ///< N m; 0 lets no torque through: see TorqueStage.h
   double MaximumTorqueRate = 20.0; ///< N m/s, the fastest growth
@@ -71,26 +71,29 @@ struct SafetyInput
    * J: the work of a moving surface on the spring that pulls the hand, if the whole force flows.
    */
   double WallWork = 0.0;
-  bool IsNew = false;   ///< the force changed for another reason than the motion of the tip
+  bool IsNew = false;   ///< whether the force changed for another reason than the motion of the tip
   Vector3 Tip;          ///< m
   double Period = 1e-3; ///< s, nominal, for the slew limit and the ramp
   double Elapsed = 0.0; ///< s since the last tick, measured
-  bool Fresh = false;   ///< the tip was measured for this tick
-  bool Alive = false;   ///< the tip has not moved: see DeviceSample
+  bool Fresh = false;   ///< whether the tip was measured for this tick
+  bool Alive = false;   ///< whether the tip has not moved: see DeviceSample
   /**
-   * The time (s) that a fresh tip took to get here, by the device's own clock; 0 if it is not
-   * known. Then it is the time since the last fresh tip.
+   * The time (s) that a fresh tip took to get here, by the device's own clock; 0 if that time is
+   * not known. The stage then uses the time since the last fresh tip.
    */
   double MotionTime = 0.0;
   double RoundTrip = 0.0; ///< s, measured; 0 if it is not known
-  bool Lost = false;      ///< the device is gone
+  bool Lost = false;      ///< whether the device is gone
   Vector3 Torque;         ///< N m, as computed: only checked for finite numbers here
 };
 
 class SafetyStage
 {
 public:
-  /** The force to send. Reports its findings to the gate, and applies the gate's share. */
+  /**
+   * Returns the force to send. Reports the stage's findings to the gate, and applies the gate's
+   * share.
+   */
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
   /**
@@ -99,13 +102,13 @@ public:
    */
   void Reset() noexcept;
 
-  /** Whether the force is damped, because the loop swings by itself. */
+  /** Returns whether the force is damped, because the loop swings by itself. */
   bool IsDamping() const noexcept { return this->Damper.IsEngaged(); }
 
-  /** Whether a wall feels softer than wanted until the tip leaves it: see GrowthLimit. */
+  /** Returns whether a wall feels softer than wanted until the tip leaves it: see GrowthLimit. */
   bool IsSoft() const noexcept { return this->Growth.IsSoft(); }
 
-  /** Whether the last samples are older than the watchdog allows. */
+  /** Returns whether the last samples are older than the watchdog allows. */
   bool IsStale() const noexcept { return this->Stale; }
 
 private:
@@ -128,14 +131,14 @@ private:
   double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;
   double SampleAge = 0.0; ///< s, age of the last fresh sample
-  double Silence = 0.0;   ///< s, without a sign of the device
+  double Silence = 0.0;   ///< s, time without a sign of the device
   bool HasTip = false;
   bool Stale = false;
 };
 
 /**
  * Scales commands down together until the largest is within the limit, so that the direction stays.
- * All become zero if one is not finite.
+ * All commands become zero if one is not finite.
  */
 void SaturateTogether(double* commands, int count, double limit) noexcept;
 

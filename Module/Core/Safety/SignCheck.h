@@ -67,7 +67,7 @@ class SignCheck
 public:
   /** Distance (m) at which a push ends. */
   static constexpr double StopDistance = 0.8e-3;
-  /** The largest push: as a fraction of the device's force, and in newtons. */
+  /** The largest push, as a fraction of the device's force, and in newtons. */
   static constexpr double MostShare = 0.1;
   static constexpr double MostForce = 4.0;
 
@@ -85,7 +85,7 @@ public:
   void Interrupt() noexcept;
 
   const SignVerdict& GetVerdict() const noexcept { return this->Verdict; }
-  /** The axis of the present trial. */
+  /** Returns the axis of the present trial. */
   int GetAxis() const noexcept { return this->Axis; }
 
 private:
@@ -98,7 +98,7 @@ private:
   struct Votes
   {
     int With[2] = {};
-    int Against[2] = {}; ///< votes, by the direction of the push
+    int Against[2] = {}; ///< votes against the force, by the direction of the push
     int Unclear = 0;     ///< trials at the highest level without a clear vote
     int Trials = 0;
     int Level = 0;
@@ -117,16 +117,16 @@ private:
 
   SignVerdict Verdict;
   unsigned Axes = 0;
-  double Most = 0.0; ///< N, of a push
+  double Most = 0.0; ///< N, the largest force of a push
   Votes Tally[3];
   int Axis = 0;
   Phase Now = Phase::Rest;
   double Time = 0.0;           ///< s since Begin
   double Start = 0.0;          ///< s, when the phase began
-  double Duration = 0.0;       ///< s, of the push
+  double Duration = 0.0;       ///< s, duration of the push
   double Clear = 0.0;          ///< m: a smaller distance is no vote
-  double Farthest = 0.0;       ///< m, of the trial, with the sign of the motion
-  bool MustPushHarder = false; ///< the next time along this axis
+  double Farthest = 0.0;       ///< m, the farthest signed distance in the trial
+  bool MustPushHarder = false; ///< whether the next push along this axis has to be harder
   DriftLine Drift;
 };
 

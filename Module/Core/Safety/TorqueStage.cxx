@@ -14,7 +14,7 @@ void TorqueStage::UpdateTurn(const Quaternion& orientation) noexcept
 {
   const Quaternion turn = orientation * Conjugate(this->Last);
   const Vector3 axis = std::copysign(1.0, turn.W) * Vector3{ turn.X, turn.Y, turn.Z };
-  const double sine = Norm(axis); // of half the angle
+  const double sine = Norm(axis); // the sine of half the angle
   constexpr double small = 1e-6;
   const double length = sine > small ? 2.0 * std::asin(std::min(sine, 1.0)) / sine : 2.0;
   this->Turned += length * axis;

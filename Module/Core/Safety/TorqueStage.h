@@ -33,8 +33,8 @@ struct TorqueInput
 {
   Vector3 Torque;          ///< N m, as computed
   double Stiffness = 0.0;  ///< N m/rad, of the torque's spring; 0 if there is none
-  Quaternion Orientation;  ///< of the stylus, a unit quaternion
-  bool IsMeasured = false; ///< measured for this tick
+  Quaternion Orientation;  ///< orientation of the stylus, a unit quaternion
+  bool IsMeasured = false; ///< whether the orientation was measured for this tick
   double Period = 1e-3;    ///< s, for the limit of growth
 };
 

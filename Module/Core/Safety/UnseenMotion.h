@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether the force's work along motion (m), which took time (s), is unknown: the tip was not
- * measured for more than 30 ms, or was faster than a hand, 5 m/s.
+ * Returns whether the force's work along a motion (m) that took a time (s) is unknown: the tip was
+ * not measured for more than 30 ms, or was faster than a hand, 5 m/s.
  */
 inline bool IsUnseenMotion(const Vector3& motion, double time) noexcept
 {

@@ -51,17 +51,17 @@ struct DataClockOrders
   Playback Mode = Playback::Once;
   bool Plays = false;
   double Rate = 1.0;        ///< data time per second
-  double Place = 0.0;       ///< a data time to go to; beyond the series, its nearest end
+  double Place = 0.0;       ///< the data time to go to; beyond the series, the series's nearest end
   std::uint32_t Places = 0; ///< changes whenever Place is set
 };
 
 /** The report of the clock after a tick. */
 struct DataClockReport
 {
-  bool IsMoving = false;    ///< the volume is one that moves, also while time holds
-  bool IsWaiting = false;   ///< time steps have not come: time holds
-  bool IsBackward = false;  ///< time runs backward, or would if it did not hold
-  double Wanted = 0.0;      ///< if it waits: the data time whose time steps are wanted
+  bool IsMoving = false;    ///< whether the volume is one that moves, also while time holds
+  bool IsWaiting = false;   ///< whether time holds because time steps have not come
+  bool IsBackward = false;  ///< whether time runs backward, or would if it did not hold
+  double Wanted = 0.0;      ///< if the clock waits: the data time whose time steps are wanted
   std::uint32_t Places = 0; ///< the value of Places in the orders that are in use
 };
 
@@ -71,17 +71,17 @@ public:
   enum class Leap : std::uint8_t
   {
     None,
-    Within, ///< to another time of the model: the force may leap
+    Within, ///< The clock went to another time of the model: the force may leap.
     /** The last time is not in the model, or the last tick's model had only one time step. */
     Away
   };
   /**
-   * Called before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to
-   * begin at the tip.
+   * Sets state.DataTime for a tick of a period (s), and returns how the time leapt. Called before
+   * the tick. After Leap::Away, the tick has to begin at the tip.
    */
   Leap Update(const BakedVolume& volume, const DataClockOrders& orders, double period,
     ServoState& state) noexcept;
-  /** Called before a tick without a volume that moves. */
+  /** Reports that no volume moves. Called before a tick without a volume that moves. */
   void Rest() noexcept;
 
   const DataClockReport& GetReport() const noexcept { return this->Report; }
@@ -97,10 +97,10 @@ private:
 
   DataClockReport Report;
   std::uint64_t Number = 0; ///< BakedVolume::Number of the last tick
-  std::uint32_t Places = 0; ///< Places of the orders that were reached
+  std::uint32_t Places = 0; ///< Places of the orders whose Place was reached
   bool HasTime = false;
-  bool IsReturning = false; ///< PingPong: on the way back
-  bool WasInstant = false;  ///< the last tick's model had one time step only
+  bool IsReturning = false; ///< PingPong: whether time is on the way back
+  bool WasInstant = false;  ///< whether the last tick's model had one time step only
 };
 
 } // namespace VolumeHaptics

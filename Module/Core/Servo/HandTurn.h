@@ -25,16 +25,16 @@ public:
 
   ///@{
   /**
-   * Called by the owner: orders a unit quaternion in the device's space. There is no orientation
-   * before the first call.
+   * Orders an orientation: a unit quaternion in the device's space. There is no orientation before
+   * the first call. Called by the owner.
    */
   void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
   void Forget() noexcept { this->Orders.Write({}); }
   ///@}
 
   /**
-   * Called by the servo, once a tick of a period (s): sets the orientation, unless the device
-   * measured it. Returns true if there is one.
+   * Sets the orientation, unless the device measured it; returns true if there is an orientation.
+   * Called by the servo, once in a tick of a period (s).
    */
   bool Update(double period, Quaternion& orientation, bool isMeasured) noexcept;
 

@@ -33,7 +33,10 @@ public:
   ///@}
 
   ///@{
-  /** Called by the servo. */
+  /**
+   * PollResult returns the slow loop's latest result, without a surface if the result does not
+   * answer `local`; Send passes on the request. Called by the servo.
+   */
   LocalSurfaceResult PollResult(const HapticModel& model, const LocalState& local) noexcept;
   void Send(const HapticModel& model, const LocalState& local) noexcept;
   ///@}

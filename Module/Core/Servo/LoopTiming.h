@@ -35,7 +35,10 @@ public:
   /** A longer interval (ns) is no period: the device rested, or something stood still. */
   static constexpr std::int64_t LongestPeriod = 30000000;
 
-  /** The smallest step (m) of a device that is silent at rest: DeviceLimits::LeastMotion. */
+  /**
+   * `leastMotion` is the smallest step (m) of a device that is silent at rest:
+   * DeviceLimits::LeastMotion.
+   */
   explicit LoopTiming(double leastMotion) noexcept
     : LeastMotion(leastMotion)
   {
@@ -43,18 +46,18 @@ public:
 
   ///@{
   /**
-   * Called by the servo once a tick: the sample, with a Time, at a time `now` (ns). Returns the
-   * time (s) that the tip took from its last place, by the device's own clock: at least a typical
-   * report period, if the thread that takes the reports was held up. 0 if the sample is not new, or
-   * the first.
+   * Records a sample, with a Time, at a time `now` (ns). Returns the time (s) that the tip took
+   * from its last place, by the device's own clock: at least a typical report period, if the thread
+   * that takes the reports was held up; 0 if the sample is not new, or the first. Called by the
+   * servo once in a tick.
    */
   double RecordSample(const DeviceSample& sample, std::int64_t now) noexcept;
-  /** Records a force that the device has taken; a repeated or older one changes nothing. */
+  /** Records a force that the device has taken; a repeated or older force changes nothing. */
   void RecordTaken(const TakenForce& taken) noexcept;
   ///@}
 
   ///@{
-  /** Any thread: upper figures (s) of about the last second; 0 until they are known. */
+  /** Return upper figures (s) of about the last second; 0 until they are known. From any thread. */
   double GetReportPeriod() const noexcept;
   double GetRoundTrip() const noexcept;
   ///@}
@@ -72,9 +75,9 @@ private:
   const double LeastMotion;
   std::array<Measurement, Kept> Last{}; ///< a ring
   std::uint64_t Count = 0;
-  Vector3 Tip;              ///< at the last measurement
-  std::int64_t AliveAt = 0; ///< ns: the device reported no motion
-  bool Continues = false;   ///< the next tip continues the motion from the last one
+  Vector3 Tip;              ///< the tip at the last measurement
+  std::int64_t AliveAt = 0; ///< ns, the last time at which the device reported no motion
+  bool Continues = false;   ///< whether the next tip continues the motion from the last one
   TakenForce Acting;
   RecentDurations Reports;
   RecentDurations RoundTrips;

@@ -31,9 +31,9 @@ class ToolMemory;
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
-  std::shared_ptr<ToolMemory> Tool; ///< for the servo; null if the model's tool needs none
+  std::shared_ptr<ToolMemory> Tool; ///< tool's memory, for the servo; null if it needs none
   std::uint64_t Generation = 0;
-  MemoryLock Lock; ///< locks the tables of both
+  MemoryLock Lock; ///< locks the tables of Model and Tool
 };
 
 class ModelExchange
@@ -45,15 +45,15 @@ public:
   ModelExchange& operator=(const ModelExchange&) = delete;
 
   ///@{
-  /** Called by the publishing thread. */
+  /** Publishes a model, and returns the model's generation. Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** The tool memory of the model that was published last; null if it needs none. */
+  /** Returns the tool memory of the model that was published last; null if the model needs none. */
   const std::shared_ptr<ToolMemory>& GetTool() const noexcept { return this->Kept.back()->Tool; }
   /** Frees the models that no other thread uses. */
   void Collect();
-  /** From any thread: whether the tables of a model could not be kept in memory. */
+  /** Returns whether the tables of a model could not be kept in memory. From any thread. */
   bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
-  /** The generation that the servo has seen. */
+  /** Returns the generation that the servo has seen. */
   std::uint64_t GetAcknowledged() const noexcept
   {
     return this->Acknowledged.load(std::memory_order_acquire);

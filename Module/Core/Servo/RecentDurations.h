@@ -27,13 +27,16 @@ public:
   static constexpr std::int64_t Span = 1000000000; ///< ns, the largest sum of the durations used
 
   ///@{
-  /** Called by the one writer. The first figures come with the Stride-th duration (ns). */
+  /**
+   * Adds a duration (ns). Called by the one writer. The first figures come with the Stride-th
+   * duration.
+   */
   void Add(std::int64_t nanoseconds) noexcept;
   void Reset() noexcept;
   ///@}
 
   ///@{
-  /** In ns; 0 until the first figures are known. */
+  /** Return the figures in ns; 0 until the first figures are known. */
   std::int64_t GetUpper() const noexcept { return this->Upper.load(std::memory_order_relaxed); }
   std::int64_t GetTypical() const noexcept { return this->Typical.load(std::memory_order_relaxed); }
   ///@}

@@ -32,27 +32,28 @@ class ResidentServo
 {
 public:
   /**
-   * One tick of a period (s). Computes the whole force, of which the gate's share is felt. `record`
-   * is the record of the tick before; `tool` is as for VolumeHaptics::Tick.
+   * Runs one tick of a period (s). Computes the whole force, of which the gate's share is felt.
+   * `record` holds the record of the last tick, and receives the new record; `tool` is as for
+   * VolumeHaptics::Tick.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
     ToolMemory* tool = nullptr) noexcept;
-  /** A tick of a period (s) without a model. */
+  /** Runs a tick of a period (s) without a model. */
   void Rest(double period, ForceGate& gate) noexcept;
 
-  /** Whether missing data reduced the last tick's force. */
+  /** Returns whether missing data reduced the last tick's force. */
   bool IsAwaiting() const noexcept { return this->Awaits; }
-  /** Whether so many were missing that the last tick was not computed. */
+  /** Returns whether so many data were missing that the last tick was not computed. */
   bool LacksData() const noexcept { return this->Lacks; }
 
 private:
   bool Awaits = false;
   bool Lacks = false;
-  bool IsOut = false; ///< the old force has to end before a new one begins
+  bool IsOut = false; ///< whether the old force has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last force
   Vector3 Lag;        ///< while IsOut: proxy minus tip
-  TickMemory Taps;    ///< of the last tick
+  TickMemory Taps;    ///< memory of the last tick
 };
 
 } // namespace VolumeHaptics

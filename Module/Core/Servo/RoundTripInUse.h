@@ -27,18 +27,18 @@ public:
   void Reset() noexcept { *this = RoundTripInUse(); }
 
   /**
-   * Updates it with the measured round trip (s; 0 if it is not known, or the servo's period if that
-   * is longer), at a time `now` (ns); `isFelt`: whether anything is felt. Returns true if the round
-   * trip in use has changed.
+   * Updates the round trip in use with the measured one (s; 0 if it is not known, or the servo's
+   * period if that is longer), at a time `now` (ns); `isFelt` tells whether anything is felt.
+   * Returns true if the round trip in use has changed.
    */
   bool Update(double measured, std::int64_t now, bool isFelt) noexcept;
 
-  /** s; 0 if it is not known yet. */
+  /** Returns the round trip in use (s); 0 if it is not known yet. */
   double Get() const noexcept { return this->Used; }
 
 private:
   double Used = 0.0;
-  std::int64_t ShorterSince = 0; ///< ns; 0 if the measured one is not shorter
+  std::int64_t ShorterSince = 0; ///< ns, when the measured round trip became shorter; 0: it is not
 };
 
 } // namespace VolumeHaptics

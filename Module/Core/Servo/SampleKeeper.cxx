@@ -29,14 +29,14 @@ constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
  */
 constexpr double Fractions[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
-/** The largest number of index steps along each axis for a vector of length 1. */
+/** Returns the largest number of index steps along each axis for a vector of length 1. */
 Vector3 StepsOf(const Affine3& toIndex) noexcept
 {
   const Matrix3& m = toIndex.Linear;
   return { Norm(m.Row[0]), Norm(m.Row[1]), Norm(m.Row[2]) };
 }
 
-/** The samples of a view between two indices, with a reach beyond them. */
+/** Returns the box of the samples of a view between two indices, with a reach beyond them. */
 SampleBox MakeBox(
   const VolumeView& view, const Vector3& low, const Vector3& high, const Vector3& reach) noexcept
 {
@@ -140,7 +140,7 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
     };
     return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
   };
-  // Pages that stay are locked before the old ones are unlocked, if both fit into the limit.
+  // Pages that stay are locked before the old pages are unlocked, if both fit into the limit.
   std::unique_ptr<MemoryLock> next = lock();
   if (!next && kept.Lock && !this->IsStopping())
   {

@@ -46,8 +46,8 @@ struct SamplePages
 };
 
 /**
- * The whole pages that hold a box of samples, ascending and disjoint. Stops, and returns false, if
- * they have more than `most` bytes.
+ * Collects the whole pages that hold a box of samples, ascending and disjoint. If the pages have
+ * more than `most` bytes, stops and returns false.
  */
 bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages);
@@ -64,12 +64,15 @@ public:
   static constexpr std::size_t MostBytes = std::size_t{ 1 } << 22;
 
   ///@{
-  /** Runs on the thread until it is stopped; then all pages are unlocked. */
+  /**
+   * Keeps samples in memory until the loop is stopped; then unlocks all pages. Runs on the keeper's
+   * thread.
+   */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
 
-  /** Called by the servo in every tick: tip and proxy (device). */
+  /** Passes on tip and proxy (device). Called by the servo in every tick. */
   void Update(const Vector3& tip, const Vector3& proxy) noexcept
   {
     this->Places.Write({ tip, proxy });
@@ -77,8 +80,8 @@ public:
 
   ///@{
   /**
-   * From any thread: the number of polls that had samples to keep, and whether some samples were
-   * not locked after the last poll.
+   * Return the number of polls that had samples to keep, and whether some samples were not locked
+   * after the last poll. From any thread.
    */
   std::uint64_t GetLooks() const noexcept { return this->Looks.load(std::memory_order_acquire); }
   bool IsLockRefused() const noexcept { return this->Refused.load(std::memory_order_relaxed); }
@@ -94,13 +97,13 @@ private:
   struct Kept
   {
     const void* Of = nullptr; ///< the array's first sample
-    SampleBox Enough;         ///< the box stays as long as ticks read within this
+    SampleBox Enough;         ///< the box stays as long as ticks read within this box
     bool IsLocked = false;
     std::unique_ptr<MemoryLock> Lock;
   };
 
   void Look();
-  /** `reach` is in index steps. */
+  /** Keeps the samples around tip and proxy. `reach` is in index steps. */
   void Keep(const VolumeView& view, const Affine3& deviceToIndex, const Vector3& reach, Kept& kept);
   void Lock(const std::vector<SamplePages>& pages, Kept& kept);
   bool IsStopping() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
@@ -117,7 +120,7 @@ private:
   Vector3 NextTip; ///< the expected place of the tip at the next poll
   Kept Scalars;
   Kept Labels;
-  Kept LabelFractions; ///< for FineLabels
+  Kept LabelFractions; ///< the fractions of FineLabels
 };
 
 } // namespace VolumeHaptics

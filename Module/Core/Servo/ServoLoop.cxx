@@ -327,7 +327,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   }
 }
 
-/** The push of the check of the device's signs, while the gate waits for its verdict. */
+/** Returns the push of the check of the device's signs, while the gate waits for the verdict. */
 Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
 {
   const bool isUnderWay =
@@ -376,7 +376,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Force = s.Record.Force;
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
-    // If data are missing, the force is that of an earlier tick.
+    // If data are missing, the force comes from an earlier tick.
     input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }
   input.Torque = s.Record.Torque;

@@ -51,7 +51,7 @@ namespace VolumeHaptics
 struct ServoSnapshot
 {
   TickRecord Record;            ///< computed by the tick, before the safety stage
-  ServoState Before;            ///< the state before the tick; if it is not enabled, the force is 0
+  ServoState Before;            ///< state before the tick; the force is 0 if it is not enabled
   bool IsKept = false;          ///< whether the tool's memory keeps a copy for Before
   ModeForces Modes{};           ///< N, per mode of PRIMITIVES, before the safety stage
   Vector3 Command;              ///< N, sent to the device
@@ -62,19 +62,19 @@ struct ServoSnapshot
   std::uint32_t Buttons = 0;
   Vector3 Turn;                ///< rad/s, see DeviceSample
   Quaternion Orientation;      ///< the stylus's, see DeviceSample; tools turn with it
-  bool HasOrientation = false; ///< Orientation is valid; it is a unit quaternion in any case
-  bool IsOrdered = false;      ///< Orientation comes from ServoLoop::TurnHand
+  bool HasOrientation = false; ///< Orientation is valid; it is always a unit quaternion
+  bool IsOrdered = false;      ///< whether Orientation comes from ServoLoop::TurnHand
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
-  bool Stale = false;                      ///< the tip is older than the watchdog allows
+  bool Stale = false;                      ///< whether the tip is older than the watchdog allows
   bool IsSoft = false;                     ///< see SafetyStage::IsSoft
-  bool Awaiting = false;                   ///< missing data held force back
+  bool Awaiting = false;                   ///< whether missing data held force back
   double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
   std::uint32_t Orders = 0;                ///< orders seen by the tick: see ServoLoop::GetOrders
   DeviceState Device = DeviceState::Running;
-  SignVerdict Signs;     ///< the check's, since RequireConfirmation
-  DataClockReport Clock; ///< for a volume that moves
+  SignVerdict Signs;     ///< the verdict of the check since RequireConfirmation
+  DataClockReport Clock; ///< the clock's report, for a volume that moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return ComputeFault(this->Gate, this->Reason); }
@@ -83,7 +83,7 @@ struct ServoSnapshot
 class ServoLoop
 {
 public:
-  /** The back end must be open, and outlive the loop. */
+  /** Makes a loop. The back end must be open, and outlive the loop. */
   ServoLoop(DeviceBackend& backend, double rate);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
@@ -128,10 +128,10 @@ public:
   std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
-  /** The generation that the loop has adopted. */
+  /** Returns the generation that the loop has adopted. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** The lowest generation of any state that is yet to be read or drained. */
+  /** Returns the lowest generation of any state that is yet to be read or drained. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
@@ -146,15 +146,17 @@ public:
   /** Stops the force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
   /**
-   * Whether the last of these orders was Arm, even if the loop has not seen it yet, and no clutch
-   * delays it.
+   * Returns whether the last of these orders was Arm, even if the loop has not seen it yet, and no
+   * clutch delays it.
    */
   bool IsArmOrdered() const noexcept
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
     return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
   }
-  /** The number of these orders, modulo 2^32: it shows which ones a tick has seen. */
+  /**
+   * Returns the number of these orders, modulo 2^32, which shows the orders that a tick has seen.
+   */
   std::uint32_t GetOrders() const noexcept
   {
     return static_cast<std::uint32_t>(OrdersOf(this->ArmCommand.load(std::memory_order_relaxed)));
@@ -167,7 +169,7 @@ public:
 
   ///@{
   /**
-   * While held, no force is sent, whatever other orders say. The force falls to zero as with
+   * Hold ends the force until Release, whatever other orders say. The force falls to zero as with
    * FadeOut, but the loop stays armed, and AttentionTime does not count. After Release and the end
    * of the fade, if the loop is armed and has no fault, the force rises as after Arm, with the
    * proxy on the tip. Called by the owner.
@@ -178,22 +180,22 @@ public:
     this->Attend();
     this->HoldWanted.store(false, std::memory_order_release);
   }
-  /** Whether the loop is held and has sent zero. */
+  /** Returns whether the loop is held and has sent zero. */
   bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
   ///@}
 
   ///@{
   /**
-   * While clutched, no force is sent, from the next tick on. Afterwards, force rises as after Arm
-   * if the loop was armed before the clutch or the last order was Arm: see the table of
-   * ForceGate.h.
+   * Sets whether the loop is clutched. A clutched loop sends no force, from the next tick on.
+   * Afterwards, force rises as after Arm if the loop was armed before the clutch or the last order
+   * was Arm: see the table of ForceGate.h.
    */
   void SetClutched(bool clutched) noexcept;
   bool IsClutched() const noexcept
   {
     return IsClutched(this->ArmCommand.load(std::memory_order_relaxed));
   }
-  /** Whether force returns after the clutch, according to the orders. */
+  /** Returns whether force returns after the clutch, according to the orders. */
   bool ReturnsAfterClutch() const noexcept
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
@@ -209,9 +211,9 @@ public:
   void Attend() noexcept;
 
   /**
-   * From the next tick on the volume is not felt until the loop, once it is armed, has confirmed
+   * Makes the volume unfelt from the next tick on, until the loop, once it is armed, has confirmed
    * that the device moves with the force (SignCheck.h). Called by the owner, before Arm; `axes` and
-   * `force` (N) are those of DeviceLimits.
+   * `force` (N) come from DeviceLimits.
    */
   void RequireConfirmation(unsigned axes, double force) noexcept
   {
@@ -221,8 +223,8 @@ public:
 
   ///@{
   /**
-   * How the hand holds its tool, in the device's space, if the device measures no orientation: see
-   * HandTurn.h.
+   * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
+   * see HandTurn.h.
    */
   void TurnHand(const Quaternion& orientation) noexcept { this->Hand.Order(orientation); }
   void ForgetTurn() noexcept { this->Hand.Forget(); }
@@ -246,7 +248,7 @@ public:
    * the last copy has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
-  /** Whether the copy is still to be made. If not, the loop has released the snapshot. */
+  /** Returns whether the copy has yet to be made. If not, the loop has released the snapshot. */
   bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
   /** Withdraws the order, from the next tick on. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
@@ -254,22 +256,24 @@ public:
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
   std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
 
-  /** Ticks executed since the start: a heartbeat for watchdogs. */
+  /** Returns the number of ticks executed since the start: a heartbeat for watchdogs. */
   std::uint64_t GetTickCount() const noexcept
   {
     return this->TickCount.load(std::memory_order_relaxed);
   }
 
   ///@{
-  /** Timing since the last ResetStatistics. */
+  /** Return the timing since the last ResetStatistics. */
   const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
   const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
-  /** Ticks in which the solver spent its budget (PreciseSolver.h). */
+  /** Returns the number of ticks in which the solver spent its budget (PreciseSolver.h). */
   std::uint64_t GetUnfinishedTicks() const noexcept
   {
     return this->UnfinishedTicks.load(std::memory_order_relaxed);
   }
-  /** Ticks whose force was held back because data were missing (Residency.h). */
+  /**
+   * Returns the number of ticks whose force was held back because data were missing (Residency.h).
+   */
   std::uint64_t GetAbsentTicks() const noexcept
   {
     return this->AbsentTicks.load(std::memory_order_relaxed);
@@ -279,8 +283,8 @@ public:
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
   /**
-   * How old the positions behind the forces are. Depends on how the device is read and written, not
-   * on the ticks.
+   * Returns how old the positions behind the forces are. This depends on how the device is read and
+   * written, not on the ticks.
    */
   const LoopTiming& GetTiming() const noexcept { return this->Timing; }
   double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
@@ -295,9 +299,9 @@ public:
   };
   RealTimeGrant GetRealTimePriority() const noexcept { return this->Priority.GetGrant(); }
   /**
-   * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
-   * loop's stack, and the tables of the models. The program's code, meshes, and the memory of a
-   * back end and its driver are never locked.
+   * Returns whether the loop's own memory stays in memory while it runs: this object with its
+   * buffers, the loop's stack, and the tables of the models. The program's code, meshes, and the
+   * memory of a back end and its driver are never locked.
    */
   Privilege GetLockedMemory() const noexcept
   {
@@ -305,8 +309,8 @@ public:
     return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
   }
   /**
-   * Whether the samples around the tip stay in memory; Unknown if there are none, or without their
-   * thread.
+   * Returns whether the samples around the tip stay in memory; Unknown if there are no such
+   * samples, or if RunSampleKeeper does not run.
    */
   Privilege GetLockedSamples() const noexcept
   {
@@ -327,8 +331,8 @@ private:
   ///@{
   /**
    * The parts of ArmCommand: the last order in two bits, whether the loop is clutched, how often
-   * that changed, and in the upper half the number of orders. One word, so that a tick sees a
-   * consistent state of all parts.
+   * the clutch has changed, and in the upper half the number of orders. All parts are in one word,
+   * so that a tick sees a consistent state of them.
    */
   static constexpr std::uint64_t ClutchBit = 4;
   static constexpr std::uint64_t ClutchStep = 8;
@@ -344,7 +348,7 @@ private:
   }
   static std::uint64_t OrdersOf(std::uint64_t command) noexcept { return command / OrderStep; }
   ///@}
-  /** From any thread. */
+  /** Replaces the last order. From any thread. */
   void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
@@ -365,8 +369,8 @@ private:
   void UpdateAttention(std::int64_t now) noexcept;
   ///@{
   /**
-   * A tick, and its steps in their order. `woken` is in ns of ServoClock, `start` in ns since the
-   * loop started, durations are in s.
+   * TickOnce is a tick; the other functions are the steps of a tick, in their order. `woken` is in
+   * ns of ServoClock, `start` in ns since the loop started, durations are in s.
    */
   void TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept;
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
@@ -410,15 +414,14 @@ private:
   // Used by the servo only.
   const PublishedModel* Current = nullptr;
   ServoState State;
-  bool IsModelNew = false;   ///< since the last tick
-  bool IsForceNew = false;   ///< the force changed in this tick for another reason than the motion
-                             ///< of the tip
-  bool IsContactNew = false; ///< the proxy has to begin at the tip, because the model is new
+  bool IsModelNew = false;   ///< whether the model is new since the last tick
+  bool IsForceNew = false;   ///< the force changed in this tick, but not by the tip's motion
+  bool IsContactNew = false; ///< a new model makes the proxy begin at the tip
   DataClock Clock;
   ResidentServo Servo;
-  HandTurn Hand; ///< ordered by the owner
+  HandTurn Hand; ///< the orientation that the owner orders
   ///@{
-  /** The device's, in the last tick. */
+  /** The device's orientation in the last tick. */
   Quaternion MeasuredOrientation;
   bool HasMeasured = false;
   ///@}

@@ -67,7 +67,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     state.Enabled = false;
     return;
   }
-  // The methods below do not always write these.
+  // The methods below do not always write these numbers.
   record.Tip = tip;
   record.DataTime = state.DataTime;
   record.Force = Vector3{};

@@ -19,8 +19,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Advances the state by one tick and writes what happened: all of the record, whose old contents do
- * not matter.
+ * Advances the state by one tick and writes all of the record, whose old contents do not matter.
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
@@ -33,15 +32,15 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   ToolMemory* tool = nullptr) noexcept;
 
 /**
- * The same as Tick, for the thread that owns the model's removal (if it has one): if requests to
- * the removal wait, carries out a piece of them instead of feeling.
+ * Does the same as Tick, for the thread that owns the model's removal (if the model has one). If
+ * requests to the removal wait, carries out a piece of them instead of feeling.
  */
 void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& tip,
   TickRecord& record, const LocalSurfaceResult& result, TickMemory* memory,
   ToolMemory* tool) noexcept;
 
 /**
- * The purely dissipative drag in a tick's force (N), against the hand's motion: that of
+ * Returns the purely dissipative drag in a tick's force (N), against the hand's motion: the drag of
  * FORCE_FIELD; zero for the methods that pull with a spring.
  * @param before the state before the tick, at its data time
  */

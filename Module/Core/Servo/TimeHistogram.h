@@ -19,7 +19,7 @@ namespace VolumeHaptics
 class TimeHistogram
 {
 public:
-  /** Called by the one writer. */
+  /** Counts a duration. Called by the one writer. */
   void Add(std::int64_t nanoseconds) noexcept
   {
     std::atomic<std::uint64_t>& bucket = this->Count[Bucket(nanoseconds)];
@@ -27,8 +27,8 @@ public:
   }
 
   /**
-   * The duration in ns below which a fraction (0 to 1) of the durations lie: the upper edge of its
-   * bucket. 0 if nothing was counted.
+   * Returns the duration in ns below which a fraction (0 to 1) of the durations lie: the upper edge
+   * of that duration's bucket. 0 if nothing was counted.
    */
   double GetPercentile(double fraction) const noexcept;
 

@@ -25,7 +25,10 @@ class TraceRing
   static_assert(std::is_trivially_copyable_v<T>);
 
 public:
-  /** The capacity is rounded up to a power of two. Allocates; the other members do not. */
+  /**
+   * Makes a ring; the capacity is rounded up to a power of two. Allocates; the other members do
+   * not.
+   */
   explicit TraceRing(std::size_t capacity)
     : Slot(RoundUp(capacity))
     , Mask(this->Slot.size() - 1)
@@ -50,7 +53,7 @@ public:
     return true;
   }
 
-  /** Called by the consumer. */
+  /** Called by the consumer: takes the oldest value; returns false if the ring is empty. */
   bool Pop(T& value) noexcept
   {
     const std::uint64_t tail = this->Tail.load(std::memory_order_relaxed);

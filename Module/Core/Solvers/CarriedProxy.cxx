@@ -26,13 +26,16 @@ struct Change
   bool IsNone = false;
 };
 
-/** PRECISE holds its proxy on levels of the estimator's own value; PAPER reads V. */
+/**
+ * Returns whether levels are the estimator's: PRECISE holds its proxy on levels of the estimator's
+ * own value, but PAPER reads V.
+ */
 bool HasOwnLevels(const HapticModel& model) noexcept
 {
   return model.Baked->Settings.Solver == HapticSolver::Precise;
 }
 
-/** Whether a sample belongs to the same material after a motion, apart from rounding. */
+/** Returns whether a sample belongs to the same material after a motion, apart from rounding. */
 bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double levelB) noexcept
 {
   const double slope = std::abs(a.Gradient.X) + std::abs(a.Gradient.Y) + std::abs(a.Gradient.Z);
@@ -41,7 +44,10 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
     std::abs(levelB - levelA) <= SameMaterial * (slope + std::abs(levelA));
 }
 
-/** @param from, index of the proxy, before and after its motion with the material */
+/**
+ * Computes the change of the volume at the proxy.
+ * @param from, index of the proxy, before and after its motion with the material
+ */
 Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
   const Vector3& from, const Vector3& index) noexcept
 {
@@ -50,7 +56,8 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    old = before.Gradient(from); // first, because it belongs to the older of both blends
+    old = before.Gradient(from); // read first, because the gradient belongs to the older of both
+                                 // blends
     change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
     change.LevelNow = change.Now.Value;
@@ -74,13 +81,16 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   return change;
 }
 
-/** Whether a surface of the scalars holds the proxy, or could hold it, judging by the last tick. */
+/**
+ * Returns whether a surface of the scalars holds the proxy, or could hold it, judging by the last
+ * tick.
+ */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {
   return !surface.IsWall && Carrying::IsSurfaceThere(state, surface.Fade);
 }
 
-/** The surface through an index, given the estimator's sample there. */
+/** Returns the surface through an index, given the estimator's sample there. */
 Surface ComputeThere(const HapticModel& model, ServoState& state, const FieldAtTime& now,
   const Vector3& index, const FieldSample& sample) noexcept
 {

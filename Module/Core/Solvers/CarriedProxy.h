@@ -41,8 +41,8 @@ namespace VolumeHaptics
 /** The volume at the carried proxy. */
 struct CarriedProxy
 {
-  Vector3 Shift;     ///< with the material, m
-  Vector3 Motion;    ///< by the level, m
+  Vector3 Shift;     ///< m, the proxy's motion with the material
+  Vector3 Motion;    ///< m, the proxy's motion by the level
   double Work = 0.0; ///< J, the wall's work against the spring
   /**
    * The surface through the proxy, with an ascending normal; none if the volume has not changed

@@ -19,8 +19,8 @@ struct TickMemory;
 struct TickRecord;
 
 /**
- * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between
- * tip and proxy, and one more.
+ * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between tip
+ * and proxy, and one voxel more.
  */
 constexpr double ResidencySpare = 3.0;
 
@@ -31,7 +31,7 @@ struct ReadBox
 {
   Vector3 Low;
   Vector3 High;
-  Vector3 Margin; ///< along each axis, on either side
+  Vector3 Margin; ///< margin along each axis, on either side
 
   void Include(const Vector3& index) noexcept
   {
@@ -43,7 +43,7 @@ struct ReadBox
 /** Further input of a method, beside model, state and record. */
 struct MethodInput
 {
-  const LocalSurfaceResult& Result; ///< of the slow loop
+  const LocalSurfaceResult& Result; ///< result of the slow loop
   TickMemory* Memory;               ///< saves time; may be null
 };
 
@@ -52,29 +52,31 @@ struct Method
 {
   /** Computes the force at record.Tip; writes all of the record that Tick() has not written. */
   void (*Step)(const HapticModel&, ServoState&, TickRecord&, const MethodInput&) noexcept;
-  /** The reach (index steps along each axis) of the samples read around tip and proxy. */
+  /** Returns the reach (index steps along each axis) of the samples read around tip and proxy. */
   Vector3 (*Reach)(const HapticModel&) noexcept;
-  /** Adds to a box what a tick reads beside the path between tip and proxy; null: nothing. */
+  /**
+   * Adds to a box the samples that a tick reads beside the path between tip and proxy; null: none.
+   */
   void (*Include)(const HapticModel&, const ServoState&, ReadBox&) noexcept = nullptr;
   /**
-   * The dissipative part (N) of a tick's force, against the hand's motion; null: nothing. The
-   * state is that before the tick.
+   * Returns the dissipative part (N) of a tick's force, against the hand's motion; null: there is
+   * none. The state is the one before the tick.
    */
   Vector3 (*Drag)(const HapticModel&, const ServoState&, const TickRecord&) noexcept = nullptr;
-  bool HasProxy = true; ///< if not, samples are read at the tip alone
+  bool HasProxy = true; ///< if false, samples are read at the tip alone
 };
 
 ///@{
 /**
- * Reaches that several methods have: ResidencySpare plus the radius of the kernel; and a distance
- * in metres, but at least the samples around a place.
+ * Return reaches that several methods have: ResidencySpare plus the radius of the kernel; and a
+ * distance in metres, but at least the samples around a place.
  */
 Vector3 GetKernelReach(const HapticModel& model) noexcept;
 Vector3 FindValueReach(const HapticModel& model, double aside, const Vector3& around) noexcept;
 ///@}
 /**
- * Returns how far (m) from a proxy materials are read; at a wall between labels, at least a voxel
- * of the label image.
+ * Returns the distance (m) from a proxy at which materials are read; at a wall between labels, at
+ * least a voxel of the label image.
  */
 double FindMaterialReach(const HapticModel& model) noexcept;
 

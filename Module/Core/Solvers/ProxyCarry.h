@@ -20,13 +20,13 @@ namespace VolumeHaptics
 struct ProxyCarry
 {
   Vector3 Proxy;     ///< m
-  double Away = 0.0; ///< m, along the normal
+  double Away = 0.0; ///< m, the way along the normal
 };
 
 namespace Carrying
 {
 constexpr int MostSteps = 3;
-/** Voxels. */
+/** The longest step (voxels). */
 constexpr double LongestStep = 0.25;
 /**
  * After a step s as short as this (voxels), the level is reached: the remaining error is at most
@@ -41,7 +41,9 @@ constexpr double ShortStepToLevel = 0.06;
  */
 constexpr double SameSurface = 0.06;
 
-/** Whether a surface that fades holds the proxy, or could hold it, judging by the last tick. */
+/**
+ * Returns whether a surface that fades holds the proxy, or could hold it, judging by the last tick.
+ */
 inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
 {
   return fade > 0.0 && state.SurfaceStrength > 0.0 &&
@@ -62,15 +64,15 @@ inline double ComputeWork(
   return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
 }
 
-/** The rise of the estimator's level per metre along the gradient. */
+/** Returns the rise of the estimator's level per metre along the gradient. */
 inline double ComputeSlope(const HapticModel& model, double gradientMagnitude) noexcept
 {
   return gradientMagnitude * model.WorldUnitsPerMeter;
 }
 
 /**
- * The step (m) along the gradient over which the level rises by `rise`, given its `slope` per
- * metre; not inward past the tip.
+ * Returns the step (m) along the gradient over which the level rises by `rise`, given its `slope`
+ * per metre; not inward past the tip.
  */
 inline double ComputeStep(const HapticModel& model, const Vector3& normal, double rise,
   double slope, const Vector3& lag, bool isHeld) noexcept
@@ -89,8 +91,8 @@ inline double ComputeStep(const HapticModel& model, const Vector3& normal, doubl
 }
 
 /**
- * Returns the slope of V, from its rise over the last step; the estimator's slope if the two differ
- * by more than a factor of four, as where V is flat.
+ * Returns the slope of V, from its rise over the last step. If this slope and the estimator's slope
+ * differ by more than a factor of four, as where V is flat, returns the estimator's slope.
  */
 inline double ComputeSlopeOfValue(double estimated, double rise, double step) noexcept
 {
@@ -102,7 +104,7 @@ inline double ComputeSlopeOfValue(double estimated, double rise, double step) no
 /**
  * Follows a level of V from state.Proxy on, along a normal, by the secant method.
  * @param levels V before the motion, and after it
- * @param findValue gives V at an index
+ * @param findValue returns V at an index
  */
 template <typename ValueFunction>
 ProxyCarry SolveLevel(const HapticModel& model, const ServoState& state, const Vector3& normal,

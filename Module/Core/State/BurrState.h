@@ -27,12 +27,13 @@ struct BurrState
   double LastWay = 0.0;
   ///@}
   double Idle = 0.0;  ///< s, since the burr last removed tissue
-  double Phase = 0.0; ///< 0 to 1, of the vibration
+  double Phase = 0.0; ///< phase of the vibration, 0 to 1
   double Lost = 0.0;  ///< J, the energy that the hand has lost, which the vibration may give back
   Vector3 Vibration;  ///< N, in the last tick
   ///@{
   /**
-   * A sphere that takes more than a tick: its centre (m), and the part that comes next; 0: none.
+   * A sphere that takes more than a tick: its centre (m), and the part that comes next; 0: no such
+   * sphere.
    */
   Vector3 Next;
   std::uint32_t Part = 0;

@@ -24,11 +24,11 @@ struct LocalSurface
 /** The next search of the slow loop, see LocalSurfaceFit.h. */
 struct LocalSurfaceRequest
 {
-  Vector3 Position;      ///< the proxy's
+  Vector3 Position;      ///< the proxy's position
   Vector3 Ahead;         ///< the farthest motion of the tip until the result is replaced
   Vector3 Normal;        ///< the normal of the known surface, into the structure; 0 if there is
                          ///< none
-  double DataTime = 0.0; ///< if the volume moves
+  double DataTime = 0.0; ///< data time, if the volume moves
 };
 
 /** The state that LOCAL_SURFACE carries from tick to tick. */

@@ -16,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** A stretch of the track in one tissue. It ends where the next one begins. */
+/** A stretch of the track in one tissue. The stretch ends where the next one begins. */
 struct NeedleStretch
 {
   float Begin = 0.0F; ///< m, from the entry along the needle
@@ -41,15 +41,15 @@ public:
   NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
 
   /**
-   * Adds the tissue that begins at a depth (m), below all earlier ones; ignored if it continues the
-   * last stretch.
+   * Adds the tissue that begins at a depth (m), below all earlier tissues; ignored if the tissue
+   * continues the last stretch.
    */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
-  /** The integral (N) of the friction from the entry to a depth in the last stretch. */
+  /** Returns the integral (N) of the friction from the entry to a depth in the last stretch. */
   double Sum(double depth) const noexcept;
-  /** The last stretch. */
+  /** Returns the last stretch. */
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
-  /** Whether depths ascend and friction is possible, for states from files. */
+  /** Returns whether depths ascend and friction is possible, for states from files. */
   bool IsPossible() const noexcept;
   void SetSize(int size) noexcept { this->Size = size < 0 ? 0 : (size > Most ? Most : size); }
 
@@ -64,12 +64,12 @@ private:
 struct NeedleState
 {
   bool IsInserted = false;
-  bool IsOutside = false;   ///< a free needle has met no resistance, and may be inserted
-  Vector3 Axis;             ///< unit, from the handle to the tip; frozen if it is not measured
+  bool IsOutside = false;   ///< whether a free needle has met no resistance, and may be inserted
+  Vector3 Axis;             ///< unit, from handle to tip; frozen if it is not measured
   Vector3 Normal;           ///< unit, into the tissue, at the entry; 0 if there was no surface
   Vector3 Entry;            ///< where the insertion began
-  double Depth = 0.0;       ///< m, of the tip along its insertion
-  double Deepest = 0.0;     ///< m
+  double Depth = 0.0;       ///< m, depth of the tip along its insertion
+  double Deepest = 0.0;     ///< m, the largest depth of the insertion
   double Stiffness = 0.0;   ///< N/m, the stiffness of the spring, from the puncture to the end of
                             ///< the insertion
   double Puncture = 0.0;    ///< N; if more than 0, the strength of a boundary in front of the tip
@@ -79,7 +79,7 @@ struct NeedleState
   double Pushed = 0.0;       ///< m, how far a free needle was pushed through a surface that still
                              ///< holds
   std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
-  bool IsTouching = false;   ///< a forbidden label stops it now
+  bool IsTouching = false;   ///< whether a forbidden label stops the insertion now
   NeedleTrack Track;
 };
 

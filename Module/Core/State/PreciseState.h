@@ -32,7 +32,7 @@ struct PrecisePoint : MaterialPoint
 {
   double Value = 0.0; ///< the estimator's own value
   double Slope = 0.0; ///< derivative of Value along the normal, per metre; 0 without a gradient
-  FarValues Far;      ///< from the last walk
+  FarValues Far;      ///< values from the last walk
   /**
    * Voxels of the proxy's path for which Far stays valid; 0 if the values do not depend on the
    * path.

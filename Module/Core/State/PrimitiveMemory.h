@@ -23,8 +23,8 @@ using PrimitiveForces = std::array<Vector3, MostPrimitives>;
 /** The state that a tick passes to the next one. */
 struct PrimitiveMemory
 {
-  PrimitiveForces Forces{}; ///< per primitive, in the order in which the field adds them
-  double Rate = 1.0;        ///< r of the steps
+  PrimitiveForces Forces{}; ///< forces of the primitives, in the order in which the field adds them
+  double Rate = 1.0;        ///< the rate r of the steps
   /** The direction of the proxy's last motion, of any length; 0 if it has not moved. */
   Vector3 Towards;
 };

@@ -34,7 +34,7 @@ struct ServoState : ToolStates
   ReleaseState Release; ///< felt in addition to the law, which determines the proxy
   LocalState Local;
   PrimitiveMemory Primitives;
-  LabelMemory Labels; ///< for speed only
+  LabelMemory Labels; ///< memory of label lookups, for speed only
   /** The data time of the tick: the caller advances it, if the volume moves. */
   double DataTime = 0.0;
   ///@{
@@ -45,10 +45,10 @@ struct ServoState : ToolStates
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
-  bool IsSpinning = false; ///< the tool spins in this tick; the caller sets it
+  bool IsSpinning = false; ///< whether the tool spins in this tick; the caller sets it
   ///@{
   /** The last tick sets these for CarriedProxy.h. */
-  double CarriedTo = 0.0;       ///< its data time
+  double CarriedTo = 0.0;       ///< data time of the last tick
   double Stiffness = 0.0;       ///< N/m
   double SurfaceStrength = 0.0; ///< T_N W_d, N
   ///@}

@@ -98,7 +98,10 @@ bool Read(double number, float& value)
   return std::isfinite(value);
 }
 
-/** Labels are whole numbers that a double holds exactly, or NoLabel, which it also holds. */
+/**
+ * Reads a label. Labels are whole numbers that a double holds exactly, or NoLabel, which a double
+ * also holds.
+ */
 bool Read(double number, std::int64_t& value)
 {
   constexpr double most = 9007199254740992.0; // 2^53
@@ -249,14 +252,14 @@ constexpr double DirectionTolerance = 1e-6;
  * below overflow.
  */
 constexpr double MostOfMaterial = 1e100;
-/** A force (N) at least twice as large as that of any primitive. */
+/** A force (N) at least twice as large as the force of any primitive. */
 constexpr double MostOfForce = 2e6;
 /** The largest length of a sum of unit vectors that a state may have. */
 constexpr double MostOfDirection = 10.0;
 /** A learned prediction stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
 
-/** Whether a vector is of unit length, or 0 for an unknown direction. */
+/** Returns whether a vector is of unit length, or 0 for an unknown direction. */
 bool IsDirection(const Vector3& v)
 {
   const double square = Dot(v, v);
@@ -312,7 +315,7 @@ bool IsPossible(const NeedleState& needle)
     isLength(needle.Pushed) && needle.Track.IsPossible();
 }
 
-/** Whether an orientation that claims to be valid is a unit quaternion. */
+/** Returns whether an orientation that claims to be valid is a unit quaternion. */
 bool IsPossible(Quaternion orientation, bool isValid)
 {
   return !isValid || MakeUnit(orientation);

@@ -23,7 +23,7 @@ constexpr int CountLastToolNumbers()
   return count;
 }
 
-/** The numbers of a state without those of ToolStates::VisitLast. */
+/** The size of a state without the numbers of ToolStates::VisitLast. */
 constexpr int FirstServoStateSize = 299;
 constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
 /**
@@ -34,7 +34,7 @@ constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
  */
 constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
   298 };
-/** Whether old recordings have states of this size. */
+/** Returns whether old recordings have states of this size. */
 constexpr bool IsOldServoStateSize(int size)
 {
   for (const int old : OldServoStateSizes)
@@ -47,7 +47,7 @@ constexpr bool IsOldServoStateSize(int size)
   return size >= FirstServoStateSize && size < ServoStateSize;
 }
 
-/** All numbers of a state, for a file. */
+/** Returns all numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
 /** Returns false for numbers that a file may contain but no tick produces. */

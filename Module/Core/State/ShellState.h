@@ -33,19 +33,18 @@ struct ShellSum
   double Curvature[21] = {}; ///< the second derivatives of the energy: the lower triangle, row by
                              ///< row
   std::uint32_t Contacts = 0;
-  std::uint32_t Yielding = 0; ///< contacts that press with the largest force that their material
-                              ///< takes
+  std::uint32_t Yielding = 0; ///< number of contacts at the limit of their material
 };
 
 /** The state from which the next tick goes on, together with ShellMemory. */
 struct ShellState
 {
   bool Enabled = false;   ///< if false, the next tick puts the tool into the hand with no force
-  bool IsCarried = false; ///< the model has changed since: Sum does not belong to Tool
+  bool IsCarried = false; ///< whether the model has changed, so that Sum does not belong to Tool
   ShellPose Tool;
-  ShellPose Hand;      ///< in the last tick
+  ShellPose Hand;      ///< pose of the hand in the last tick
   double Budget = 0.0; ///< S, J
-  ShellSum Sum;        ///< at Tool
+  ShellSum Sum;        ///< sum over the contacts at Tool
 };
 
 } // namespace VolumeHaptics

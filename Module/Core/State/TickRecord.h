@@ -28,9 +28,9 @@ enum class ContactState : std::uint8_t
 /** The record of one tick, with the material that it used. */
 struct TickRecord : MaterialPoint
 {
-  double DataTime = 0.0; ///< if the volume moves
+  double DataTime = 0.0; ///< data time, if the volume moves
   Vector3 Tip;
-  Vector3 Proxy;  ///< after the tick
+  Vector3 Proxy;  ///< the proxy after the tick
   Vector3 Force;  ///< N, on the hand
   Vector3 Torque; ///< N m, on the hand about the tip; for a tool with a shape
   /// The rotation of a tool with a shape, whose origin is the proxy, to the device's axes; else
@@ -43,7 +43,7 @@ struct TickRecord : MaterialPoint
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
   ///@{
-  /** PRECISE sets these for ProxyRelease.h. */
+  /** PRECISE sets these members for ProxyRelease.h. */
   bool MayLeap = false;       ///< whether leaps in this tick take time
   Vector3 ForceBefore;        ///< N, the law's force in the last tick
   Vector3 Leap;               ///< N, the change of Force by a leap of the proxy
@@ -51,7 +51,7 @@ struct TickRecord : MaterialPoint
   ///@}
   double Depth = 0.0;         ///< m, insertion of a needle; 0: not inserted
   double ShaftForce = 0.0;    ///< N, the most that the tissue along the needle's shaft holds
-  double RemovedVolume = 0.0; ///< mm^3 in the hand's space, by a burr in this tick
+  double RemovedVolume = 0.0; ///< mm^3 in the hand's space that a burr removed in this tick
   /** The tool's own numbers, which its columns read (BakedTool::GetColumns); else 0. */
   std::array<double, 4> ToolNumbers{};
   double Value = 0.0; ///< V at the proxy, only if the volume's tissue may be removed
@@ -59,7 +59,7 @@ struct TickRecord : MaterialPoint
   /// J, in this tick: the work of a moving surface on the spring that pulls the hand
   double WallWork = 0.0;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force belongs to an earlier tip
-  bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop
+  bool IsRenewed = false;    ///< whether LOCAL_SURFACE got a surface from the slow loop
   ///@{
   /**
    * Whether the tick carried out a request to the removal instead of feeling; and the request that

@@ -25,8 +25,8 @@ public:
   virtual ~ToolMemory() = default;
 
   /**
-   * The memory for a model: `last` if it belongs to the same tool; null if the tool needs none.
-   * Allocates.
+   * Returns the memory for a model: `last` if it belongs to the same tool; null if the tool needs
+   * none. Allocates.
    */
   static std::shared_ptr<ToolMemory> Provide(
     const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last)
@@ -35,8 +35,8 @@ public:
   }
 
   /**
-   * Copies, on the thread that ticks, the part of the memory that belongs to the state before the
-   * next tick. Called once for each recording; another thread then reads the copy.
+   * Copies the part of the memory that belongs to the state before the next tick, on the thread
+   * that ticks. Called once for each recording; another thread then reads the copy.
    */
   virtual void Keep() noexcept = 0;
 

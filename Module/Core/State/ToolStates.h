@@ -17,10 +17,10 @@ namespace VolumeHaptics
 struct ToolStates
 {
   NeedleState Needle;
-  ShellState Shell; ///< together with ToolMemory
+  ShellState Shell; ///< state of a shell, used together with ToolMemory
   BurrState Burr;
 
-  /** Drops what holds the hand: the next tick begins without a force. */
+  /** Drops the states that hold the hand: the next tick begins without a force. */
   void LetGo() noexcept
   {
     this->Needle = NeedleState{};

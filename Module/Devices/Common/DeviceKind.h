@@ -30,14 +30,14 @@ struct DeviceOptions
   /// the folders of plug-ins for vendors' libraries (VendorFolder.h); empty: those of the
   /// environment variable
   std::string VendorPath;
-  bool UseGuard = true; ///< for a device without its own watchdog (GuardedDevice.h)
+  bool UseGuard = true; ///< guards a device without its own watchdog (GuardedDevice.h)
 };
 
 /** A device that is plugged in. */
 struct DeviceListing
 {
   std::string Id;    ///< opens the device
-  std::string Name;  ///< for people: maker, product, and port
+  std::string Name;  ///< name for people: maker, product, and port
   std::string State; ///< "available", "in use", or the obstacle and its cure
   /// DeviceBackend::GetIdentity of the open device, if it is known before the device is opened and
   /// KeepsIdentity is true; else empty
@@ -50,15 +50,15 @@ struct DeviceKind
   std::string Name;
   std::function<std::vector<DeviceListing>()> List;
   /**
-   * Makes a back end for an id of this kind, not open yet. Null, with the reason and the cure, on
-   * failure.
+   * Makes a back end for an id of this kind, not open yet. If this fails, returns null and writes
+   * the reason and the cure to `error`.
    */
   std::function<std::unique_ptr<DeviceBackend>(
     const std::string& id, const DeviceOptions& options, std::string& error)>
     Make;
   /**
-   * The reason why this computer can't have any device of this kind, such as a service that does
-   * not run, or a missing library or port, and the cure. Empty if there is no obstacle. The
+   * Returns the reason why this computer can't have any device of this kind, such as a service that
+   * does not run, or a missing library or port, and the cure. Empty if there is no obstacle. The
    * function may be null: then plugging in a device is enough.
    */
   std::function<std::string()> Missing = {};

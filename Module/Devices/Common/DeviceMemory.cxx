@@ -85,7 +85,7 @@ bool IsDay(const std::string& text)
   return true;
 }
 
-/** Reads the facts of a line; false if the line contains anything else. */
+/** Reads the facts of a line; returns false if the line contains anything else. */
 bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
 {
   std::string word;
@@ -122,7 +122,10 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
   return line;
 }
 
-/** Reads the lines; none if there is no file. False, with the reason, if the file can't be read. */
+/**
+ * Reads the lines; there are none if there is no file. If the file can't be read, returns false and
+ * writes the reason to `error`.
+ */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
   std::error_code trouble;

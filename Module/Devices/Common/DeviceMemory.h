@@ -29,7 +29,7 @@ struct DeviceFacts
   static constexpr double MostScale = 10.0;
   ///@}
 
-  std::string Confirmed;  ///< the day on which its signs were confirmed; empty: never
+  std::string Confirmed;  ///< the day on which the device's signs were confirmed; empty: never
   double Scale = 1.0;     ///< newtons given per newton asked for
   std::string Calibrated; ///< the day of the calibration; empty: never
 
@@ -46,14 +46,15 @@ public:
   static std::string GetToday();
 
   /**
-   * Reads the facts of a device by its identity (DeviceBackend::GetIdentity); no facts if there is
-   * no file. A damaged line is ignored. The error then names file and line, and the cure; else it
-   * is empty.
+   * Reads the facts of a device by its identity (DeviceBackend::GetIdentity); returns no facts if
+   * there is no file. A damaged line is ignored; `error` then receives file and line, and the cure.
+   * Otherwise `error` is empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**
-   * Replaces the facts of a device, and keeps all other lines. The file is replaced as a whole.
-   * False, with the reason and the cure; the old file is then unchanged.
+   * Replaces the facts of a device, and keeps all other lines. The file is replaced as a whole. If
+   * this fails, returns false and writes the reason and the cure to `error`; the old file is
+   * unchanged.
    */
   static bool Write(const std::string& identity, const DeviceFacts& facts, std::string& error);
 };

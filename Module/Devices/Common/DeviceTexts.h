@@ -15,8 +15,8 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Returns the number N of an id KIND:N, and 0 for KIND alone. Below zero, with an error, for any
- * other id.
+ * Returns the number N of an id KIND:N, and 0 for KIND alone. For any other id, returns a number
+ * below zero and writes the fault to `error`.
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**

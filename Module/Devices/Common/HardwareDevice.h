@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class TrueNewtons
 {
 public:
-  /** `most` (N) is the largest force that the driver may be asked for. */
+  /** Sets the scale. `most` (N) is the largest force that the driver may be asked for. */
   void Set(double scale, double most) noexcept
   {
     this->MostAsked.store(most);
@@ -64,14 +64,17 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
   /**
-   * DeviceBackend::GetIdentity, once the device is connected or held by a guard; empty if it gives
-   * no force.
+   * Returns DeviceBackend::GetIdentity, once the device is connected or held by a guard; empty if
+   * the device gives no force.
    */
   virtual std::string GetIdentity() const { return {}; }
-  /** DeviceBackend::KeepsIdentity, for the same device. */
+  /** Returns DeviceBackend::KeepsIdentity, for the same device. */
   virtual bool KeepsIdentity() const { return true; }
 
-  /** Finds the device and claims it for this process alone. False, with the reason and the cure. */
+  /**
+   * Finds the device and claims it for this process alone. If this fails, returns false and writes
+   * the reason and the cure to `error`.
+   */
   virtual bool Connect(std::string& error) = 0;
   /**
    * Runs on the device's thread until the exchange must stop: homes, sends forces, reports
@@ -131,10 +134,10 @@ private:
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;
-  std::unique_ptr<ServoPriority> Priority; // for Thread
+  std::unique_ptr<ServoPriority> Priority; // asks for the priority of Thread
   std::thread Request;                     // runs SeekPriority's request; may be missing
-  std::int64_t Process = 0;                // the process of the threads
-  bool IsAbandoned = false;                // in a forked child
+  std::int64_t Process = 0;                // the process that the threads belong to
+  bool IsAbandoned = false;                // whether this is a forked child, which has no threads
 };
 
 } // namespace VolumeHaptics

@@ -25,18 +25,15 @@ namespace VolumeHaptics
 class HardwareExchange
 {
 public:
-  /**
-   * After this time (s) without a new force, the last force falls to zero, within the same time
-   * again.
-   */
+  /** After this time (s) without a new force, the last force falls to zero, over the same time. */
   static constexpr double WatchdogTime = 0.03;
   static constexpr double FadeTime = 0.02;
 
   using Clock = std::int64_t (*)();
 
   /**
-   * `asleep` returns how long (ns) the computer has been asleep since it was started; null stands
-   * for GetTimeAsleep, whose address differs between processes.
+   * Makes an exchange. `asleep` returns how long (ns) the computer has been asleep since it was
+   * started; null stands for GetTimeAsleep, whose address differs between processes.
    */
   explicit HardwareExchange(Clock asleep = nullptr);
   ~HardwareExchange();
@@ -54,15 +51,15 @@ public:
 
   ///@{
   /**
-   * Any thread: ends the force until the next Give. The device is at rest once its thread has asked
-   * for the force twice: by the second time it has sent the first answer.
+   * Ends the force until the next Give. The device is at rest once its thread has asked for the
+   * force twice, since by the second time it has sent the first answer. Any thread.
    */
   void Quench() noexcept;
   bool IsAtRest() const noexcept { return this->ZeroRounds.load(std::memory_order_acquire) > 1; }
   ///@}
 
   ///@{
-  /** Called by the owner. Begin resets everything, before the device's thread starts. */
+  /** Called by the owner. Begin resets the exchange, before the device's thread starts. */
   void Begin() noexcept;
   void RequestStop() noexcept;
   DeviceCondition GetCondition() noexcept;
@@ -72,24 +69,24 @@ public:
 
   ///@{
   /**
-   * Requests to the device, read by its thread. Lights are negative if the device shows its own
-   * condition.
+   * Requests to the device, read by the device's thread. Lights are negative if the device shows
+   * its own condition.
    */
   bool MustStop() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
   /**
-   * Whether homing was requested since the last call. From then on the device is Homing, which the
-   * servo sees even if the device is ready again at once; earlier forces no longer count.
+   * Returns whether homing was requested since the last call. If so, the device is Homing, which
+   * the servo sees even if the device is ready again at once; earlier forces no longer count.
    */
   bool DrainHomeRequest() noexcept;
   /**
-   * Refuses a homing request that can't help, for example because the device is unplugged: it stays
-   * Lost, with this text.
+   * Refuses a homing request that can't help, for example because the device is unplugged: the
+   * device stays Lost, with this text.
    */
   void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
   /** Returns the order to send now: zero unless the device is ready and the servo alive. */
   DeviceCommand GetCommand() noexcept;
-  /** The force of the order (N), for a device without torque. */
+  /** Returns the force of the order (N), for a device without torque. */
   Vector3 GetForce() noexcept { return this->GetCommand().Force; }
   /**
    * Records that the device has this force: it took what was sent, or already held the same force.
@@ -97,38 +94,40 @@ public:
    */
   void RecordTaken() noexcept;
   /**
-   * A file descriptor that becomes readable on a force, a stop or a homing request; negative if the
-   * system has none. ClearWake resets it for the next one.
+   * Returns a file descriptor that becomes readable on a force, a stop or a homing request;
+   * negative if the system has no such descriptors. ClearWake resets it for the next event.
    */
   int GetWakeDescriptor() const noexcept { return this->Wake; }
   void ClearWake() noexcept;
-  /** Waits for one of these events, or for a time (ms), and clears it. */
+  /**
+   * Waits for a force, a stop or a homing request, or for a time (ms), and clears the descriptor.
+   */
   void WaitForWake(int time) noexcept;
   ///@}
 
   ///@{
   /**
-   * Called by the device's thread. A sample is a new measurement, made at its Time, or now if it
-   * has none; a sample with the Time of the last one counts as Confirm. Samples are passed on only
+   * Called by the device's thread. A sample is a new measurement, made at its Time, or now if Time
+   * is 0; a sample with the Time of the last one counts as Confirm. Samples are passed on only
    * while the device is ready, so report one before the stage becomes Ready. The first sample then
    * has Begins set, because the hand may have moved before.
    */
   void Report(const DeviceSample& sample) noexcept;
   /**
-   * Reports that the device is connected and has nothing new: the tip is still at the last sample.
-   * Only after a Tell since Begin.
+   * Reports that the device is connected and has nothing new, so that the tip is still at the last
+   * sample. Call it only after a Report since Begin.
    */
   void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
-   * Texts are cut to the condition's size. Lost stays until DrainHomeRequest or Begin, even if
-   * another stage is set, so that nothing resumes by itself.
+   * Sets the condition. Texts are cut to the condition's size. Lost stays until DrainHomeRequest or
+   * Begin, even if another stage is set, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
-  /** The same, with the device's name before a text that is not empty. */
+  /** Does the same, with the device's name before a text that is not empty. */
   void SetCondition(DeviceStage stage, const char* name, const char* text) noexcept;
   /**
-   * Checks whether the computer has slept since the last call; call it once in every round. If so,
-   * the hand may have moved unseen, and the device is Lost.
+   * Returns whether the computer has slept since the last call; call it once in every round. If the
+   * computer has slept, the hand may have moved unseen, and the device is Lost.
    */
   bool HasSlept() noexcept;
   ///@}
@@ -142,7 +141,7 @@ private:
     Vector3 Force;
     Vector3 Torque;
     std::int64_t Time = 0;
-    std::uint32_t TimesReady = 0; ///< the last value that the servo saw
+    std::uint32_t TimesReady = 0; ///< the last TimesReady that the servo saw
     std::int64_t Of = 0;          ///< Time of the last sample that the servo got
   };
   void WakeUp() noexcept;

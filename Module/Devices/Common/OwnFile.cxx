@@ -50,8 +50,8 @@ std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
 }
 
 /**
- * Returns the real path. Empty, with the reason and the cure, if another user can write a link or a
- * folder on the way to it.
+ * Returns the real path. If another user can write a link or a folder on the way to it, returns an
+ * empty path and writes the reason and the cure to `error`.
  */
 std::string Resolve(const std::string& path, gid_t trusted, std::string& error)
 {

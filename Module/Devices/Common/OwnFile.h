@@ -22,13 +22,13 @@ constexpr gid_t NoGroup = static_cast<gid_t>(-1);
 
 /**
  * Returns the group whose only member is this user: many systems make one for each user, and let it
- * write the files that the user creates. NoGroup if there is none, and for root.
+ * write the files that the user creates. Returns NoGroup if there is no such group, and for root.
  */
 gid_t FindPrivateGroup();
 
 /**
  * Returns the real path of a file, if only this user, root and members of `trusted` can have
- * written it. Otherwise empty, with the reason and the cure.
+ * written it. Otherwise returns an empty path and writes the reason and the cure to `error`.
  */
 std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& error);
 

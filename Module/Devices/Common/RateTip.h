@@ -18,8 +18,8 @@ namespace VolumeHaptics
 class RateTip
 {
 public:
-  static constexpr double FullSpeed = 0.1; ///< m/s, the tip's at a full push
-  static constexpr double FullTurn = 1.0;  ///< rad/s, at a full turn
+  static constexpr double FullSpeed = 0.1; ///< m/s, the speed of the tip at a full push
+  static constexpr double FullTurn = 1.0;  ///< rad/s, the speed of the view at a full turn
   static constexpr double Radius = 0.1;    ///< m: radius of the ball
 
   /** Puts the tip at the origin, at rest. */

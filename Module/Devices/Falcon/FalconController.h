@@ -19,7 +19,7 @@
 namespace VolumeHaptics
 {
 
-/** The device's limits: 8 N, 3000 N/m, 20 N s/m, a ball of 0.04 m radius, 2.5 m/s. */
+/** Returns the device's limits: 8 N, 3000 N/m, 20 N s/m, a ball of 0.04 m radius, 2.5 m/s. */
 DeviceLimits FalconLimits() noexcept;
 
 /** The middle of the workspace, in the frame of FalconKinematics.h (m). */
@@ -61,17 +61,17 @@ public:
 
   /** Makes all commands zero until Restart. `text` gives the fault and the cure. */
   void Lose(const char* text) noexcept;
-  /** The same as Lose, if the exchange already has the reason. */
+  /** Does the same as Lose, if the exchange already has the reason. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
-  /** Call it after HardwareExchange::DrainHomeRequest. */
+  /** Begins again with homing. Call it after HardwareExchange::DrainHomeRequest. */
   void Restart() noexcept;
 
   /**
    * Returns the packet to send now. Motors get the servo's force while the device is ready, else
-   * zero. While homing, the colours show its progress; then green, blue while there is force, red
-   * after a loss. SetLights replaces them except while homing, when they guide the hand.
+   * zero. While homing, the colours show the progress of homing; then green, blue while there is
+   * force, red after a loss. SetLights replaces them except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 
@@ -82,10 +82,10 @@ private:
 
   HardwareExchange& Exchange;
   FalconHoming Homing;
-  FalconHomingState Told = FalconHomingState::Ready; ///< the last state in the condition
+  FalconHomingState Told = FalconHomingState::Ready; ///< the homing state that the condition shows
   FalconPose Pose;
-  double SincePose = 0.0; ///< s
-  int Missed = 0;         ///< in a row
+  double SincePose = 0.0; ///< s, the time since Pose was reached
+  int Missed = 0;         ///< number of packets in a row without an answer
   bool IsStopped = false;
 };
 

@@ -48,7 +48,7 @@ std::string SizeText(std::uintmax_t size)
     std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
 }
 
-/** Reads the image; the result is empty if that succeeded, else the fault. */
+/** Reads the image; returns an empty text if that succeeded, else the fault. */
 std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 {
   std::error_code trouble;
@@ -78,9 +78,9 @@ std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 }
 
 /**
- * Reads an image. False, with the file, the fault and the cure, if there is no such file, if it
- * can't be read, or if its size can't be that of an image. An empty name means that there is no
- * file.
+ * Reads an image. If there is no such file, if the file can't be read, or if its size can't be that
+ * of an image, returns false and writes the file, the fault and the cure to `error`. An empty name
+ * means that there is no file.
  */
 bool ReadFalconFirmware(
   const std::string& file, std::vector<std::uint8_t>& image, std::string& error)
@@ -117,7 +117,7 @@ public:
   /** The longest time (ns) without a packet. */
   static constexpr std::int64_t IdleTime = 2000000;
 
-  /** Both must outlive this object. */
+  /** The interface and the exchange must outlive this object. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
   /**
    * If the device is connected, sends zero commands and waits until they are sent, for a fraction
@@ -129,20 +129,22 @@ public:
   void Wait() noexcept;
 
   ///@{
-  /** What ended the last Wait. */
+  /** Return what ended the last Wait. */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
-  /** Whether a packet was not answered in time; GetGarbage says why, or is nullptr. */
+  /**
+   * Returns whether a packet was not answered in time; GetGarbage returns the reason, or nullptr.
+   */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
   /**
-   * The worst result of a transfer during the last Wait, or of submitting a transfer since the
-   * previous Wait.
+   * Returns the worst result of a transfer during the last Wait, or of submitting a transfer since
+   * the previous Wait.
    */
   UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
   ///@}
 
-  /** Whether a packet should be sent now. */
+  /** Returns whether a packet should be sent now. */
   bool IsDue() noexcept;
   void Send(const FalconOrder& order) noexcept;
 
@@ -172,7 +174,7 @@ private:
   std::unique_ptr<Transfers> Flight;
   FalconStream Stream;
   FalconReport Report;
-  std::uint32_t DroppedBefore = 0; ///< GetDropped at the last report
+  std::uint32_t DroppedBefore = 0; ///< the value of GetDropped at the last report
   FalconTurns Turns;
   std::int64_t SentAt = 0;
   bool Woken = false;

@@ -23,7 +23,10 @@ public:
   FalconDriver(int number, DeviceOptions options);
 
   ///@{
-  /** Converts the arguments to words on a command line, and back. Null, with the reason. */
+  /**
+   * Convert the arguments to words on a command line, and back. If the words are not valid,
+   * MakeFromWords returns null and writes the reason to `error`.
+   */
   static std::vector<std::string> MakeWords(int number, const DeviceOptions& options);
   static std::unique_ptr<HardwareDriver> MakeFromWords(
     const std::vector<std::string>& words, std::string& error);
@@ -32,7 +35,7 @@ public:
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override;
-  /** If the firmware does not run, the image must exist; Serve loads it. */
+  /** Connects to the device. If the firmware does not run, the image must exist; Serve loads it. */
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override { this->Usb.Close(); }
@@ -42,7 +45,7 @@ private:
   enum class End
   {
     Done,
-    Failed, ///< may be tried again with Home()
+    Failed, ///< the part may be tried again with Home()
     Gone
   };
   End Load(HardwareExchange& exchange);
@@ -52,7 +55,7 @@ private:
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;
-  std::vector<std::uint8_t> Firmware; ///< empty if the firmware runs already
+  std::vector<std::uint8_t> Firmware; ///< image to load; empty if the firmware runs already
 };
 
 } // namespace VolumeHaptics

@@ -24,8 +24,8 @@ enum class FalconHomingState : std::uint8_t
   OutAndIn, ///< the hand must pull the grip fully out, then push it fully in
   Out,      ///< homed; the hand must pull the grip out
   Ready,
-  TimedOut, ///< until Restart
-  Lost      ///< the encoders lost their zero after homing; until Restart
+  TimedOut, ///< the hand took too long; the state lasts until Restart
+  Lost      ///< the encoders lost their zero after homing; the state lasts until Restart
 };
 
 /** Returns the instruction for the user in a state. */
@@ -47,16 +47,17 @@ public:
   void Restart() noexcept;
 
   /**
-   * A tick: the time since the last one (s), and the report that came in it, or nullptr. A time
-   * that is negative or not a number counts as too long.
+   * Advances by a tick: the time (s) since the last tick, and the report that came in this tick, or
+   * nullptr. A time that is negative or not a number counts as too long.
    */
   void Update(double elapsed, const FalconReport* report) noexcept;
 
   FalconHomingState GetState() const noexcept { return this->State; }
-  /** The encoders that are not homed, one bit each. */
+  /** Returns the encoders that are not homed, a bit for each. */
   std::uint8_t GetMissing() const noexcept { return this->Missing; }
   /**
-   * The packet to send: zero for the motors, the homing bit, and a colour that shows the progress.
+   * Returns the packet to send: zero for the motors, the homing bit, and a colour that shows the
+   * progress.
    */
   FalconOrder GetOrder() const noexcept;
 

@@ -27,7 +27,7 @@ constexpr double R = 0.040;
 constexpr double S = -0.02309;
 
 constexpr Vector3 Start = { 0.0, 0.0, 0.11 };
-constexpr double Converged = 1e-12; // m, of a step
+constexpr double Converged = 1e-12; // m, the length of a step that ends the iteration
 // The smallest determinant of the legs' unit normals: near zero a count moves the grip by any
 // distance.
 constexpr double Singular = 0.02;
@@ -123,7 +123,9 @@ bool Close(const Vector3& p, const Vector3& angles, Closures& all) noexcept
   return true;
 }
 
-/** Whether the grip is on the side of the singularities on which the device is assembled. */
+/**
+ * Returns whether the grip is on the side of the singularities on which the device is assembled.
+ */
 bool IsRegular(const Matrix3& byPosition) noexcept
 {
   const double volume = Norm(byPosition.Row[0]) * Norm(byPosition.Row[1]) * Norm(byPosition.Row[2]);
@@ -131,7 +133,7 @@ bool IsRegular(const Matrix3& byPosition) noexcept
   return -Determinant(byPosition) > Singular * volume;
 }
 
-/** The sign of the inverse's root: the arms bend outwards. */
+/** Returns whether the arms bend outwards, as they are built: the sign of the inverse's root. */
 bool IsBentAsBuilt(const Vector3& byAngle) noexcept
 {
   return byAngle.X < Stretched && byAngle.Y < Stretched && byAngle.Z < Stretched;

@@ -60,14 +60,14 @@ Vector3 FalconAnglesOf(const FalconCounts& counts) noexcept;
 FalconPose FalconForward(const Vector3& angles) noexcept;
 
 /**
- * Computes the angles of a position, in closed form. False, with the angles unchanged, if the
- * position is out of reach.
+ * Computes the angles of a position, in closed form. If the position is out of reach, returns false
+ * and leaves the angles unchanged.
  */
 bool FalconInverse(const Vector3& position, Vector3& angles) noexcept;
 
 /**
- * Computes dp/dtheta (m/rad) of closed legs, by implicit differentiation of g. False, with the
- * matrix unchanged, in a singularity or out of reach.
+ * Computes dp/dtheta (m/rad) of closed legs, by implicit differentiation of g. In a singularity or
+ * out of reach, returns false and leaves the matrix unchanged.
  */
 bool FalconJacobian(const Vector3& position, const Vector3& angles, Matrix3& jacobian) noexcept;
 
@@ -79,7 +79,7 @@ Vector3 FalconTorqueCommands(const Matrix3& jacobian, const Vector3& force) noex
 
 /**
  * Computes the commands to send. All three are scaled down together to FalconLargestCommand, so
- * that the force keeps its direction. All are zero if one is not finite.
+ * that the force keeps its direction. All commands are zero if one is not finite.
  */
 FalconCounts FalconCommandsOf(const Matrix3& jacobian, const Vector3& force) noexcept;
 

@@ -67,7 +67,7 @@ struct FalconLoaderStep
 class FalconLoader
 {
 public:
-  /** The image has to stay in memory. */
+  /** Begins the dialogue. The image has to stay in memory. */
   FalconLoader(const std::uint8_t* image, std::size_t size) noexcept;
 
   FalconLoaderStep GetStep() const noexcept;
@@ -76,7 +76,7 @@ public:
   /** Reports the result of the step; ignored if the step has no such result. */
   void Done() noexcept;
   void Refuse() noexcept;
-  /** Bytes without the converter's status bytes; they may be any part of the answer. */
+  /** Takes bytes without the converter's status bytes; they may be any part of the answer. */
   void Receive(const std::uint8_t* bytes, std::size_t size) noexcept;
   void TimeOut() noexcept;
   ///@}

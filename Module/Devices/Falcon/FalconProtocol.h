@@ -100,7 +100,10 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 
 ///@{
-/** Decodes a packet. Returns the first fault; the result then stays unchanged. */
+/**
+ * Decodes a packet to the result. Returns the first fault; the result is unchanged if there is a
+ * fault.
+ */
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconReport& report) noexcept;
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconOrder& order) noexcept;
 ///@}

@@ -23,7 +23,7 @@ constexpr unsigned int AnswerTime = 500;
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
-/** Reports the progress; `trouble` is why the last try failed. */
+/** Reports the progress; `trouble` tells why the last try failed. */
 void ReportProgress(
   HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
@@ -40,7 +40,7 @@ void ReportProgress(
   exchange.SetCondition(DeviceStage::Firmware, text);
 }
 
-/** Makes one step of the loader; false if the device is gone. */
+/** Makes one step of the loader; returns false if the device is gone. */
 bool Advance(FalconSerial& serial, FalconLoader& loader)
 {
   const FalconLoaderStep step = loader.GetStep();
@@ -73,7 +73,10 @@ bool IsOver(const FalconLoader& loader) noexcept
   return what == FalconLoaderStep::Kind::Finished || what == FalconLoaderStep::Kind::Failed;
 }
 
-/** Loaded means that the whole image came back, not that it runs. */
+/**
+ * Tries to load the firmware. Loaded means that the whole image came back, not that the firmware
+ * runs.
+ */
 FalconLoading TryToLoad(FalconSerial& serial, const std::vector<std::uint8_t>& image, int attempt,
   HardwareExchange& exchange, std::string& trouble)
 {

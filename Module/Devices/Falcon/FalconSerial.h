@@ -29,26 +29,26 @@ public:
   {
   }
 
-  /** Closes the device and opens it again. False on failure, see GetError. */
+  /** Closes the device and opens it again. If this fails, returns false; GetError returns why. */
   bool Reopen() noexcept;
   bool IsOpen() const noexcept { return this->Usb.IsOpen(); }
 
   ///@{
-  /** False if the transfer failed; GetError says why. */
+  /** Sends a request. If the transfer fails, returns false; GetError returns why. */
   bool Request(const FtdiRequest& request) noexcept;
   bool Write(const std::uint8_t* bytes, std::size_t size) noexcept;
   ///@}
   /**
    * Reads the first bytes that come within a time (ms), without the converter's status bytes.
-   * Returns their number, 0 if none came, negative if the transfer failed.
+   * Returns the number of bytes: 0 if none came, negative if the transfer failed.
    */
   int Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned int time) noexcept;
-  /** The last error of libusb. */
+  /** Returns the last error of libusb. */
   int GetError() const noexcept { return this->Error; }
 
   /**
-   * Whether the firmware runs: sends FalconRunRequests and up to `packets` packets of zero, 50 ms
-   * each. Returns false at once if a transfer fails.
+   * Returns whether the firmware runs: sends FalconRunRequests and up to `packets` packets of zero,
+   * 50 ms each. Returns false at once if a transfer fails.
    */
   bool Runs(int packets) noexcept;
 
@@ -60,7 +60,7 @@ private:
 enum class FalconLoading : std::uint8_t
 {
   Loaded,
-  Stopped, ///< the exchange must stop, or already has the reason
+  Stopped, ///< the exchange must stop, or already has the reason for the failure
   Failed,
   Gone
 };
@@ -69,9 +69,9 @@ enum class FalconLoading : std::uint8_t
 constexpr int FalconLoadingTries = 10;
 
 /**
- * Loads the firmware, on the device's thread. This takes seconds: it reports its progress to the
- * exchange and waits for the firmware to run. After a failure it closes the device, opens it and
- * loads again. If the last try fails, the text says why.
+ * Loads the firmware, on the device's thread. This takes seconds: the function reports its progress
+ * to the exchange and waits for the firmware to run. After a failure the function closes the
+ * device, opens it and loads again. If the last try fails, the text receives the reason.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble);

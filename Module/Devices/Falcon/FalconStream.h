@@ -30,9 +30,9 @@ public:
   /** Drops the waiting bytes, as after a purge, and resets the counts. */
   void Restart() noexcept { *this = {}; }
 
-  /** How many bytes were dropped since the start; saturates. */
+  /** Returns how many bytes were dropped since the start; the count saturates. */
   std::uint32_t GetDropped() const noexcept { return this->Dropped; }
-  /** Why the last bytes were dropped. */
+  /** Returns why the last bytes were dropped. */
   FalconFlaw GetFlaw() const noexcept { return this->Flaw; }
 
 private:

@@ -40,7 +40,7 @@ public:
   static constexpr int MostDoubts = 3;
   ///@}
 
-  /** Records that a packet was sent (ns). */
+  /** Records that a packet was sent at a time `now` (ns). */
   void Sent(std::int64_t now) noexcept;
   /** Records that reports came. */
   void Answered(std::int64_t now, int reports) noexcept;
@@ -48,12 +48,12 @@ public:
   void Abandon() noexcept;
 
   /**
-   * Whether an answer was missed since the last call, or the packet itself is stuck in its
-   * transfer. After that the host may send again.
+   * Returns whether an answer was missed since the last call, or the packet itself is stuck in its
+   * transfer. The host may then send again.
    */
   bool CheckMissed(std::int64_t now, bool isSending) noexcept;
   bool MaySend(std::int64_t now) noexcept;
-  /** The time (ns) at which CheckMissed or MaySend changes if nothing comes before. */
+  /** Returns the time (ns) at which CheckMissed or MaySend changes if nothing comes before. */
   std::int64_t GetDeadline() const noexcept
   {
     return this->Since + (this->Turn == Side::Drain ? SilentTime : AnswerTime);
@@ -63,16 +63,16 @@ private:
   enum class Side : std::uint8_t
   {
     Host,
-    Device, ///< its answer is due
+    Device, ///< the device's answer is due
     Drain   ///< an answer came, and more may be on their way
   };
 
   static constexpr int MostOwed = 1000;
 
   Side Turn = Side::Host;
-  int Owed = 0;           ///< answers still due
+  int Owed = 0;           ///< number of answers that are still due
   int Doubts = 0;         ///< the largest number of rounds that still drain the line
-  std::int64_t Since = 0; ///< ns: the last packet or answer
+  std::int64_t Since = 0; ///< ns, the time of the last packet or answer
 };
 
 } // namespace VolumeHaptics

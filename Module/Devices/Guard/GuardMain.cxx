@@ -70,7 +70,7 @@ int OpenSignals()
 }
 
 /**
- * Waits for the end of the program, in any way: the link hangs up when its last file descriptor is
+ * Waits for the end of the program, in any way. The link hangs up when its last file descriptor is
  * closed, by exit or exec, and an ended process makes its own descriptor readable even if one of
  * its children still holds the link.
  */

@@ -15,7 +15,10 @@
 namespace VolumeHaptics
 {
 
-/** Makes a driver from the words of GuardedDevice. Null, with the reason. */
+/**
+ * Makes a driver from the words of GuardedDevice. If this fails, returns null and writes the reason
+ * to `error`.
+ */
 using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
   const std::vector<std::string>& words, std::string& error)>;
 

@@ -24,18 +24,22 @@ public:
   GuardMemory& operator=(const GuardMemory&) = delete;
 
   /**
-   * For the program: makes new memory with an unused exchange. It replaces the old memory, at the
-   * same address, so that an earlier guard no longer reaches it. False, with the reason.
+   * Makes new memory with an unused exchange, for the program. The new memory replaces the old one,
+   * at the same address, so that an earlier guard no longer reaches it. If this fails, returns
+   * false and writes the reason to `error`.
    */
   bool Renew(std::string& error);
-  /** For the guard: maps the memory behind an inherited file descriptor. False, with the reason. */
+  /**
+   * Maps the memory behind an inherited file descriptor, for the guard. If this fails, returns
+   * false and writes the reason to `error`.
+   */
   bool Adopt(int descriptor, std::string& error);
 
-  /** Returns the file descriptor; negative without memory. */
+  /** Returns the file descriptor; negative if there is no memory. */
   int GetDescriptor() const noexcept { return this->Descriptor; }
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
-  /** The layout of the memory in this build. A guard with another layout does not start. */
+  /** Returns the layout of the memory in this build. A guard with another layout does not start. */
   static std::string GetLayout();
 
 private:

@@ -27,7 +27,7 @@ namespace
 
 const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
-/** ms; opening a device that does not answer takes a few seconds. */
+/** The time (ms) for opening; a device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
 constexpr int MostFoldersUp = 6;
 
@@ -65,7 +65,7 @@ public:
   SpawnSettings(const SpawnSettings&) = delete;
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 
-  /** The new program inherits it, under the same number. */
+  /** Passes a descriptor to the new program, which inherits it under the same number. */
   void Pass(int descriptor)
   {
     posix_spawn_file_actions_adddup2(&this->Actions, descriptor, descriptor);

@@ -18,13 +18,14 @@ namespace VolumeHaptics
 
 /**
  * Finds the guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, else the one
- * near this library. Empty, with the reason and the cure.
+ * near this library. If there is none, returns an empty path and writes the reason and the cure to
+ * `error`.
  */
 std::string FindGuardProgram(std::string& error);
 /**
- * Searches volumehaptics-guard in and above the folder of a file, and in a folder "bin" there. It
- * runs with all rights of the user, so a program that another user could have written is skipped:
- * then the obstacle says why, unless it has a text already.
+ * Searches volumehaptics-guard in and above the folder of a file, and in a folder "bin" there. The
+ * guard runs with all rights of the user, so a program that another user could have written is
+ * skipped. The obstacle then receives the reason, unless it has a text already.
  */
 std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
@@ -38,19 +39,20 @@ public:
   GuardProcess& operator=(const GuardProcess&) = delete;
 
   /**
-   * Starts the process and waits until it has the device; returns the device's name for people.
-   * False, with the reason and the cure. The guard makes the driver of the device from the words.
+   * Starts the process, waits until it has the device, and writes the device's readable name to
+   * `name`. If this fails, returns false and writes the reason and the cure to `error`. The guard
+   * makes the driver of the device from the words.
    */
   bool Start(GuardMemory& memory, const std::vector<std::string>& device, std::string& name,
     std::string& error);
 
-  /** Whether the process has ended; waits for that for a time (ms). */
+  /** Returns whether the process has ended; waits at most a time (ms) for the end. */
   bool HasEnded(int time) const noexcept;
-  /** Whether a signal has stopped the process since the last call. */
+  /** Returns whether a signal has stopped the process since the last call. */
   bool HasStopped() const noexcept;
   /**
-   * Kills the process if it still runs. Returns whether it had ended by itself, as it does on
-   * request; `how` says how it ended.
+   * Kills the process if it still runs. Returns whether the process had ended by itself, as it does
+   * on request; `how` receives how it ended.
    */
   bool End(std::string& how);
   /** Lets go of the guard without ending it, in a forked child: the parent owns the guard. */

@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** False if DeviceOptions::UseGuard is false, or VOLUMEHAPTICS_GUARD=off. */
+/** Returns false if DeviceOptions::UseGuard is false, or VOLUMEHAPTICS_GUARD=off. */
 bool IsGuardWanted(const DeviceOptions& options);
 
 /** Returns the reason and the cure for a device on a system that has no guard. */

@@ -32,9 +32,10 @@ class GuardedDevice final : public DeviceBackend
 {
 public:
   /**
-   * The guard gets the words of the device on its command line, and makes a driver from them. The
-   * driver here gives the limits, and connects only if the guard has ended: its Connect must send
-   * zero. Null, with the reason.
+   * Makes a device that a guard talks to. The guard gets the words of the device on its command
+   * line, and makes a driver from them. The driver here gives the limits, and connects only if the
+   * guard has ended: its Connect must send zero. If this fails, returns null and writes the reason
+   * to `error`.
    */
   static std::unique_ptr<GuardedDevice> Make(
     std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
@@ -84,8 +85,8 @@ private:
   TrueNewtons Newtons;
   std::thread Watcher;
   std::int64_t Process = 0;       ///< the process that started the guard
-  bool IsAbandoned = false;       ///< in a forked child
-  DeviceCondition EndedCondition; ///< once the guard no longer has the device
+  bool IsAbandoned = false;       ///< whether this is a forked child
+  DeviceCondition EndedCondition; ///< the condition once the guard no longer has the device
   std::atomic<Side> HasDevice{ Side::Guard };
   std::atomic<bool> IsClosing{ false };
 };

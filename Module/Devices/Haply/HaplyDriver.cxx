@@ -18,11 +18,12 @@ namespace
 constexpr double OpenTime = 1.0;
 constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
-constexpr double LastTime = 0.2; ///< for the last state, and for closing the session
+constexpr double LastTime = 0.2; ///< s, for the last state, and for closing the session
 ///@}
 constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
-constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // as HardwareExchange::WatchdogTime
+constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // the same as
+                                                                // HardwareExchange::WatchdogTime
 constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
 constexpr int LostWait = 10;     // ms
 constexpr int MostStates = 1000; // the most queued states; some seconds of them

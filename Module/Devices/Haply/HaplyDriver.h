@@ -41,7 +41,7 @@ class HaplyDriver final : public HardwareDriver
 public:
   /** How long (s) the service may omit the arm's position. */
   static constexpr double SilenceTime = 0.1;
-  /** The least number of waits in that time: if this computer was late, the service was not. */
+  /** The least number of waits in SilenceTime: if this computer was late, the service was not. */
   static constexpr int SilentWaits = 4;
   /** m; a hand leads the tip, so it never makes a longer step */
   static constexpr double FarthestStep = 0.02;
@@ -50,10 +50,10 @@ public:
    * presets move the origin.
    */
   static constexpr int SettledStates = 50;
-  /** m: the origin in Haply's axes if there are no presets. */
+  /** The origin in Haply's axes (m) if there are no presets. */
   static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
 
-  /** `id` is the service's name of a device, such as "049D"; empty: the first one. */
+  /** `id` is the service's name of a device, such as "049D"; empty: the first device. */
   explicit HaplyDriver(std::string id)
     : Wanted(std::move(id))
   {
@@ -70,7 +70,7 @@ private:
   /** Opens the connection and reads the inventory. */
   bool OpenConnection(std::string& error);
   bool Choose(std::string& error);
-  /** Whether a session has the arm, judging by the last message. */
+  /** Returns whether a session has the arm, judging by the last message. */
   bool IsTaken() const;
   /** Begins the session of the chosen arm, if it is free. */
   bool SendFirstMessage(std::string& error);
@@ -101,22 +101,22 @@ private:
   HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
-  bool HasEvents = false; ///< until the user was told that the events' connection has ended
+  bool HasEvents = false; ///< whether the end of the events is yet to be reported
 
   HaplyMessage Message; ///< the last message
   std::string Text;
-  std::string Newest; ///< state, as text
+  std::string Newest; ///< the newest state, as text
   bool IsLost = false;
-  bool IsReady = false; ///< the device may give force
+  bool IsReady = false; ///< whether the device may give force
   ///@{
-  /** As the service reported it last; false before. */
+  /** The flags as the service reported them last; false before. */
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
-  bool HasSentRelief = false; ///< a message of zero force follows one that waits for its state
-  int Awaited = 0;            ///< messages without a state
+  bool HasSentRelief = false; ///< whether a message of zero force follows an unanswered one
+  int Awaited = 0;            ///< number of messages without a state
   std::int64_t SentAt = 0;
-  std::int64_t ToldAt = 0; ///< when the last position came
+  std::int64_t ToldAt = 0; ///< the time at which the last position came
   int EmptyWaits = 0;
   int Settled = 0; ///< positions in a row without a step
   Vector3 Tip;     ///< last position, in the device's axes

@@ -49,7 +49,7 @@ std::vector<DeviceListing> ListHaplys()
   return all;
 }
 
-/** Explains why this computer has none: mostly, the service does not run. */
+/** Explains why this computer has no Haply: mostly, the service does not run. */
 std::string WhyNoHaplys()
 {
   HaplyMessage message;

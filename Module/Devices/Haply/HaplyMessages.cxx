@@ -56,7 +56,10 @@ std::string Text(const Json& object, const char* name)
 }
 
 ///@{
-/** Reads a member, or keeps the value if it is missing. False if the member has another type. */
+/**
+ * Reads a member, or keeps the value if the member is missing. Returns false if the member has
+ * another type.
+ */
 bool Read(const Json& object, const char* name, bool& value)
 {
   const auto found = object.find(name);
@@ -98,7 +101,7 @@ bool Read(const Json& object, const char* name, HaplyTransform& value)
 }
 ///@}
 
-/** Returns the member; nothing if it is missing, or has another type. */
+/** Returns the member; nothing if the member is missing, or has another type. */
 template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
@@ -178,7 +181,7 @@ const char* ReadFamily(const Json& message, const char* family,
   return nullptr;
 }
 
-/** Whether the brackets outside of strings are nested at most as deeply as allowed. */
+/** Returns whether the brackets outside of strings are nested at most as deeply as allowed. */
 bool IsShallow(const std::string& text) noexcept
 {
   int depth = 0;
@@ -194,8 +197,8 @@ bool IsShallow(const std::string& text) noexcept
 }
 
 /**
- * Parses an object; returns nullptr, or why it is refused. The depth is checked first, since the
- * library copies values by recursion, which could overflow the thread's stack.
+ * Parses an object; returns nullptr, or the reason for refusing the text. The depth is checked
+ * first, since the library copies values by recursion, which could overflow the thread's stack.
  */
 const char* Parse(const std::string& text, Json& value)
 {

@@ -43,28 +43,28 @@ struct HaplyTransform
   Quaternion Rotation;
   Vector3 Scale{ 1.0, 1.0, 1.0 };
 
-  /** Whether the transform changes lengths, and so the work of a force. */
+  /** Returns whether the transform changes lengths, and so the work of a force. */
   bool IsScaled() const noexcept;
-  /** Whether two transforms are equal up to the service's float arithmetic. */
+  /** Returns whether two transforms are equal up to the service's float arithmetic. */
   bool IsNear(const HaplyTransform& other) const noexcept;
 };
 
 /** An Inverse3, Inverse3x or Minverse, as in a message; vectors in Haply's axes. */
 struct HaplyArm
 {
-  std::string Family; ///< the name of its list, which its commands must name, too
+  std::string Family; ///< the name of the arm's list, which the arm's commands must name, too
   std::string Id;
   std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if reported
   std::string Handedness;                ///< "left" or "right", if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
   std::optional<Vector3> Force;          ///< N: the force that the service commands
-  std::optional<Quaternion> Orientation; ///< orientation of its body
+  std::optional<Quaternion> Orientation; ///< orientation of the arm's body
   std::optional<HaplyTransform> Transform;
   /** whether the position or the transform exists but has no numbers: NaN is written as null */
   bool IsSpoilt = false;
   ///@{
-  /** Empty if not reported. */
+  /** Flags of the arm; empty if not reported. */
   std::optional<bool> IsCalibrated;
   std::optional<bool> IsReady;
   std::optional<bool> IsInUse;
@@ -75,7 +75,7 @@ struct HaplyArm
 struct HaplyGrip
 {
   std::string Id;
-  std::optional<Quaternion> Orientation; ///< in Haply's axes
+  std::optional<Quaternion> Orientation; ///< orientation in Haply's axes
   std::uint32_t Buttons = 0;             ///< bits 0 to 3: a (or the only button), b, c, home
   bool IsAwake = true;
 };
@@ -99,33 +99,34 @@ enum class HaplyLevel : std::uint8_t
 
 struct HaplyEvent
 {
-  std::string Name; ///< such as "device-disconnected"
+  std::string Name; ///< name of the event, such as "device-disconnected"
   HaplyLevel Level = HaplyLevel::Info;
   std::string Device; ///< the device's identifier, if the event is about one
   std::string Safety; ///< data.safety_type, such as "ebrake_triggered"
-  std::string Text;   ///< for people
+  std::string Text;   ///< text for people
 };
 
 struct HaplyVersion
 {
   int Major = 0;
   int Minor = 0;
-  /// Since 3.5 sessions have a profile, devices have presets, and a force is a "vector".
+  /// Returns whether sessions have a profile, devices have presets, and a force is a "vector", as
+  /// from 3.5 on.
   bool IsNew() const noexcept { return this->Minor >= 5; }
   bool IsKnown() const noexcept { return this->Major == 3; }
 };
 
 ///@{
 /**
- * Reads a text. Returns nullptr, or the reason for refusing the text; the result is then
- * unspecified.
+ * Reads a text to `message`. Returns nullptr, or the reason for refusing the text; the message is
+ * then unspecified.
  */
 const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message);
 const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
 ///@}
 
-/** How to address an arm. */
+/** What a command needs to address an arm. */
 struct HaplyAddress
 {
   HaplyVersion Version;

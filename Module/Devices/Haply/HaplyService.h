@@ -29,18 +29,24 @@ struct HaplyPorts
   std::uint16_t Events = 10020;
   std::uint16_t Http = 10000; ///< the port of HTTP in earlier services
 
-  /** False, with the reason and the cure. */
+  /**
+   * Reads the ports. If this fails, returns false and writes the reason and the cure to `error`.
+   */
   static bool Read(HaplyPorts& ports, std::string& error);
 };
 
 /**
  * Asks the service by HTTP: "/version", or "/devices", at either port, with the prefix of a
- * version. False, with the reason.
+ * version; writes the answer to `text`. If this fails, returns false and writes the reason to
+ * `error`.
  */
 bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
-/** Requests the version of the service. False, with the reason and the cure. */
+/**
+ * Asks the service for its version. If this fails, returns false and writes the reason and the cure
+ * to `error`.
+ */
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
 /**

@@ -15,7 +15,9 @@ namespace
 constexpr int HfabRoundPause = 2; // ms, between messages if the servo gives no force
 constexpr int HfabLostPause = 10; // ms
 constexpr int WriteTime = 20;     // ms
-/** s; if an answer takes longer, the message counts as lost, and the next one is sent. */
+/**
+ * The time (s) after which a message without an answer counts as lost, and the next one is sent.
+ */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 

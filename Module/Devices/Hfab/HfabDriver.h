@@ -40,11 +40,12 @@ public:
   static constexpr const char* Board = "Teensyduino";
   static constexpr const char* OtherBoard = "Haply";
   ///@}
-  /** s, the wait for the first answer. */
+  /** The wait (s) for the first answer. */
   static constexpr double HandshakeTime = 1.5;
   /**
-   * s without an answer, after which the device is lost. Force has ended long before: the servo
-   * ends it after 30 ms without positions, and the firmware after 100 ms without messages.
+   * The time (s) without an answer after which the device is lost. Force has ended long before,
+   * since the servo ends it after 30 ms without positions, and the firmware after 100 ms without
+   * messages.
    */
   static constexpr double SilenceTime = 0.5;
   ///@{
@@ -62,7 +63,7 @@ public:
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
 
-  /** The port, such as /dev/ttyACM0; empty: the port of the only board. */
+  /** `port` is the port, such as /dev/ttyACM0; empty: the port of the only board. */
   explicit HfabDriver(std::string port, std::string folder = SerialPort::NamesFolder);
 
   std::string GetName() const override { return this->Label; }
@@ -116,17 +117,17 @@ private:
 
   Phase Now = Phase::Waiting;
   bool Lost = false;
-  bool Gone = false;        ///< unplugged
-  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, minus the nominal ones
+  bool Gone = false;        ///< whether the board is unplugged
+  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, less the nominal counts
   HfabModel::Counts Raw{};
   HfabModel::Counts StillAt{};
   std::int64_t StillSince = 0;
   bool HasTip = false;
-  Vector3 Tip; ///< in the arm's axes
+  Vector3 Tip; ///< the tip in the arm's axes
   HfabModel::Angles JointAngles{};
-  int Refusals = 0; ///< messages in a row that the controller refused
+  int Refusals = 0; ///< number of messages in a row that the controller refused
   std::int64_t LastAnswer = 0;
-  double Pause = 0.0; ///< s, between the last two answers
+  double Pause = 0.0; ///< s, the time between the last two answers
 };
 
 } // namespace VolumeHaptics

@@ -21,7 +21,10 @@ std::vector<DeviceListing> ListBoards()
   return all;
 }
 
-/** A board can't be identified before it is opened; its listing reports the permission. */
+/**
+ * Returns the obstacle if there is no board. A board can't be identified before it is opened; its
+ * listing reports the permission.
+ */
 std::string WhyNoBoards()
 {
   return HfabDriver::ListBoardPorts().empty() ? std::string("no serial port of a board named \"") +

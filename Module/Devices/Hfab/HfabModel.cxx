@@ -121,7 +121,7 @@ struct Linkage
 };
 
 ///@{
-/** Rotations about the arm's x, y and z. */
+/** Return rotations about the arm's x, y and z. */
 Quaternion AboutX(double angle) noexcept
 {
   return { std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0 };

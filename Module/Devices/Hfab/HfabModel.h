@@ -40,49 +40,49 @@ struct HfabGeometry
   std::array<double, 3> Lengths;        ///< m, of a serial arm: base, upper arm, forearm
   Vector3 Origin;                       ///< m, origin of the tip's position
   std::array<double, 3> TorqueConstant; ///< N m/A
-  double CountsPerTurn;                 ///< of a motor
+  double CountsPerTurn;                 ///< encoder counts in a turn of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
   std::array<int, 6> Home;              ///< counts in the pose for calibration
   /// mA per motor: the lowest set-up of the controller's amplifiers
   double MaximumCurrent;
-  bool TellsOrientation; ///< whether its handle has encoders
+  bool TellsOrientation; ///< whether the handle has encoders
   DeviceLimits Limits;
 };
 
 class HfabModel
 {
 public:
-  using Angles = std::array<double, 3>; ///< rad, of A, B and C
-  using Counts = std::array<int, 6>;    ///< after calibration
+  using Angles = std::array<double, 3>; ///< rad, the angles A, B and C
+  using Counts = std::array<int, 6>;    ///< encoder counts after calibration
 
   /** Returns an arm; null for an unknown model. Models: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
   static const HfabGeometry* Find(int model) noexcept;
 
   static Angles ComputeAngles(const HfabGeometry& geometry, const Counts& counts) noexcept;
-  /** Computes the tip (m). False if the linkage can't have these angles. */
+  /** Computes the tip (m). Returns false if the linkage can't have these angles. */
   static bool ComputeTip(const HfabGeometry& geometry, const Angles& angles, Vector3& tip) noexcept;
   /**
-   * Computes the derivative of the tip by the angles (m/rad; columns). False if the linkage can't
-   * have these angles, or if the derivative does not exist.
+   * Computes the derivative of the tip by the angles (m/rad; columns). Returns false if the linkage
+   * can't have these angles, or if the derivative does not exist.
    */
   static bool ComputeJacobian(
     const HfabGeometry& geometry, const Angles& angles, Matrix3& jacobian) noexcept;
   /**
-   * Computes the handle's orientation, if it reports one, in the axes of all devices
+   * Returns the handle's orientation, if the handle reports one, in the axes of all devices
    * (DeviceBackend.h).
    */
   static Quaternion ComputeOrientation(const HfabGeometry& geometry, const Counts& counts) noexcept;
 
   /**
    * Computes the motors' currents (mA) for a force on the hand (N): i = (J^T f) sign capstan /
-   * (body kt). If a motor would get more than the maximum, all are scaled down together. Zero if
-   * the force is not finite, or the linkage can't have these angles.
+   * (body kt). If a motor would get more than the maximum, all currents are scaled down together.
+   * They are zero if the force is not finite, or the linkage can't have these angles.
    */
   static std::array<int, 3> ComputeCurrents(
     const HfabGeometry& geometry, const Angles& angles, const Vector3& force) noexcept;
 
   ///@{
-  /** Convert between the arm's axes and those of all devices: right, up, towards the hand. */
+  /** Convert between the arm's axes and the axes of all devices: right, up, towards the hand. */
   static Vector3 ToDevice(const Vector3& arm) noexcept { return { arm.Y, arm.Z, arm.X }; }
   static Vector3 ToArm(const Vector3& device) noexcept { return { device.Z, device.X, device.Y }; }
   ///@}

@@ -22,13 +22,14 @@ struct HfabAnswer
 {
   int Model = 0;
   std::array<int, 6> Counts{};
-  int Error = 0; ///< bits, see below
+  int Error = 0; ///< bits of the controller's errors, see below
 };
 
 ///@{
 /** Bits of HfabAnswer::Error, as the firmware sets them. */
 constexpr int HfabGimbalErrors = 1 | 2 | 4; ///< an encoder of the handle can't be read
-/// The controller refused the message; the counts belong to the last message that it accepted.
+/// Bits that mean that the controller refused the message; the counts belong to the last message
+/// that it accepted.
 constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
 ///@}
 
@@ -36,10 +37,10 @@ constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
 class HfabReader
 {
 public:
-  /** Adds a byte. Returns true if it ends an answer, which Get then returns. */
+  /** Adds a byte. Returns true if the byte ends an answer, which Get then returns. */
   bool Receive(char byte) noexcept;
   const HfabAnswer& Get() const noexcept { return this->Answer; }
-  /** How many lines were no answers. */
+  /** Returns the number of lines that were no answers. */
   int GetBadLines() const noexcept { return this->BadLines; }
   void Reset() noexcept;
   /** Drops the present line. */

@@ -83,7 +83,7 @@ std::vector<DeviceKind> GetBuiltInKinds()
 
 std::mutex Mutex;
 
-/** Call it under the mutex. */
+/** Returns all kinds. Call this function under the mutex. */
 std::vector<DeviceKind>& Kinds()
 {
   static std::vector<DeviceKind> kinds = GetBuiltInKinds();

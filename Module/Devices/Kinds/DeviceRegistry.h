@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds a kind. False, with the reason, if the name is taken or invalid, or if the kind can't list
- * or make devices. Any thread.
+ * Adds a kind. If the name is taken or invalid, or if the kind can't list or make devices, returns
+ * false and writes the reason to `error`. Any thread.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 
@@ -31,7 +31,10 @@ struct DeviceObstacle
 /** Lists the kinds that this computer can't have, in order, by DeviceKind::Missing. */
 std::vector<DeviceObstacle> ListMissingKinds();
 
-/** Makes a back end for an id, not open yet. Null, with the reason and the cure. */
+/**
+ * Makes a back end for an id, not open yet. If this fails, returns null and writes the reason and
+ * the cure to `error`.
+ */
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error);
 

@@ -13,7 +13,7 @@ enum ReportId : std::uint8_t
 {
   CableIn = 0x01,
   CableOut = 0x02,
-  Wireless = 0x31 ///< in and out
+  Wireless = 0x31 ///< number of the reports in and out
 };
 
 constexpr std::size_t CableInSize = 64;
@@ -22,7 +22,7 @@ constexpr std::size_t WirelessSize = 78;
 constexpr std::size_t CrcSize = 4;
 constexpr std::uint8_t InSeed = 0xA1;
 constexpr std::uint8_t OutSeed = 0xA2;
-constexpr std::uint8_t OutTag = 0x10; // in every output report on Bluetooth
+constexpr std::uint8_t OutTag = 0x10; // byte of every output report on Bluetooth
 
 ///@{
 /** Byte places in the part common to both links. */
@@ -48,7 +48,7 @@ constexpr std::uint8_t ClassicVibration = 1U << 0;      // bit of Flags
 constexpr std::uint8_t SelectVibration = 1U << 1;       // bit of Flags: selects the motors, not
                                                         // sound
 constexpr std::uint8_t NewerClassicVibration = 1U << 2; // bit of MoreFlags
-constexpr std::size_t VersionPlace = 44;                // in the firmware's report
+constexpr std::size_t VersionPlace = 44;                // index in the firmware's report
 constexpr unsigned NewerVersion = 2 << 8 | 21;
 
 struct ButtonPlace

@@ -15,7 +15,7 @@ namespace
 constexpr const char* Word = "dualsense";
 constexpr std::int64_t FirstReportTime = 500000000; // ns
 constexpr int Steps = 255;
-constexpr int MostBadReports = 5; // in a row
+constexpr int MostBadReports = 5; // number in a row
 
 } // namespace
 

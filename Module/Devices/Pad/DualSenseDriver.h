@@ -25,11 +25,14 @@ class DualSenseDriver final : public HidDriver
 public:
   static constexpr double SendPeriod = 0.01; ///< s between changes; silence is sent at once
 
-  /** `number` counts in Find. */
+  /** `number` is the device's place in the list of Find. */
   explicit DualSenseDriver(int number);
 
   ///@{
-  /** Converts the number to words on a command line, and back. Null for words of other drivers. */
+  /**
+   * Convert the number to words on a command line, and back. MakeFromWords returns null for words
+   * of other drivers.
+   */
   static std::vector<std::string> MakeWords(int number);
   static std::unique_ptr<HardwareDriver> MakeFromWords(const std::vector<std::string>& words);
   ///@}
@@ -52,13 +55,13 @@ private:
 
   const int Number;
   DualSense::Link Link = DualSense::Link::Unknown;
-  bool IsNewer = false; ///< the firmware has the newer vibration
+  bool IsNewer = false; ///< whether the firmware has the newer vibration
   unsigned Reports = 0; ///< number of sent reports
   PadState State;
   RateTip Tip;
   Vibration Levels;
-  int Strong = 0; ///< last sent level
-  int Weak = 0;   ///< last sent level
+  int Strong = 0; ///< last sent level of the strong motor
+  int Weak = 0;   ///< last sent level of the weak motor
   int BadReports = 0;
   std::int64_t SentAt = 0;
   std::int64_t LastRound = 0;

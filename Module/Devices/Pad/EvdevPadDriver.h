@@ -27,15 +27,15 @@ namespace VolumeHaptics
 /** The gamepads for which Linux has drivers, as sysfs lists them. */
 struct EvdevPad
 {
-  std::string Path; ///< its node, such as /dev/input/event5
-  std::string Name; ///< the product's
+  std::string Path; ///< the pad's node, such as /dev/input/event5
+  std::string Name; ///< the product's name
   std::uint16_t Vendor = 0;
   std::uint16_t Product = 0;
-  bool Vibrates = false; ///< its driver supports FF_RUMBLE
+  bool Vibrates = false; ///< whether the pad's driver supports FF_RUMBLE
 
-  /** Name and path, as shown to the user. */
+  /** Returns name and path, as shown to the user. */
   std::string GetLabel() const;
-  /** "available", "in use", or the obstacle and its cure. */
+  /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
   /** Explains the obstacle for an error of open() or EVIOCGRAB. */
   static std::string Explain(int fault);
@@ -50,7 +50,7 @@ extern const char* const NoRumbleText;
 class EvdevPadDriver final : public HardwareDriver
 {
 public:
-  /** The number in ListEvdevPads; negative: the first free pad that vibrates. */
+  /** `number` is the pad's place in ListEvdevPads; negative: the first free pad that vibrates. */
   explicit EvdevPadDriver(int number);
   ~EvdevPadDriver() override { this->Disconnect(); }
 
@@ -66,7 +66,7 @@ private:
   void ReadAll() noexcept;
   void Begin(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
-  /** Waits for a moment; false if the pad was disconnected. */
+  /** Waits for a moment; returns false if the pad was disconnected. */
   bool Listen(const HardwareExchange& exchange) noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
@@ -75,7 +75,7 @@ private:
   std::string Label = "A gamepad";
   int Node = -1;
   bool Lost = false;
-  bool Gone = false; ///< unplugged or switched off
+  bool Gone = false; ///< whether the pad is unplugged or switched off
   EvdevReader Reader;
   RateTip Tip;
   Vibration Levels;

@@ -25,7 +25,7 @@ constexpr ButtonCode Codes[] = { { BTN_SOUTH, PadSouth }, { BTN_EAST, PadEast },
   { BTN_SELECT, PadSelect }, { BTN_START, PadStart }, { BTN_THUMBL, PadLeftStick },
   { BTN_THUMBR, PadRightStick }, { BTN_MODE, PadMode } };
 
-/** Returns the value of a hexadecimal digit; negative if the character is none. */
+/** Returns the value of a hexadecimal digit; negative if the character is no digit. */
 int DigitOf(char c)
 {
   return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;

@@ -23,8 +23,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a bit is set in a text of sysfs, such as "107030000 0 0": words of the kernel's long, in
- * hexadecimal, the highest first. False for other texts.
+ * Returns whether a bit is set in a text of sysfs, such as "107030000 0 0": words of the kernel's
+ * long, in hexadecimal, the highest first. Returns false for other texts.
  */
 bool HasEvdevBit(const std::string& words, unsigned bit);
 
@@ -40,7 +40,7 @@ public:
   };
 
   ///@{
-  /** The state of an axis or a button that the device has; others are ignored. */
+  /** Sets the state of an axis or a button that the device has; others are ignored. */
   void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
   void SetButton(unsigned code, bool isHeld) noexcept;
   ///@}

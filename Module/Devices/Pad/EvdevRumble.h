@@ -30,10 +30,10 @@ public:
   static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
   static constexpr int Steps = 255; ///< the number of levels of a motor, the resolution of pads
 
-  /** Prepares an open node, with the full gain. False if it holds no effects. */
+  /** Prepares an open node, with the full gain. Returns false if the node holds no effects. */
   bool Begin(int node) noexcept;
   ///@{
-  /** Sets the levels. False if the device refuses. */
+  /** Sets the levels. Returns false if the device refuses. */
   bool Show(const VibrationLevels& levels) noexcept;
   bool Silence() noexcept;
   ///@}

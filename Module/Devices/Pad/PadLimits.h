@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** N: the force whose changes are felt. A pad gives no force. */
+/** N, the largest force whose changes are felt. A pad gives no force. */
 constexpr double MostPadForce = 8.0;
 
 inline DeviceLimits MakePadLimits() noexcept

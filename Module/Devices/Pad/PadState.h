@@ -17,30 +17,30 @@ namespace VolumeHaptics
 /** Bits of PadState::Buttons, by their places on the pad. */
 enum PadButton : std::uint32_t
 {
-  PadSouth = 1U << 0, ///< A, or the cross
+  PadSouth = 1U << 0, ///< the button A, or the cross
   PadEast = 1U << 1,
   PadWest = 1U << 2,
   PadNorth = 1U << 3,
-  PadLeftShoulder = 1U << 4,  ///< above the left trigger
-  PadRightShoulder = 1U << 5, ///< above the right trigger
+  PadLeftShoulder = 1U << 4,  ///< the button above the left trigger
+  PadRightShoulder = 1U << 5, ///< the button above the right trigger
   PadSelect = 1U << 6,
   PadStart = 1U << 7,
-  PadLeftStick = 1U << 8,  ///< the stick is pressed
-  PadRightStick = 1U << 9, ///< the stick is pressed
+  PadLeftStick = 1U << 8,  ///< the pressed left stick
+  PadRightStick = 1U << 9, ///< the pressed right stick
   PadMode = 1U << 10       ///< the maker's own button
 };
 
 struct PadState
 {
   ///@{
-  /** -1 to 1; right and down are positive, as drivers report them. */
+  /** Sticks, -1 to 1; right and down are positive, as drivers report them. */
   double LeftX = 0.0;
   double LeftY = 0.0;
   double RightX = 0.0;
   double RightY = 0.0;
   ///@}
   ///@{
-  /** 0 to 1. */
+  /** Triggers, 0 to 1. */
   double LeftTrigger = 0.0;
   double RightTrigger = 0.0;
   ///@}
@@ -55,18 +55,20 @@ struct PadMotion
 };
 
 /**
- * The left stick moves the tip to the right and up; the right stick moves it forward and back, and
- * so do the triggers: the right trigger presses forward, the left one pulls back. The right stick
- * turns the volume sideways. With the left shoulder held, the tip moves at a fifth of the speed.
- * The right shoulder is the clutch: while it is held, the tip stays.
+ * Returns the motion for a state. The left stick moves the tip to the right and up; the right stick
+ * moves the tip forward and back, and so do the triggers: the right trigger presses forward, the
+ * left one pulls back. The right stick turns the volume sideways. With the left shoulder held, the
+ * tip moves at a fifth of the speed. The right shoulder is the clutch: while it is held, the tip
+ * stays.
  */
 PadMotion Steer(const PadState& state) noexcept;
 
 ///@{
 /**
  * Maps a reported value between two ends to -1 to 1 for a stick, 0 to 1 for a trigger. Within a
- * dead zone about the rest it is 0, continuous at its border: 12 % of a stick's half and 5 % of a
- * trigger, or `flat`, the driver's own dead zone, if that is larger. 0 if the ends are no range.
+ * dead zone about the rest the result is 0, continuous at the zone's border: 12 % of a stick's half
+ * and 5 % of a trigger, or `flat`, the driver's own dead zone, if that is larger. Returns 0 if the
+ * ends are no range.
  */
 double ScaleStick(int value, int least, int most, int flat = 0) noexcept;
 double ScaleTrigger(int value, int least, int most, int flat = 0) noexcept;

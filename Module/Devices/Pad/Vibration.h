@@ -39,8 +39,8 @@ namespace VolumeHaptics
 /** Each motor's fraction of its full speed, 0 to 1. */
 struct VibrationLevels
 {
-  double Strong = 0.0; ///< the slow motor
-  double Weak = 0.0;   ///< the fast motor
+  double Strong = 0.0; ///< fraction of the slow motor
+  double Weak = 0.0;   ///< fraction of the fast motor
 };
 
 class Vibration
@@ -51,7 +51,7 @@ public:
   static constexpr double FullChange = 1.0; ///< N, the change that gives the full speed
   static constexpr double RiseRate = 100.0; ///< 1/s
   static constexpr double FallRate = 10.0;  ///< 1/s
-  /** Motors of pads do not turn below this fraction, so they get nothing. */
+  /** Motors of pads do not turn below this fraction, so they get zero. */
   static constexpr double Least = 0.04;
 
   ///@{
@@ -72,8 +72,8 @@ public:
   /** Converts a level to a whole number from 0 to `steps`; 0 below Least. */
   static int Quantize(double level, int steps) noexcept;
   /**
-   * Whether to send levels, `age` (s) after the last ones. Silence is sent at once, other changes
-   * at most every SendPeriod; constant levels are renewed.
+   * Returns whether to send levels `age` (s) after the last levels. Silence is sent at once, other
+   * changes at most every SendPeriod; constant levels are renewed.
    */
   static bool IsDue(bool isSame, bool isSilent, double age) noexcept
   {

@@ -24,12 +24,12 @@ public:
   };
 
   /**
-   * Finds X or the steering wheel, Y if there is one, and the buttons that have a bit each. False,
-   * with the missing parts, if there is no axis.
+   * Finds X or the steering wheel, Y if there is one, and the buttons that have a bit each. If
+   * there is no axis, returns false and writes the missing parts to `error`.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
-  /** The smallest reported step of an axis, as a fraction of its logical range. */
+  /** Returns the smallest reported step of an axis, as a fraction of the axis's logical range. */
   double GetStep() const noexcept;
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
   /**

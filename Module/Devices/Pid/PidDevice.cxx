@@ -15,7 +15,7 @@ namespace
 constexpr std::uint16_t OrdinalPage = 0x0A;
 constexpr HidUsage AxisUsages[] = { MakeHidUsage(0x01, 0x30), MakeHidUsage(0x01, 0x31) };
 
-/** Converts a duration (s) to the field's logical value, in its own unit and scale. */
+/** Converts a duration (s) to the field's logical value, in the field's unit and scale. */
 std::int64_t ToLogical(const HidField& field, double quantity, double unitWithoutUnit) noexcept
 {
   const double unit = field.Unit == 0 ? unitWithoutUnit : std::pow(10.0, field.UnitExponent);
@@ -186,7 +186,8 @@ HidReport PidDevice::CreateConstant() const noexcept
   return report;
 }
 
-// All other fields stay 0: no trigger button, no delay, no sample period.
+// Fills the fields of the effect. All other fields stay 0: no trigger button, no delay, no sample
+// period.
 HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) const noexcept
 {
   HidReport report = PidDevice::Begin(this->Effect);

@@ -60,8 +60,8 @@ enum class PidUsage : std::uint16_t
 /** Settings that turn forces into magnitudes. */
 struct PidSettings
 {
-  /// N at full magnitude, for x and y. Only the user knows it. A value below zero reverses the
-  /// force; 0 means no force.
+  /// N at full magnitude, for x and y. Only the user knows this number. A value below zero reverses
+  /// the force; 0 means no force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
   /// s, 0.05 to 0.1: how long a force acts after the last report of the host
   double Duration = 0.1;
@@ -69,7 +69,7 @@ struct PidSettings
 
 enum class BlockLoadStatus : std::uint8_t
 {
-  Waiting, ///< not known yet, or not understood
+  Waiting, ///< the state is not known yet, or not understood
   Success,
   Full,
   Error
@@ -79,8 +79,8 @@ class PidDevice
 {
 public:
   /**
-   * Finds the reports. False, with a list of the missing parts, if they don't allow constant
-   * forces.
+   * Finds the reports. If they don't allow constant forces, returns false and writes a list of the
+   * missing parts to `error`.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
@@ -113,8 +113,8 @@ public:
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * Sets a magnitude: newtons over newtons per full scale, at most the full scale; 0 if either is
-   * not finite.
+   * Sets a magnitude: newtons over newtons per full scale, at most the full scale; 0 if either
+   * number is not finite.
    */
   HidReport SetConstant(
     std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
@@ -127,7 +127,7 @@ public:
   ///@}
 
   ///@{
-  /** Read the received payloads. Zero effects mean that the device did not say. */
+  /** Read the received payloads. If ReadPool returns zero effects, the device did not say. */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
     const std::uint8_t* payload, std::size_t size, std::int64_t& block) const noexcept;

@@ -39,17 +39,17 @@ public:
   /** The device has to outlive the dialogue. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
 
-  /** Returns the next step; the same one until Sent or Fetched is called. */
+  /** Returns the next step; the same step until Sent or Fetched is called. */
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** Reports the result of that step. An empty payload means that the device gave none. */
+  /** Report the result of the step. An empty payload means that the device gave none. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}
 
   const std::string& GetError() const { return this->Error; }
-  /** Returns the block of an axis' effect, if ready. */
+  /** Returns the block of an axis' effect, once the dialogue is ready. */
   std::int64_t GetBlock(int axis) const noexcept { return this->Blocks[axis]; }
 
 private:
@@ -95,8 +95,8 @@ public:
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
 
   /**
-   * Adds the time (s) since the last call and takes the force on the hand (N). False if nothing
-   * needs to be sent.
+   * Adds the time (s) since the last call, takes the force on the hand (N), and writes the next
+   * report to `report`. Returns false if nothing needs to be sent.
    */
   bool Next(double elapsed, const std::array<double, 2>& force, HidReport& report) noexcept;
 
@@ -107,7 +107,7 @@ private:
   std::array<double, 2> Ages{}; ///< s since the last start
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{}; ///< magnitudes sent
   double Silence = 0.0; ///< s since anything was sent
-  int Turn = 0;         ///< the next axis
+  int Turn = 0;         ///< the axis whose turn is next
 };
 
 } // namespace VolumeHaptics

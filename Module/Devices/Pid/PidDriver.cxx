@@ -23,13 +23,16 @@ bool IsOpenFfboard(const HidDeviceInfo& info)
   return info.Vendor == 0x1209 && info.ProductId == 0xFFB0;
 }
 
-/** Arduino's two vendor numbers and SparkFun's. */
+/** Returns whether a device has Arduino's two vendor numbers or SparkFun's. */
 bool IsArduino(const HidDeviceInfo& info)
 {
   return info.Vendor == 0x2341 || info.Vendor == 0x2A03 || info.Vendor == 0x1B4F;
 }
 
-/** Whether all reports of force feedback have the sizes of ArduinoJoystickWithFFBLibrary's. */
+/**
+ * Returns whether all reports of force feedback have the sizes of ArduinoJoystickWithFFBLibrary's
+ * reports.
+ */
 bool HasSizesOfLibrary(const HidReportDescriptor& descriptor)
 {
   // Output reports 1 to 14; there is no report 9, and report 8 lacks the second axis.
@@ -50,7 +53,7 @@ bool HasSizesOfLibrary(const HidReportDescriptor& descriptor)
   return isSame;
 }
 
-/** Whether the second axis can be enabled. */
+/** Returns whether the second axis can be enabled. */
 bool HasSecondAxis(const HidReportDescriptor& descriptor)
 {
   constexpr HidUsage y = MakeHidUsage(0x01, 0x31);

@@ -53,9 +53,9 @@ namespace VolumeHaptics
  */
 struct PidFirmware
 {
-  bool IsKnown = false;       ///< the signs of both axes are known
-  double Sign = 1.0;          ///< -1 if a force goes to its direction
-  bool HasShares = false;     ///< a direction is a share of the axis, with its bit
+  bool IsKnown = false;       ///< whether the signs of both axes are known
+  double Sign = 1.0;          ///< -1 if a force goes to its direction, else 1
+  bool HasShares = false;     ///< whether a direction is a share of the axis, with the axis's bit
   const char* Objection = ""; ///< why no axis can be driven; empty if one can
 };
 
@@ -64,29 +64,34 @@ PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescript
 class PidDriver final : public HidDriver
 {
 public:
-  static constexpr double Travel = 0.05; ///< m, the tip's at the end of an axis
+  static constexpr double Travel = 0.05; ///< m, the place of the tip at the end of an axis
   /** m/s: the whole way in 20 ms; no hand is faster */
   static constexpr double FastestStick = 5.0;
 
-  /** The devices that an id denotes: all, or those of a vendor and product. */
+  /** The devices that an id denotes: all, or all of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
     std::uint16_t Vendor = 0;
     std::uint16_t Product = 0;
   };
-  /** False for an id that is neither "pid" nor "pid:VVVV:PPPP". */
+  /**
+   * Reads the numbers of an id. Returns false for an id that is neither "pid" nor "pid:VVVV:PPPP".
+   */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /**
-   * Whether the report descriptor has all that forces need. The objection says why such a device
-   * gets no forces, and the cure; it is empty if the device gets them.
+   * Returns whether the report descriptor has all that forces need. If the device gets no forces
+   * all the same, the objection receives the reason and the cure; otherwise it is empty.
    */
   static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 
   DeviceLimits GetLimits() const override;
-  /** The identity includes the axes that the user has reversed, because their signs differ. */
+  /**
+   * Returns an identity that includes the axes that the user has reversed, because their signs
+   * differ.
+   */
   std::string GetIdentity() const override;
 
 private:
@@ -99,7 +104,10 @@ private:
     std::string Objection; ///< why the device gets no forces although it could; empty if it gets
                            ///< forces
 
-    /** False, with the missing parts, if it is no force-feedback device. */
+    /**
+     * Reads the mapping of a device. If the device is no force-feedback device, returns false and
+     * writes the missing parts to `error`.
+     */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
   };
 
@@ -125,12 +133,12 @@ private:
   Mapping Map;
 
   std::optional<PidDialogue> Dialogue;
-  std::optional<PidStream> Stream; ///< set after the dialogue
+  std::optional<PidStream> Stream; ///< exists once the dialogue is complete
   HidStick::State State;           ///< axes that were not reported yet are NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
-  int Repeats = 0; ///< number of packets that equal the one before
+  int Repeats = 0; ///< number of packets in a row that equal the packet before
   std::int64_t LastPacketTime = 0;
   std::int64_t LongestGap = 0; ///< ns, the longest gap before a repeated packet
   std::int64_t LastRound = 0;

@@ -25,25 +25,25 @@ public:
   {
   }
 
-  /** A usage of the PID page, with its page. */
+  /** Returns a usage of the PID page, with the page. */
   static constexpr HidUsage Of(PidUsage usage) noexcept
   {
     return MakeHidUsage(0x0F, static_cast<std::uint16_t>(usage));
   }
 
-  /** Selects the report with this usage. False if there is no usable one. */
+  /** Selects the report with this usage. Returns false if there is no usable report. */
   bool Turn(PidUsage report, HidReportKind kind, const char* name, PidDevice::Shape& shape);
 
   ///@{
   /**
-   * Finds a field that holds a number, or a bit or a choice of an array that means the usage.
+   * Finds the field that holds a number, or a bit or a choice of an array that means the usage.
    * `within` is the usage of a collection around it.
    */
   bool Find(HidUsage usage, PidDevice::Slot& slot, HidUsage within = 0) const;
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** The same as Find; records a missing field. */
+  /** Does the same as Find; records a missing field. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void RecordMissing(const std::string& what);

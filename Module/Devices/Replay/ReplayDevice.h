@@ -18,8 +18,9 @@ class ReplayDevice : public DeviceBackend
 {
 public:
   /**
-   * The tips (m, this device's space), and the recording's name. Finished after the last tip. One
-   * orientation per tip, or none; an orientation that is not of unit norm is not valid.
+   * Makes a device for a recording with this name; `tips` are in m, in this device's space. The
+   * device is Finished after the last tip. There is one orientation per tip, or none; an
+   * orientation that is not of unit norm is not valid.
    */
   ReplayDevice(
     std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations = {});

@@ -30,17 +30,17 @@ public:
   struct State
   {
     std::array<double, 6> Axes{}; ///< x, y, z, about x, about y, about z: -1 to 1
-    std::uint32_t Buttons = 0;    ///< the first 32 buttons; bit 0 is the first
+    std::uint32_t Buttons = 0;    ///< bits of the first 32 buttons; bit 0 is the first
   };
 
   /**
-   * Whether this is a six-axis mouse, by an explicit list: the vendors' other products are mice and
-   * keyboards.
+   * Returns whether this is a six-axis mouse, by an explicit list, since the vendors' other
+   * products are mice and keyboards.
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
   /**
-   * Whether the y axis points up and the z axis away from the hand. On most devices y points
-   * towards the hand and z down.
+   * Returns whether the y axis points up and the z axis away from the hand. On most devices y
+   * points towards the hand and z down.
    */
   static bool HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept;
 

@@ -38,8 +38,8 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 
 bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 {
-  // Receivers also have an interface for a mouse or a keyboard: only the one with a report 1 of six
-  // axes counts.
+  // Receivers also have an interface for a mouse or a keyboard: only the interface with a report 1
+  // of six axes counts.
   HidReportDescriptor descriptor;
   std::string error;
   const auto isTurn = [](const HidField& field)

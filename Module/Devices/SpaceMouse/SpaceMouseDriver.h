@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class SpaceMouseDriver final : public HidDriver
 {
 public:
-  static constexpr double HoldTime = 0.5; ///< s; how long a push counts that is not repeated
+  static constexpr double HoldTime = 0.5; ///< s; how long a push counts if it is not repeated
 
   explicit SpaceMouseDriver(int number);
 

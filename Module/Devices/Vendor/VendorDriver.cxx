@@ -26,8 +26,9 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
 }
 
 /**
- * Loads the table of a file's plug-in; null, with the reason and the cure, on failure. A refused
- * library also stays loaded, because the vendor's library may have started threads.
+ * Loads the table of a file's plug-in. If this fails, returns null and writes the reason and the
+ * cure to `error`. A refused library also stays loaded, because the vendor's library may have
+ * started threads.
  */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {

@@ -40,7 +40,8 @@ public:
   };
 
   /**
-   * Loads the plug-in of this name, or returns the loaded one. Null, with the reason and the cure.
+   * Returns the plug-in of this name, and loads it if it is not loaded yet. If this fails, returns
+   * null and writes the reason and the cure to `error`.
    */
   static std::shared_ptr<VendorLibrary> Load(
     const std::string& plugin, const std::string& path, std::string& error);
@@ -48,13 +49,13 @@ public:
   static std::shared_ptr<VendorLibrary> LoadFile(const std::string& path, std::string& error);
 
   /**
-   * Lists the devices. While one is open, returns the last list without calling the plug-in. False,
-   * with the reason, if the plug-in can't list them.
+   * Lists the devices. While a device is open, returns the last list without calling the plug-in.
+   * If the plug-in can't list them, returns false and writes the reason to `error`.
    */
   bool Describe(std::vector<Description>& devices, std::string& error);
 
   ///@{
-  /** Open a device (null, with the reason, on failure), and close it. */
+  /** Open and close a device. If Open fails, it returns null and writes the reason to `error`. */
   void* Open(int number, std::string& error);
   void Close(void* device, int number) noexcept;
   ///@}
@@ -82,10 +83,12 @@ private:
 class VendorDriver final : public HardwareDriver
 {
 public:
-  /** s; a longer call is a fault, because the device was not observed meanwhile. */
+  /**
+   * The longest call (s); a longer one is a fault, because the device was not observed meanwhile.
+   */
   static constexpr double LongestCall = 0.5;
 
-  /** `path` as in VendorFolder::Split. */
+  /** `path` is a search path as in VendorFolder::Split. */
   VendorDriver(std::string plugin, int number, std::string path);
   ~VendorDriver() override;
 
@@ -111,7 +114,8 @@ private:
   const std::string Path;
   std::string Label;
   std::string Identity;
-  bool HasSerial = false; ///< without it, a plug-in's devices may change their numbers
+  bool HasSerial = false; ///< whether the device has a serial number; without one, a plug-in's
+                          ///< devices may change their numbers
   DeviceLimits Limits;
   std::shared_ptr<VendorLibrary> Library;
   void* Device = nullptr;

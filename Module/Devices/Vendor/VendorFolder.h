@@ -20,7 +20,7 @@ namespace VolumeHaptics
 /** A file that may be a plug-in. */
 struct VendorFile
 {
-  std::string Plugin; ///< its name in ids: letters, digits, '-' and '_'
+  std::string Plugin; ///< the plug-in's name in ids: letters, digits, '-' and '_'
   std::string Path;
 };
 
@@ -36,8 +36,8 @@ public:
   static std::vector<std::string> Split(const std::string& path);
 
   /**
-   * Lists all plug-ins in the folders; the first of several with the same name. Folders that can't
-   * be used add a text.
+   * Lists all plug-ins in the folders; if several have the same name, lists the first. For each
+   * folder that can't be used, adds a text to `obstacles`.
    */
   static std::vector<VendorFile> List(
     const std::vector<std::string>& folders, std::vector<std::string>& obstacles);

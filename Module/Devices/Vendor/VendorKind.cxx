@@ -38,8 +38,7 @@ std::vector<DeviceListing> ListVendors()
 }
 
 /**
- * Explains the obstacle of each plug-in that can't be used, and the obstacle of the kind as a
- * whole.
+ * Returns the obstacle of each plug-in that can't be used, and the obstacle of the kind as a whole.
  */
 std::string WhyNoVendors()
 {

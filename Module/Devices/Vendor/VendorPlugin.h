@@ -72,11 +72,14 @@ extern "C"
   struct VolumeHapticsVendorPlugin
   {
     uint32_t Version; /**< VOLUME_HAPTICS_VENDOR_VERSION */
-    /** The number of devices that are plugged in, or that can be tried; negative: see LastError. */
+    /**
+     * Returns the number of devices that are plugged in, or that can be tried; negative: see
+     * LastError.
+     */
     int (*Count)(void);
     /** Writes a device's name for people, and its serial number or an empty text. */
     int (*Describe)(int number, char* name, size_t nameSize, char* serial, size_t serialSize);
-    /** A handle, without force yet; null: see LastError. */
+    /** Opens a device and returns a handle, without force yet; null: see LastError. */
     void* (*Open)(int number);
     int (*GetLimits)(void* device, struct VolumeHapticsVendorLimits* limits);
     /** Writes the serial number of an open device, or an empty text. */
@@ -84,19 +87,20 @@ extern "C"
     int (*Read)(void* device, struct VolumeHapticsVendorPose* pose);
     int (*Write)(void* device, const double force[3], const double torque[3]);
     /**
-     * Homes the device, or tries it again after a fault, at the user's request. It may take
+     * Homes the device, or tries it again after a fault, at the user's request. Homing may take
      * seconds, in which Read is not called. Null if there is nothing to do.
      */
     int (*Home)(void* device);
     /**
-     * The last fault or request to the user with its cure, in a sentence that follows the device's
-     * name: "is not homed. Press Home()." For null, the plug-in's. Valid until the next call.
+     * Returns the last fault or request to the user with its cure, in a sentence that follows the
+     * device's name: "is not homed. Press Home()." For a null device, the sentence is about the
+     * plug-in. Valid until the next call.
      */
     const char* (*LastError)(void* device);
     void (*Close)(void* device);
   };
 
-  /** Null if the plug-in does not support that version. */
+  /** Returns the table of functions; null if the plug-in does not support that version. */
 #if defined(_WIN32)
   __declspec(dllexport)
 #else

@@ -51,30 +51,34 @@ public:
   void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }
 
   ///@{
-  /** One thread outside the loop: sets the target of the tip (m), and the pressed buttons. */
+  /**
+   * Sets the target of the tip (m). One thread outside the loop calls this function and the next
+   * ones.
+   */
   void Lead(const Vector3& target) noexcept;
   /** Takes the stylus up at another position (m), as the first Lead does. */
   void Place(const Vector3& position) noexcept;
   /**
-   * Sets the stylus's orientation, at once: a unit quaternion. Before the first call there is none.
+   * Sets the stylus's orientation, at once: a unit quaternion. The stylus has no orientation before
+   * the first call.
    */
   void Turn(const Quaternion& orientation) noexcept;
   /** Removes the orientation. */
   void ForgetTurn() noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
-  /** Call it only while the loop does not run. */
+  /** Sets the dynamics. Call it only while the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
-  /** The limits of another device. Call it only while the loop does not run. */
+  /** Sets the limits of another device. Call it only while the loop does not run. */
   void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}
 
   ///@{
-  /** Simulate failures of a real device: samples stop, or it is unplugged. */
+  /** Simulate failures of a real device: samples stop, or the device is unplugged. */
   void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}
 
-  /** The force that acts on the hand now. Any thread, for one component at a time. */
+  /** Returns the force that acts on the hand now. Any thread, for one component at a time. */
   double GetActingForce(int axis) const noexcept
   {
     return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
@@ -111,7 +115,7 @@ private:
   std::int64_t Period = 0; ///< ns
   TakenForce Taken{ -1, 0 };
   Vector3 Target;
-  std::uint64_t PlacesDone = 0; ///< 0: it was never taken up
+  std::uint64_t PlacesDone = 0; ///< Places that the servo has seen; 0: never taken up
 };
 
 } // namespace VolumeHaptics

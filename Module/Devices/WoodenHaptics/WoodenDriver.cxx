@@ -26,11 +26,16 @@ constexpr const char* TeensyName = "teensyduino rawhid";
 /** The board's second interface carries its log and has the same name. */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-/** ns, between currents if no packet comes. */
+/** The time (ns) between currents if no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
-/** s. After a longer pause the hand was not observed: the kernel may have dropped packets. */
+/**
+ * The pause (s) after which the hand was not observed, since the kernel may have dropped packets.
+ */
 constexpr double LateRound = 0.03;
-/** s. The firmware only uses the last of the waiting packets, which may not be this one. */
+/**
+ * The time (s) between two presets. The firmware only uses the last of the waiting packets, which
+ * may not be this one.
+ */
 constexpr double PresetPeriod = 0.1;
 
 constexpr const char* AskForRest =
@@ -44,8 +49,8 @@ constexpr const char* AskAgain = ", then press Home() and put the arm into its r
 
 ///@{
 /**
- * Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the
- * hand).
+ * Converts from the arm's axes (towards the hand, right, up) to the device's (right, up, towards
+ * the hand).
  */
 Vector3 ArmToDevice(const Vector3& arm)
 {
@@ -70,7 +75,8 @@ bool IsTeensy(const HidDeviceInfo& info)
 }
 
 /**
- * Whether a device has a controller's numbers, and this word in its name, in upper or lower case.
+ * Returns whether a device has a controller's numbers, and this word in its name, in upper or lower
+ * case.
  */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
@@ -80,14 +86,15 @@ bool IsNamed(const HidDeviceInfo& info, const char* word)
   return (IsMbed(info) || IsTeensy(info)) && product.find(word) != std::string::npos;
 }
 
-/** Whether a device reports that it is a WoodenHaptics. No published firmware does. */
+/** Returns whether a device reports that it is a WoodenHaptics. No published firmware does. */
 bool SaysWhatItIs(const HidDeviceInfo& info)
 {
   return IsNamed(info, "woodenhaptics");
 }
 
 /**
- * Whether a device has the packets of the published firmware: other programs of this board differ.
+ * Returns whether a device has the packets of the published firmware: other programs of this board
+ * differ.
  */
 bool HasPacketsOfMbed(const HidDeviceInfo& info)
 {

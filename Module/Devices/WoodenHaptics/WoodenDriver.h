@@ -48,7 +48,10 @@ public:
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidDeviceInfo& info);
-  /** Whether it is a related device with another geometry, which this driver does not support. */
+  /**
+   * Returns whether this is a related device with another geometry, which this driver does not
+   * support.
+   */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
   std::string GetIdentity() const override { return this->GetInfo().MakeIdentity("wooden"); }
@@ -81,7 +84,7 @@ private:
   std::size_t OutputSize = WoodenHaptics::PacketSize;
 
   Phase Now = Phase::Asking;
-  bool HasTip = false; ///< the packet before had a tip
+  bool HasTip = false; ///< whether the last packet had a tip
   Vector3 Tip;
   WoodenHaptics::Input Input;
   std::int64_t LastRound = 0;

@@ -21,7 +21,7 @@ std::int16_t WordAt(const std::uint8_t* bytes) noexcept
   return static_cast<std::int16_t>(bytes[0] | bytes[1] << 8);
 }
 
-// a, b, c; the command; three attributes.
+// Encodes a packet: a, b, c; the command; three attributes.
 WoodenHaptics::Packet Encode(const std::array<std::int16_t, 7>& words) noexcept
 {
   WoodenHaptics::Packet packet{};

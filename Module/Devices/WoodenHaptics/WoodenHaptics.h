@@ -30,13 +30,13 @@ struct WoodenHapticsGeometry
   /// +1 if counts grow with the joint's angle, -1 if they fall. A positive current turns the motor
   /// towards growing counts.
   std::array<double, 3> Signs{ 1.0, 1.0, 1.0 };
-  double CountsPerTurn = 2000.0;     ///< per turn of a motor
+  double CountsPerTurn = 2000.0;     ///< encoder counts per turn of a motor
   double TorqueConstant = 0.0259;    ///< N m/A
   double Base = 0.080;               ///< m, Ln: height of the shoulder
   double UpperArm = 0.205;           ///< m, Lb
   double Forearm = 0.245;            ///< m, Lc
   Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< m, from the foot to the origin of the tip's position
-  std::array<std::int16_t, 3> RestCounts{ 0, 0, 6000 }; ///< in the pose for calibration
+  std::array<std::int16_t, 3> RestCounts{ 0, 0, 6000 }; ///< counts in the pose for calibration
   double MaximumCurrent = 3.0;                          ///< A, for each motor
 };
 
@@ -44,7 +44,7 @@ class WoodenHaptics
 {
 public:
   static constexpr std::size_t PacketSize = 14;            ///< bytes: seven int16, little-endian
-  using Packet = std::array<std::uint8_t, PacketSize + 1>; ///< the report id 0 in front
+  using Packet = std::array<std::uint8_t, PacketSize + 1>; ///< with the report id 0 in front
   using Currents = std::array<std::int16_t, 3>;            ///< mA
 
   /** The device's report. */
@@ -69,21 +69,24 @@ public:
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, Input& input) noexcept;
   static Packet EncodeCurrents(const Currents& milliamperes) noexcept;
-  /** Sends the encoders' counts in the rest pose to a device in this pose. */
+  /** Encodes the packet that tells a device in the rest pose its encoders' counts there. */
   Packet EncodeCalibration() const noexcept;
   ///@}
 
   ///@{
-  /** Joint angles A, B, C (rad), the tip (m), and its derivative by the angles (m/rad; columns). */
+  /**
+   * Compute joint angles A, B, C (rad), the tip (m), and the derivative of the tip by the angles
+   * (m/rad; columns).
+   */
   std::array<double, 3> ComputeAngles(const std::array<std::int16_t, 6>& counts) const noexcept;
   Vector3 ComputeTip(const std::array<double, 3>& angles) const noexcept;
   Matrix3 ComputeJacobian(const std::array<double, 3>& angles) const noexcept;
   ///@}
 
   /**
-   * The motors' currents for a force on the hand (N): i = (J^T f) transmission / kt. If a motor
-   * would exceed the maximum, all are scaled down together, so that the force keeps its direction.
-   * Zero if the force is not finite.
+   * Computes the motors' currents for a force on the hand (N): i = (J^T f) transmission / kt. If a
+   * motor would exceed the maximum, all currents are scaled down together, so that the force keeps
+   * its direction. They are zero if the force is not finite.
    */
   Currents ComputeCurrents(
     const std::array<double, 3>& angles, const Vector3& force) const noexcept;

@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class XrDevice final : public VirtualDevice
 {
 public:
-  /** s: if the servo has given no force for this long, it stands still, and nothing vibrates. */
+  /** If the servo has given no force for this long (s), it stands still, and nothing vibrates. */
   static constexpr double LongestSilence = 0.1;
 
   XrDevice();
@@ -36,15 +36,15 @@ public:
   DeviceState Write(const Vector3& force) noexcept override;
   void Quench() noexcept override;
 
-  /** Any one thread: the largest amplitude since the last call, 0 to 1. */
+  /** Returns the largest amplitude since the last call, 0 to 1. Any one thread. */
   double DrainAmplitude() noexcept;
 
 private:
   // Used by the servo only.
   Vibration Levels;
-  double Elapsed = 0.0; ///< s, since the last Write
+  double Elapsed = 0.0; ///< s, the time since the last Write
 
-  std::atomic<double> Largest{ 0.0 }; ///< since the last DrainAmplitude
+  std::atomic<double> Largest{ 0.0 }; ///< the largest amplitude since the last DrainAmplitude
   std::atomic<std::int64_t> WrittenAt{ 0 };
   std::atomic<bool> IsQuenched{ true };
 };

@@ -18,15 +18,15 @@ namespace VolumeHaptics
 DeviceKind GetXrKind();
 
 /**
- * The file of the OpenXR runtime that OpenXR's loader uses on Linux: the one in XR_RUNTIME_JSON,
- * else openxr/1/active_runtime.json in the folders of XDG_CONFIG_HOME and XDG_CONFIG_DIRS, or in
- * /etc. Empty if there is none.
+ * Returns the file of the OpenXR runtime that OpenXR's loader uses on Linux: the one in
+ * XR_RUNTIME_JSON, else openxr/1/active_runtime.json in the folders of XDG_CONFIG_HOME and
+ * XDG_CONFIG_DIRS, or in /etc. Returns an empty path if there is none.
  */
 std::string FindXrRuntime();
 
 /**
- * The missing part, and the cure; empty if nothing is missing. `hasModule`: this library was built
- * with VTK's module RenderingOpenXR.
+ * Returns the missing part, and the cure; empty if nothing is missing. `hasModule` tells whether
+ * this library was built with VTK's module RenderingOpenXR.
  */
 std::string WhyNoXr(bool hasModule, const std::string& runtime);
 

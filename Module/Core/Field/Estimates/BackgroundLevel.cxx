@@ -144,7 +144,7 @@ private:
     return sum / 27.0;
   }
 
-  /** Otsu's split. */
+  /** Computes Otsu's split. */
   static Split ComputeSplit(const std::vector<double>& values)
   {
     const double first = values.empty() ? 0.0 : values.front(); // subtracted, so that no digits are

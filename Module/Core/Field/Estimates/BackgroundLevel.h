@@ -13,14 +13,14 @@ namespace VolumeHaptics
 {
 
 /**
- * The darkest two separate materials of a volume; nothing if there are none. Values are means over
- * 3^3 samples within the noise blocks, so that neither few levels nor values that are clipped at 0
- * matter.
+ * The levels of the darkest two separate materials of a volume; nothing if the volume has no two
+ * such materials. Values are means over 3^3 samples within the noise blocks, so that neither few
+ * levels nor values that are clipped at 0 matter.
  */
 struct BackgroundLevel
 {
   bool IsThere = false;
-  double Threshold = 0.0; ///< between the two
+  double Threshold = 0.0; ///< the value between the two materials
   double Full = 0.0;      ///< a little above: values from here on are solid
   double Dark = 0.0;      ///< the median of the background
   double Bright = 0.0;    ///< the median of the values above the threshold
@@ -31,7 +31,7 @@ struct BackgroundLevel
    * even places, the threshold moves down between this material and the background.
    */
   static BackgroundLevel Estimate(const NoiseSamples& samples);
-  /** Computes the same, to the bit, for a volume that is not a piece. */
+  /** Computes the same levels, to the bit, for a volume that is not a piece. */
   static BackgroundLevel Estimate(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 

@@ -98,11 +98,11 @@ private:
 /** An edge on a line. */
 struct FoundEdge
 {
-  double Low;    ///< V1, on the lower side of the index if the edge rises
+  double Low;    ///< V1, the value on the lower side of the index if the edge rises
   double High;   ///< V2
-  double Middle; ///< an index
-  double Width;  ///< samples
-  double Rising; ///< 1, or -1
+  double Middle; ///< the index of the middle
+  double Width;  ///< width in samples
+  double Rising; ///< 1 if the edge rises, else -1
 };
 
 /** A place where the gradient is steep. */
@@ -111,10 +111,13 @@ struct SteepPlace
   LatticePlace At;
   std::size_t Axis; ///< the axis of the steepest slope
   double Rising;    ///< 1 or -1
-  double Cosine;    ///< the cosine of the angle between axis and gradient
+  double Cosine;    ///< 1 if the gradient rises along the axis, else -1
 };
 
-/** Walks from a steep place to the beginning of a plateau; false if there is none within reach. */
+/**
+ * Walks from a steep place to the beginning of a plateau; returns false if there is none within
+ * reach.
+ */
 bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward, double tolerance,
   std::int64_t& at, double& steepest)
 {
@@ -184,7 +187,7 @@ bool FindEdge(const SampleLine& line, const SteepPlace& steep, double tolerance,
   return false;
 }
 
-/** Whether a crossing leads from one plateau of the edge to the other. */
+/** Returns whether a crossing leads from one plateau of the edge to the other. */
 bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 {
   const auto distance = static_cast<std::int64_t>(std::ceil(PlateauDistance * edge.Width));

@@ -25,15 +25,15 @@ namespace VolumeHaptics
 /** The motion of a volume's edges. */
 struct EdgeMotion
 {
-  int Edges = 0; ///< edges that are in both time steps
-  int Fast = 0;  ///< edges that move by more than two widths
+  int Edges = 0; ///< the number of edges that are in both time steps
+  int Fast = 0;  ///< the number of edges that move by more than two widths
   ///@{
   /** Medians over the fast edges, world units. */
   double Motion = 0.0;
   double Width = 0.0;
   ///@}
 
-  /** Whether the fast edges are too many to be a few mismatches. */
+  /** Returns whether the fast edges are too many to be a few mismatches. */
   bool IsFast() const noexcept { return this->Fast >= 4 && this->Fast * 20 >= this->Edges; }
 };
 

@@ -13,7 +13,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The number of blends through which a point is followed, and of steps to its level in each. */
+/**
+ * The number of blends through which a point is followed, and the number of steps to its level in
+ * each blend.
+ */
 constexpr int Blends = 8;
 constexpr int MostSteps = 4;
 ///@{
@@ -26,14 +29,14 @@ constexpr double ShortStep = 1e-4;
 constexpr double LostStep = 0.1;
 ///@}
 
-/** A step of Newton's method to a level, along the gradient. */
+/** Returns a step of Newton's method to a level, along the gradient. */
 Vector3 ComputeStep(const FieldAtTime& field, double value, const Vector3& index)
 {
   const Vector3 slope = field.Gradient(index).Gradient;
   return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
 }
 
-/** Moves an index to a level; not at all if the level can't be reached. */
+/** Moves an index to a level; leaves it in place if the level can't be reached. */
 Vector3 GoToLevel(
   const FieldSampler& inside, const FieldAtTime& field, double value, const Vector3& start)
 {

@@ -49,7 +49,7 @@ struct BlockAxis
   {
   }
 
-  /** The block that contains an index, or None. */
+  /** Returns the block that contains an index, or None. */
   std::int64_t Find(std::int64_t index) const
   {
     const std::int64_t block = index / this->Step;
@@ -62,7 +62,7 @@ struct BlockAxis
   std::int64_t Blocks;
 };
 
-/** The blocks of the whole volume along each axis. */
+/** Returns the blocks of the whole volume along each axis. */
 std::array<BlockAxis, 3> AxesOf(const std::int64_t n[3])
 {
   const int most = IsLargeVolume(n) ? MostBlocksAlongAnAxisIfLarge : MostBlocksAlongAnAxis;
@@ -88,7 +88,7 @@ struct TermTable
 };
 constexpr TermTable TermValues;
 
-/** The sum of squares of a block after the best quadratic is subtracted. */
+/** Returns the sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
 {
   // Relative to the middle, so that no digits are lost.
@@ -135,7 +135,7 @@ public:
     }
   }
 
-  /** The noise of a volume with a range of values. */
+  /** Returns the noise of a volume with a range of values. */
   double ComputeNoise(const double range[2]) const
   {
     std::vector<double> left = this->Left;
@@ -161,7 +161,10 @@ private:
   std::vector<double> Flat; // values of flat blocks
 };
 
-/** Standard deviation of an estimated gradient component per voxel, for noise of one unit. */
+/**
+ * Returns the standard deviation of an estimated gradient component per voxel, for noise of one
+ * unit.
+ */
 double NoiseGain(const GradientKernel& kernel)
 {
   // White noise through a kernel: the root of the sum of the squared weights, averaged over
@@ -279,7 +282,7 @@ void CollectNoiseSamples(
   std::int64_t from[3]; // index of the piece's first sample in the whole
   struct Wanted
   {
-    std::int64_t Index; // in the piece
+    std::int64_t Index; // index in the piece
     bool IsInBlock;
     bool IsEnd;
   };

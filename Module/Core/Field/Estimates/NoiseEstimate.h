@@ -26,10 +26,10 @@ namespace VolumeHaptics
  */
 constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 
-/** Whether a volume is large: it has more than MostSamplesRead samples. */
+/** Returns whether a volume is large: it has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
 
-/** Whether the volume of an extent is large. */
+/** Returns whether the volume of an extent is large. */
 bool IsLargeVolume(const int extent[6]);
 
 /**
@@ -39,16 +39,19 @@ bool IsLargeVolume(const int extent[6]);
  */
 constexpr std::int64_t MostSamplesRanged = std::int64_t{ 1 } << 23;
 
-/** Whether the range of a volume covers all samples. */
+/** Returns whether the range of a volume covers all samples. */
 bool HasRangeOfAll(const std::int64_t dimensions[3]);
 
 /**
- * Boxes (extents) of a large volume that together contain all noise samples: one for each block,
- * and one for each corner.
+ * Computes boxes (extents) of a large volume that together contain all noise samples: a box for
+ * each block, and a box for each corner.
  */
 std::vector<std::array<int, 6>> ComputeNoiseBoxes(const int whole[6]);
 
-/** Returns the sample with a number, i + n_x (j + n_y k), of a piece of a volume. */
+/**
+ * A function that returns the sample with a given number, i + n_x (j + n_y k), of a piece of a
+ * volume.
+ */
 using SampleReader = std::function<double(std::int64_t)>;
 
 /**
@@ -60,7 +63,7 @@ using SampleReader = std::function<double(std::int64_t)>;
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
 
-/** Called with a block of NoiseBlockSide^3 samples; the first index runs fastest. */
+/** A function called with a block of NoiseBlockSide^3 samples; the first index runs fastest. */
 using BlockVisitor = std::function<void(const double*)>;
 constexpr int NoiseBlockSide = 5;
 
@@ -75,8 +78,8 @@ void VisitNoiseBlocks(
 ///@}
 
 /**
- * The result of a finder for the noise blocks of the volume that the first arguments give, as
- * above.
+ * Passes all noise blocks of a volume to a new Finder and returns the finder's estimate. The
+ * arguments give the volume as for VisitNoiseBlocks.
  */
 template <typename Finder, typename... Volume>
 auto EstimateInNoiseBlocks(const Volume&... volume)
@@ -87,30 +90,32 @@ auto EstimateInNoiseBlocks(const Volume&... volume)
 }
 
 /**
- * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
- * the best quadratic is subtracted, in the flattest tenth of the noise blocks.
+ * Estimates the standard deviation of the noise (scalar units), from what remains of blocks of 5^3
+ * samples after the best quadratic is subtracted, in the flattest tenth of the noise blocks.
  *
  * Blocks that have only the smallest or the largest value (padding, saturation) and incomplete
- * blocks do not count. 0 without noise, and for volumes of less than 5 samples along an axis.
+ * blocks do not count. Returns 0 without noise, and for volumes of less than 5 samples along an
+ * axis.
  */
 double EstimateNoise(const NoiseSamples& samples);
 
 /**
- * Computes the same, to the bit, for a volume that is not a piece, block by block and without a
- * copy of the samples: allocating its pages would take longer than the estimate. `range` is the
- * range of all samples or, unless HasRangeOfAll(), becomes that of the noise samples; the first
- * number is the larger if there are none.
+ * Estimates the same noise, to the bit, for a volume that is not a piece, block by block and
+ * without a copy of the samples: allocating the pages of a copy would take longer than the
+ * estimate. `range` is the range of all samples or, unless HasRangeOfAll(), receives the range of
+ * the noise samples; if there are none, its first number is the larger.
  */
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2]);
 
-/** The first finite value among the given corners of a volume; 0 if there is none. */
+/** Returns the first finite value among the given corners of a volume; 0 if there is none. */
 double FindBorderValue(const NoiseSamples& samples);
 
 /**
- * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g,
- * which a hundredth of the gradients of pure noise exceed, and 1 from twice that on. sigma_g is the
- * noise of a component of the estimated gradient per world unit, along the axis with the finest
- * spacing; along the others it is less (HapticModel::DistinctnessOf). Empty without noise.
+ * Makes the ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4
+ * sigma_g, which a hundredth of the gradients of pure noise exceed, and 1 from twice that on.
+ * sigma_g is the noise of a component of the estimated gradient per world unit, along the axis with
+ * the finest spacing; along the other axes the noise is less (HapticModel::DistinctnessOf). The
+ * ramp is empty without noise.
  */
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);
 

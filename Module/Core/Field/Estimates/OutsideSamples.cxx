@@ -15,8 +15,8 @@ namespace
 constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -2147483648.0,
   -2147483647.0, -33792.0, -31744.0, 63536.0 };
 /**
- * Numbers for missing values, with either sign: those of NetCDF, Ferret and others, and the largest
- * numbers of both floating-point types.
+ * Numbers for missing values, with either sign: the numbers that NetCDF, Ferret and others use, and
+ * the largest numbers of both floating-point types.
  */
 constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
   std::numeric_limits<float>::max() };
@@ -34,8 +34,8 @@ bool IsEnormous(double value)
 }
 
 /**
- * Smallest and largest value of the samples that do not stand for missing values; the first is
- * larger if there are none.
+ * Computes the smallest and the largest value of the samples that do not stand for missing values;
+ * the first number is larger if there are none.
  */
 void ComputeInsideRange(const NoiseSamples& samples, double range[2])
 {

@@ -22,7 +22,10 @@ namespace VolumeHaptics
 /** The samples of a volume that are outside, and the value with which they are felt. */
 struct OutsideSamples
 {
-  /** Whether NaN and infinity are outside: a corner has one. Else they are holes in the data. */
+  /**
+   * Whether NaN and infinity are outside, because a corner has such a value. Otherwise they are
+   * holes in the data.
+   */
   bool AreNonFinite = false;
   /** The number that stands for missing values; NaN if there is none. */
   double Missing = std::numeric_limits<double>::quiet_NaN();
@@ -42,20 +45,20 @@ struct OutsideSamples
 };
 
 /**
- * Whether programs write this number for missing values: -9999 and -99999; the least number of 16
- * or 32 bits and the one above it; the least number of 16 bits with a CT's offset; 63536, which is
- * a CT's -2000 read without sign; 1e20 and numbers as large.
+ * Returns whether programs write this number for missing values: -9999 and -99999; the least number
+ * of 16 or 32 bits and the one above it; the least number of 16 bits with a CT's offset; 63536,
+ * which is a CT's -2000 read without sign; 1e20 and numbers as large.
  */
 bool MayBeMissing(double value);
 
 /**
- * Decides for a whole volume. Numbers in a corner stand for missing values if MayBeMissing says so,
- * and if the distance to all other values is at least a tenth of the other values' range, which is
- * not 0.
+ * Finds the samples of a whole volume that are outside. Numbers in a corner stand for missing
+ * values if MayBeMissing says so, and if the distance to all other values is at least a tenth of
+ * the other values' range, which is not 0.
  */
 OutsideSamples DetectOutside(const NoiseSamples& samples);
 
-/** Sets the samples outside to the value with which they are felt, and corrects the range. */
+/** Sets the samples outside to OutsideSamples::Fill, and corrects the range. */
 void FillOutside(const OutsideSamples& outside, NoiseSamples& samples);
 
 } // namespace VolumeHaptics

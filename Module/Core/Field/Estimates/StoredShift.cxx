@@ -19,7 +19,7 @@ constexpr double SurelyAir[2] = { -1200.0, -200.0 };
 constexpr double LeastFraction = 0.005;
 /** Values (HU) of air and of soft tissue, and values between them, as in lungs and edges. */
 constexpr double AirValues[2] = { -1030.0, -850.0 };
-constexpr double BrightestAir = -940.0; // without lung
+constexpr double BrightestAir = -940.0; // the brightest air outside of a lung
 constexpr double BetweenValues[2] = { -700.0, -400.0 };
 constexpr double TissueValues[2] = { -150.0, 150.0 };
 /** A peak is this much larger than the values between the peaks. */
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  /** Whether air and soft tissue are where a shift puts them. */
+  /** Returns whether air and soft tissue are where a shift puts them. */
   bool DetectShift(StoredShift& found) const
   {
     const auto count = static_cast<double>(this->All.size());
@@ -113,14 +113,14 @@ private:
     return false;
   }
 
-  /** The number of values from `low` to `high`. */
+  /** Returns the number of values from `low` to `high`. */
   double Count(double low, double high) const
   {
     const auto from = std::lower_bound(this->All.begin(), this->All.end(), low);
     return static_cast<double>(std::upper_bound(from, this->All.end(), high) - from);
   }
 
-  /** The values from `low` to `high` without the most frequent one, which is padding. */
+  /** Returns the values from `low` to `high` without the most frequent one, which is padding. */
   std::vector<double> Without(double low, double high) const
   {
     const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);

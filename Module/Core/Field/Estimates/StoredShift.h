@@ -20,15 +20,15 @@ namespace VolumeHaptics
  */
 struct StoredShift
 {
-  double Shift = 0.0; ///< to add to stored values; 0 if they are Hounsfield units already
-  double Air = 0.0;   ///< the value of air, if there is a shift
+  double Shift = 0.0; ///< number to add to stored values; 0 if they are Hounsfield units
+  double Air = 0.0;   ///< the stored value of air, if there is a shift
   /** Whether the values can't be Hounsfield units: there is neither air nor soft tissue. */
   bool IsStrange = false;
   double Range[2] = { 1.0, 0.0 }; ///< the range of the values that were read; the first is larger
                                   ///< if there are none
 
   static StoredShift Estimate(const NoiseSamples& samples);
-  /** Computes the same, to the bit, for a volume that is not a piece. */
+  /** Estimates the same shift, to the bit, for a volume that is not a piece. */
   static StoredShift Estimate(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 

@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Blends the rows of another time step into these. */
+/** Blends the rows of another time step into `rows`. */
 template <int N>
 VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double fraction, RowPair<N>& rows)
 {
@@ -34,7 +34,7 @@ VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double fraction, R
   }
 }
 
-/** rows = rows - of. */
+/** Computes rows = rows - of. */
 template <int N>
 VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 {
@@ -51,7 +51,7 @@ VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 
 ///@{
 /**
- * Both rows in the layout of TimeStepTaps, and the same rows of both time steps, blended as
+ * Store both rows in the layout of TimeStepTaps, and load the rows of both time steps, blended as
  * BlendRows does.
  */
 template <int N>
@@ -93,7 +93,7 @@ VOLUME_HAPTICS_INLINE void LoadBlendedLines(
 }
 ///@}
 
-/** N^3 samples of a time step, consecutive along x. */
+/** Points to N^3 samples of a time step, consecutive along x. */
 template <typename T>
 struct TapBlock
 {
@@ -124,7 +124,7 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
     foot, gradient);
 }
 
-/** The sum over copies of the taps: see CopyTaps. */
+/** Computes the sum over copies of the taps: see CopyTaps. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -136,7 +136,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
     { blocks[0], N, N * N }, { blocks[1], N, N * N }, blend.Fraction, foot, gradient);
 }
 
-/** The sum without memories. */
+/** Computes the sum without memories. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -162,7 +162,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   return SumBlendOfCopies<T, N, WithGradient>(blend, foot, gradient);
 }
 
-/** Whether a memory has a blend's samples from the first one on. */
+/** Returns whether a memory has a blend's samples from the first one on. */
 VOLUME_HAPTICS_INLINE bool HoldsTimeSteps(
   const TimeStepTaps& memory, const TimeStepBlend& blend, const std::int64_t* first)
 {
@@ -171,8 +171,8 @@ VOLUME_HAPTICS_INLINE bool HoldsTimeSteps(
 }
 
 /**
- * Reads the N^3 taps of both time steps from the first one on; false if some are outside the
- * samples.
+ * Reads the N^3 taps of both time steps from the first one on; returns false if some are outside
+ * the samples.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
@@ -213,7 +213,7 @@ VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
   return true;
 }
 
-/** The memory of a blend; null if there is none. */
+/** Returns the memory of a blend; null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   const TimeStepBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
@@ -228,7 +228,7 @@ VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   return nullptr;
 }
 
-/** Prepares the older of the two memories for a blend. */
+/** Returns the older of the two memories, prepared for a blend. */
 VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   const TimeStepBlend& blend, const std::int64_t* first, TickMemory& tick)
 {
@@ -272,7 +272,7 @@ VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
   return IsNumber(sample.Value);
 }
 
-/** The gradient of a blend. */
+/** Computes the gradient of a blend. */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE FieldSample SumBlendedGradient(
   const TimeStepBlend& blend, const Footprint<N>& foot, const BlendMemories& memories)

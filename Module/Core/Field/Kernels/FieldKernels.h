@@ -87,7 +87,10 @@ FieldSample BlendedSpline(
   return SumBlendedGradient<T, 4>(blend, foot, memories);
 }
 
-/** The gradient from the taps of a memory, which are read again if they belong to another place. */
+/**
+ * Computes the gradient from the taps of a memory, which are read again if they belong to another
+ * place.
+ */
 template <int N>
 VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<N>& foot,
   FillFunction fill, TapMemory& memory, FieldSample& sample)
@@ -109,7 +112,10 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
   return SumRemembered<4>(view, foot, fill, memory, sample);
 }
 
-/** Four weights of the Gaussian at a fraction t of an interval; each power has `count` numbers. */
+/**
+ * Computes four weights of the Gaussian at a fraction t of an interval; each power has `count`
+ * coefficients.
+ */
 VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int count, double t)
 {
   const double t2 = t * t;
@@ -140,7 +146,7 @@ VOLUME_HAPTICS_INLINE GaussianPlace LocateInTable(
     place.Fraction, static_cast<std::int64_t>(interval / intervals) - kernel.Radius };
 }
 
-/** First tap and weights of the Gaussian along one axis, from the kernel's table. */
+/** Finds the first tap and the weights of the Gaussian along one axis, in the kernel's table. */
 VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   const FieldView& view, int axis, double position, int taps, double* weights)
 {
@@ -202,7 +208,7 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   return SumRemembered<N>(view, foot, fill, memory, sample);
 }
 
-/** The same for any number of taps, in plain loops. */
+/** Computes the same for any number of taps, in plain loops. */
 template <typename T>
 FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
 {
@@ -257,7 +263,7 @@ void SetTapFunctions(FieldFunctions& f)
   f.TapPair = TapPair<N>;
 }
 
-/** Functions that the estimator does not set stay null. */
+/** Returns the functions of an estimator. Functions that the estimator does not set stay null. */
 template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 {
@@ -306,7 +312,7 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
   }
 }
 
-/** The functions of this translation unit's instruction set. */
+/** Returns the functions of this translation unit's instruction set. */
 FieldFunctions SelectFieldFunctions(const VolumeView& view, GradientEstimator estimator, int taps)
 {
   return WithSampleType(

@@ -21,7 +21,7 @@ namespace
 
 constexpr int LabelTaps = LabelBlock::Taps;
 
-/** 8^3 voxels in memory. Their samples are unsigned numbers of the same size. */
+/** A block of 8^3 voxels in memory, whose samples are unsigned numbers of the label type's size. */
 template <typename U>
 struct LabelCorner
 {
@@ -32,7 +32,7 @@ struct LabelCorner
   U At(int i, int j, int k) const { return this->First[i + j * this->Line + k * this->Plane]; }
 };
 
-/** The labels of a block as samples. */
+/** Converts the labels of a block to samples. */
 template <typename U>
 struct LabelsFound
 {
@@ -88,8 +88,8 @@ VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
 }
 
 /**
- * One pass shows whether there are two labels a and b: then the differences x ^ a of all voxels x
- * are 0 or a ^ b.
+ * Collects the labels of a block. One pass shows whether there are just two labels a and b: then
+ * the differences x ^ a of all voxels x are 0 or a ^ b.
  */
 template <typename U>
 VOLUME_HAPTICS_INLINE void CollectFrom(
@@ -128,7 +128,9 @@ VOLUME_HAPTICS_INLINE void CollectFrom(
   }
 }
 
-/** The same at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
+/**
+ * Collects labels at the border, beyond which taps repeat the last voxel, or if rows are not dense.
+ */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFromCopy(
   const VolumeView& view, const std::int64_t* first, LabelBlock& block, LabelsFound<U>& found)
@@ -180,7 +182,7 @@ VOLUME_HAPTICS_INLINE void CollectLabels(
   CollectFrom<U>({ corner, volume.Stride[1], volume.Stride[2] }, block, found);
 }
 
-/** The weights of the taps along an axis, then their slopes. */
+/** Computes the weights of the taps along an axis, then their slopes. */
 VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, double* weights)
 {
   constexpr int intervals = LabelField::Intervals;
@@ -201,7 +203,7 @@ VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, doubl
   }
 }
 
-/** The sums of four weights (value, slope) over all patterns of four bits. */
+/** Computes the sums of four weights (value, slope) over all patterns of four bits. */
 VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4])
 {
   Double4 sums[LabelWeights::Patterns];
@@ -225,7 +227,7 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-/** The factors of rows and planes, from LabelWeights or StepWeights. */
+/** Computes the factors of rows and planes, for LabelWeights or StepWeights. */
 template <typename Weights>
 VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
 {
@@ -270,7 +272,7 @@ void CollectLabelsOf(
   }
 }
 
-/** The sums for a pattern, given 16 times its number. */
+/** Returns the sums for a pattern, given 16 times the pattern's number. */
 VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uint8_t pattern)
 {
   constexpr std::size_t bytes = sizeof(*table) / LabelWeights::Patterns;
@@ -278,7 +280,7 @@ VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uin
     reinterpret_cast<const char*>(table) + bytes * std::size_t(pattern));
 }
 
-/** The sum over all rows; row(j, k) is the sum over one row: value, slope, value. */
+/** Computes the sum over all rows; row(j, k) is the sum over one row: value, slope, value. */
 template <typename Weights, typename F>
 VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
 {
@@ -343,7 +345,7 @@ FieldSample FractionOfSteps(
     { return LoadDouble4(reinterpret_cast<const double*>(sums + steps.Place[k][j])); });
 }
 
-/** The functions of this translation unit's instruction set. */
+/** Returns the functions of this translation unit's instruction set. */
 LabelFunctions SelectLabelFunctions(ScalarType type)
 {
   return WithSampleType(type,

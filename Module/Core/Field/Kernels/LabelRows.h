@@ -23,8 +23,8 @@ namespace VolumeHaptics
 namespace
 {
 
-// Labels: a vector; LoadVector(): the vector with a number in a plane; ToBits(): a bit for each
-// label.
+// Labels is a vector; LoadVector() returns the vector with a given number in a plane; ToBits()
+// returns a bit for each label.
 #if defined(__GNUC__) && defined(__AVX2__)
 
 typedef __m256i Labels;
@@ -65,7 +65,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm256_set1_epi64x(static_cast<long long>(label));
 }
 
-/** All ones in lanes whose labels are equal. */
+/** Returns a mask with all bits set in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -135,7 +135,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm_set1_epi64x(static_cast<long long>(label));
 }
 
-/** All ones in lanes whose labels are equal. */
+/** Returns a mask with all bits set in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -178,7 +178,7 @@ VOLUME_HAPTICS_INLINE Labels XorLabels(Labels a, Labels b)
 
 #else
 
-/** One label. */
+/** A "vector" of one label. */
 typedef std::uint64_t Labels;
 
 template <typename U>
@@ -193,7 +193,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
   return label;
 }
 
-/** All ones in lanes whose labels are equal. */
+/** Returns a mask with all bits set in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -229,7 +229,7 @@ constexpr int LabelsOfVector = sizeof(Labels) > 8 ? int(sizeof(Labels) / sizeof(
 template <typename U>
 constexpr int VectorsOfPlane = 64 / LabelsOfVector<U>;
 
-/** All labels of a vector, combined by a bitwise operation. */
+/** Combines all labels of a vector by a bitwise operation. */
 template <typename U, typename F>
 VOLUME_HAPTICS_INLINE U JoinLabels(Labels labels, F&& join)
 {

@@ -26,7 +26,10 @@ struct Axis
   double Fraction;
 };
 
-/** Positions outside [first, last] are clamped; first is not negative. */
+/**
+ * Finds the sample at or before a position. Positions outside [first, last] are clamped; first is
+ * not negative.
+ */
 VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
@@ -35,8 +38,8 @@ VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 }
 
 /**
- * The same as Locate, with a sample behind the cell: the last sample is the end of the cell before
- * it.
+ * Does the same as Locate, but leaves a sample behind the cell: the last sample is the end of the
+ * cell before it.
  */
 VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
@@ -98,7 +101,7 @@ VOLUME_HAPTICS_INLINE CellBlend<T> ReadSamples(const TimeStepBlend& blend, const
 }
 
 ///@{
-/** The four samples of the first plane (0) or the second one, line by line. */
+/** Returns the four samples of the first plane (0) or the second one, line by line. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellSamples<T>& cell, int plane)
 {
@@ -121,7 +124,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellBlend<T>& cell, int plane)
 ///@}
 
 ///@{
-/** A sample by its number, counted along x, y and z. */
+/** Returns a sample by its number, counted along x, y and z. */
 template <typename T>
 VOLUME_HAPTICS_INLINE double LoadSample(const CellSamples<T>& cell, int i)
 {
@@ -136,7 +139,7 @@ VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 }
 ///@}
 
-/** The four lines of a cell along x, at a position: their ends, line by line. */
+/** Interpolates the two planes of a cell along z; returns the four values, line by line. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& place)
 {
@@ -144,7 +147,10 @@ VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& pla
   return near + place.Z.Fraction * (LoadPlane(cell, 1) - near);
 }
 
-/** Skips a sample without a weight, so that one that is not a number does not count. */
+/**
+ * Returns the trilinear value without the samples whose weight is 0, so that such a sample does not
+ * count if it is not a number.
+ */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
 {
@@ -174,7 +180,7 @@ VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const C
   return value;
 }
 
-/** Counts all samples. */
+/** Returns the trilinear value of all eight samples. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
 {
@@ -184,7 +190,7 @@ VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
   return a + place.X.Fraction * (b - a);
 }
 
-/** Computes two values at once, each the same to the bit. */
+/** Computes two values at once, each the same as BlendCell's to the bit. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE ValuePair BlendCells(
   const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
@@ -229,7 +235,7 @@ VOLUME_HAPTICS_INLINE double Trilinear(const TimeStepBlend& blend, double x, dou
 }
 
 ///@{
-/** The view that gives the cells of all time steps. */
+/** Returns the view that gives the cells of all time steps. */
 VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
 {
   return view;

@@ -64,8 +64,7 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
 
 ///@{
 /**
- * Both rows as numbers to compute with, copied by fours: the compiler splits up a copy of the
- * whole.
+ * Store and load both rows as numbers, by fours, since the compiler splits up a copy of the whole.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
@@ -97,7 +96,7 @@ VOLUME_HAPTICS_INLINE void LoadStoredRows(const double* from, RowPair<N>& rows)
 }
 ///@}
 
-/** sum += weights[0] even row + weights[1] odd row. */
+/** Computes sum += weights[0] even row + weights[1] odd row. */
 template <int N>
 VOLUME_HAPTICS_INLINE void AddRows(
   const RowPair<N>& rows, const double* weights, bool isFirst, RowSum<N>& sum)
@@ -116,7 +115,7 @@ VOLUME_HAPTICS_INLINE void AddRows(
   }
 }
 
-/** sum += *weight * other. */
+/** Computes sum += *weight * other. */
 template <int N>
 VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weight, RowSum<N>& sum)
 {
@@ -131,7 +130,7 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weigh
   }
 }
 
-/** The products with the weights along x, in four sums, which AddLanes adds up. */
+/** Multiplies with the weights along x; returns four sums, which AddLanes adds up. */
 template <int N>
 VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weights)
 {
@@ -149,7 +148,10 @@ VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weigh
   return products;
 }
 
-/** Value and gradient from the sums over y and z: the sums of the values, and of their slopes. */
+/**
+ * Computes value and gradient from the sums over y and z: the sums of the values, and of their
+ * slopes.
+ */
 template <int N>
 VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& sumY,
   const RowSum<N>& sumZ, const double* weights, Vector3* gradient)
@@ -164,9 +166,9 @@ VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& su
 }
 
 /**
- * The sum over N^3 taps and, with WithGradient, the gradient's. `load` gives the rows j and j + 1
- * of plane k. Rows lie along x: they are combined over y and z first, in fours, and weighted along
- * x last.
+ * Computes the sum over N^3 taps and, with WithGradient, the gradient. `load` gives the rows j and
+ * j + 1 of plane k. Rows lie along x: they are combined over y and z first, in fours, and weighted
+ * along x last.
  */
 template <int N, bool WithGradient, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumPlanes(
@@ -204,7 +206,7 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
   return AddLanes(WeighRow<N>(sum, foot.Weights[0]));
 }
 
-/** The sum over the N^3 taps from `corner` on. */
+/** Computes the sum over the N^3 taps from `corner` on. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<N>& foot, Vector3* gradient)
@@ -218,7 +220,10 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
     foot, gradient);
 }
 
-/** Offset of a tap along an axis; taps beyond the resident samples replicate the last one. */
+/**
+ * Returns the offset of a tap along an axis; taps beyond the resident samples replicate the last
+ * sample.
+ */
 VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
 {
   // Not VolumeView's own functions: see FieldKernels.h.
@@ -228,8 +233,9 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
 }
 
 /**
- * A copy of the taps: at the border, beyond which taps replicate the last sample; between other
- * components; and around samples that are not numbers, which only count with a weight.
+ * Copies the taps, for places where the sum can't read the samples: at the border, beyond which
+ * taps replicate the last sample; between other components; and around samples that are not
+ * numbers, which only count with a weight.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE void CopyTaps(const VolumeView& view, const Footprint<N>& foot, T* to)
@@ -265,7 +271,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
-/** Prefetches all rows at once: more than the processor prefetches by itself in the sum. */
+/** Prefetches all rows at once, since the processor prefetches fewer by itself in the sum. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(
   const T* corner, int count, std::int64_t line, std::int64_t plane)
@@ -279,7 +285,10 @@ VOLUME_HAPTICS_INLINE void PrefetchRows(
   }
 }
 
-/** The samples of N^3 taps, if they are consecutive along x and all within the samples. */
+/**
+ * Returns the first of N^3 samples, if they are consecutive along x and all within the samples;
+ * else null.
+ */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE const T* GetCorner(const VolumeView& view, const std::int64_t* first)
 {
@@ -313,7 +322,10 @@ VOLUME_HAPTICS_INLINE double Separable(
   return SumCopy<T, N, WithGradient>(view, foot, gradient);
 }
 
-/** Writes the N^3 taps from the first one on to a memory; false if some are outside the samples. */
+/**
+ * Writes the N^3 taps from the first one on to a memory; returns false if some are outside the
+ * samples.
+ */
 template <typename T, int N>
 bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memory) noexcept
 {
@@ -356,7 +368,8 @@ VOLUME_HAPTICS_INLINE void SetPlace(
 }
 
 /**
- * Reads the taps from the first one on, unless the memory has them; false if that is not possible.
+ * Makes a memory hold the taps from the first one on: reads them, unless the memory has them.
+ * Returns false if that is not possible.
  */
 VOLUME_HAPTICS_INLINE bool KeepTaps(
   const FieldView& view, const std::int64_t* first, FillFunction fill, TapMemory& memory)
@@ -374,13 +387,13 @@ VOLUME_HAPTICS_INLINE bool KeepTaps(
   return true;
 }
 
-/** Weights of the N rows of a plane, spread for RowPair's fours. */
+/** The weights of the N rows of a plane, spread for RowPair's fours. */
 template <int N>
 struct PlaneWeights
 {
   Double4 Even[N / 2];
   Double4 Odd[N / 2];
-  Double4 Each[N / 2]; ///< of the remainder
+  Double4 Each[N / 2]; ///< weights for RowPair::Rest
 };
 
 template <int N>
@@ -423,7 +436,7 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWei
 }
 
 /**
- * Computes the sum over taps, and the gradient's, with the result of SumPlanes to the bit. The rows
+ * Computes the sum over taps, and the gradient, with the result of SumPlanes to the bit. The rows
  * are read twice, so that the weights of all of them stay in registers: `load` gives a pair of rows
  * of a plane and, if the rows are not there yet, stores them for the second pass.
  */
@@ -455,7 +468,7 @@ VOLUME_HAPTICS_INLINE double SumTwice(
   return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
 }
 
-/** Computes the sum over the taps of a memory, and its gradient. */
+/** Computes the sum over the taps of a memory, and the gradient. */
 template <int N>
 VOLUME_HAPTICS_INLINE double SumTaps(
   const double* taps, const Footprint<N>& foot, Vector3* gradient)

@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Taps and weights of the uniform cubic B-spline. */
+/** Computes taps and weights of the uniform cubic B-spline. */
 template <bool WithGradient>
 VOLUME_HAPTICS_INLINE void LocateSpline(
   const FieldView& view, double x, double y, double z, Footprint<4>& foot)

@@ -20,7 +20,7 @@ namespace
 
 constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
 
-/** A cell of a TimeStepTaps. */
+/** A cell of the samples in a TimeStepTaps. */
 template <int N>
 struct TapCell
 {
@@ -40,12 +40,12 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const TapCell<N>& cell, int plane)
     cell.Fraction * LoadHalves(cell.Changes + at, cell.Changes + at + line);
 }
 
-/** False if the memory lacks a part of the cell. */
+/** Finds the cell in the memory; returns false if the memory lacks a part of it. */
 template <int N>
 VOLUME_HAPTICS_INLINE bool ReadCell(
   const TimeStepTaps& memory, const CellPlace& place, double fraction, TapCell<N>& cell)
 {
-  // Negative numbers become large ones.
+  // As unsigned numbers, negative numbers are large.
   const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
   const auto j = static_cast<std::uint64_t>(place.Y.Cell - memory.First[1]);
   const auto k = static_cast<std::uint64_t>(place.Z.Cell - memory.First[2]);

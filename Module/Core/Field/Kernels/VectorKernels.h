@@ -17,15 +17,15 @@ namespace
 {
 
 /**
- * The sums over the 4^3 taps from `corner` on, of C interleaved components. A row of taps is 4 C
- * consecutive numbers. Rows are combined over y and z first, in fours, across components; the
- * weights along x, and the components, come last.
+ * Computes the sums over the 4^3 taps from `corner` on, of C interleaved components. A row of taps
+ * is 4 C consecutive numbers. Rows are combined over y and z first, in fours, across components;
+ * the weights along x, and the components, come last.
  */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<4>& foot, VectorSample& sample)
 {
-  constexpr int sums = WithGradient ? 3 : 1; // for the value; and for the slopes along y and z
+  constexpr int sums = WithGradient ? 3 : 1; // sums for the value, and for the slopes along y and z
   // Unrolled, so that the sums of a vector are in registers.
   Double4 sum[sums][C] = {};
   for (int k = 0; k < 4; ++k)
@@ -86,7 +86,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   }
 }
 
-/** The same over a copy of the taps, for the reasons given at SumCopy. */
+/** Computes the same sums over a copy of the taps, for the reasons given at SumCopy. */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   const VectorView& view, const Footprint<4>& foot, VectorSample& sample)
@@ -119,7 +119,7 @@ VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   SumVectors<T, C, WithGradient>(block, 4 * C, 16 * C, foot, sample);
 }
 
-/** Whether all values and slopes are numbers. */
+/** Returns whether all values and slopes are numbers. */
 template <int C, bool WithGradient>
 VOLUME_HAPTICS_INLINE bool IsOfNumbers(const VectorSample& sample)
 {
@@ -165,7 +165,8 @@ bool SampleVectors(
 }
 
 /**
- * The functions of this translation unit's instruction set; none for other numbers of components.
+ * Returns the functions of this translation unit's instruction set; none for other numbers of
+ * components.
  */
 VectorFunctions SelectVectorFunctions(ScalarType type, int components)
 {

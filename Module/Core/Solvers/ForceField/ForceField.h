@@ -12,11 +12,11 @@
 namespace VolumeHaptics
 {
 
-/** One tick from record.Tip; writes all of the record. */
+/** Computes one tick from record.Tip; writes all of the record. */
 void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 
-/** The damping force (N) on a tip that has come from a place within one tick. */
+/** Returns the damping force (N) on a tip that has come from a place within one tick. */
 Vector3 ComputeFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
 
@@ -27,7 +27,7 @@ Vector3 ComputeFieldDamping(
  */
 Vector3 ComputeFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 
-/** The force (N) against the gradient. */
+/** Returns the force (N) against the gradient. */
 Vector3 ComputeFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
 
 /** See Method::Reach. */

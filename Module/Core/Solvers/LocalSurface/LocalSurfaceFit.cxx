@@ -91,7 +91,7 @@ private:
     return this->Field.Value(this->WorldToIndex(x)) - this->Model.Baked->Settings.IsoValue;
   }
 
-  /** Computes the unit normal into the structure; false without a gradient. */
+  /** Computes the unit normal into the structure; returns false without a gradient. */
   bool ComputeNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
@@ -223,7 +223,7 @@ private:
     const Vector3 first = (1.0 / Norm(side)) * side;
     const Vector3 axes[2] = { first, Cross(normal, first) };
     Vector3 change[2];
-    double reach[2]; // the kernel's
+    double reach[2]; // length of the kernel along each axis
     for (int i = 0; i < 2; ++i)
     {
       reach[i] = this->Model.HasLengthByDirection
@@ -259,7 +259,7 @@ private:
   const Affine3 IndexToWorld;
   const Affine3 WorldToIndex;
   const Matrix3 GradientToWorld;
-  const double Voxel; ///< the smallest spacing
+  const double Voxel; ///< the smallest spacing of the samples
   const bool IsKnown;
   double Sign = 1.0; ///< 1 or -1: turns the gradient into the structure
 };

@@ -34,7 +34,7 @@ constexpr double MostFollowing = 2.0;
 /** A period counts as whole from this fraction on, because of rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
-/** Moves a point back to the surface, along the slope; false if that is not possible. */
+/** Moves a point back to the surface, along the slope; returns false if that is not possible. */
 bool Return(const Quadric& shape, Vector3& x) noexcept
 {
   for (int i = 0; i < MostReturns; ++i)
@@ -98,7 +98,7 @@ double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double f
   return Norm(lag - along * normal) - friction * std::max(0.0, along);
 }
 
-/** Moves the proxy on the surface; false if the surface does not hold it. */
+/** Moves the proxy on the surface; returns false if the surface does not hold it. */
 bool HoldWhole(
   const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
 {
@@ -153,7 +153,7 @@ bool HoldWhole(
   return true;
 }
 
-/** The same as HoldWhole, but cut-away parts hold nothing. */
+/** Does the same as HoldWhole, but cut-away parts hold nothing. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -185,8 +185,9 @@ Vector3 LagOf(const LocalState& local) noexcept
 }
 
 /**
- * The motion (world) of a surface with a moving volume: its centre moves with the material if
- * displacements are known, and then along the normal, by Newton's method, to its old level.
+ * Returns the motion (world) of a surface with a moving volume. The surface's centre moves with the
+ * material if displacements are known, and then along the normal, by Newton's method, to its old
+ * level.
  */
 Vector3 ComputeCarry(
   const HapticModel& model, const LocalSurface& surface, double from, double to) noexcept

@@ -37,8 +37,8 @@ struct LocalState;
 struct LocalSurfaceResult
 {
   /**
-   * The tick computes the surface itself, as late as a slow loop of LocalSurfaceRate would deliver
-   * it.
+   * Returns a result for which the tick computes the surface itself, as late as a slow loop of
+   * LocalSurfaceRate would deliver it.
    */
   static LocalSurfaceResult Simulated() noexcept { return { true, nullptr }; }
 
@@ -47,7 +47,7 @@ struct LocalSurfaceResult
                                          ///< come
 };
 
-/** One tick from record.Tip; writes all of the record. */
+/** Computes one tick from record.Tip; writes all of the record. */
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 
@@ -56,7 +56,10 @@ Vector3 FindLocalSurfaceReach(const HapticModel& model) noexcept;
 /** See Method::Include. */
 void IncludeLocalSurface(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept;
 
-/** Drops all surfaces, and requests one near a position, for a tip; both in the world. */
+/**
+ * Drops all surfaces, and requests a surface near a position, for a tip; both positions are in the
+ * world.
+ */
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept;
 
 } // namespace VolumeHaptics

@@ -15,7 +15,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The motion of the proxy by the law, and the forces. With a cut, the proxy stops at its faces. */
+/**
+ * Returns the proxy's new place by the law, and writes the forces. With a cut, the proxy stops at
+ * its faces.
+ */
 template <bool MayHaveCut>
 VOLUME_HAPTICS_INLINE Vector3 Advance(
   const HapticModel& model, const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
@@ -47,7 +50,10 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   return proxy;
 }
 
-/** Makes a tick from the proxy on. `found` is the surface through the proxy; null: not known. */
+/**
+ * Makes a tick from the proxy on. `found` is the surface through the proxy; null if that surface is
+ * not known.
+ */
 void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
 {
@@ -64,11 +70,11 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
 }
 
 /**
- * The rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. Gives the
- * result of Step, to the bit, but without a Surface and a FieldAtTime, whose numbers in memory
+ * Computes the rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. Gives
+ * the result of Step, to the bit, but without a Surface and a FieldAtTime, whose numbers in memory
  * would have to wait for one another.
- * @param slope at the proxy; turned towards the structure
- * @param fade of the surface
+ * @param slope slope at the proxy; turned towards the structure
+ * @param fade fade of the surface
  */
 template <typename Field>
 VOLUME_HAPTICS_INLINE void FeelPlain(const HapticModel& model, const Vector3& position,
@@ -92,7 +98,7 @@ VOLUME_HAPTICS_INLINE void FeelPlain(const HapticModel& model, const Vector3& po
   record.Proxy = Advance<false>(model, position, split, record);
 }
 
-/** A tick in a plain volume that stands still, with an enabled state. */
+/** Computes a tick in a plain volume that stands still, with an enabled state. */
 void StepPlain(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
@@ -110,8 +116,8 @@ void StepPlain(
 }
 
 /**
- * Makes a tick in a plain volume that moves, with an enabled state; the result equals that with
- * CarryProxy, to the bit. False if CarryProxy has to make the tick.
+ * Makes a tick in a plain volume that moves, with an enabled state; the result equals the result of
+ * a tick with CarryProxy, to the bit. Returns false if CarryProxy has to make the tick.
  */
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept

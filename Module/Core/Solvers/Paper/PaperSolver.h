@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** One tick from record.Tip; writes all of the record, and the memory of labels. */
+/** Computes one tick from record.Tip; writes all of the record, and the memory of labels. */
 void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 

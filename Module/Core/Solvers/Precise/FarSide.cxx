@@ -13,7 +13,7 @@ namespace
 /** A smaller rise counts as zero: its reciprocal would not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
-/** Rises from 0 at `low` to 1 at `high`, without a kink. */
+/** Returns a step that rises from 0 at `low` to 1 at `high`, without a kink. */
 double SmoothStep(double low, double high, double x) noexcept
 {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -26,8 +26,8 @@ struct Walk
   double Far;    ///< the value so far
   double Last;   ///< V at the last sample
   double Valley; ///< Far at the smallest rise since the largest
-  double Rise;   ///< the rise of V along the gradient in this step; before the first step, that of
-                 ///< the gradient
+  double Rise;   ///< the rise of V along the gradient in this step; before the first step, the rise
+                 ///< of the gradient
   double Weight = 1.0;
   double Change = 0.0; ///< the change of V in this step
   double Largest = 0.0;
@@ -40,7 +40,10 @@ struct Walk
   double LeastPair = std::numeric_limits<double>::infinity();
   double LargestPair = 0.0;
 
-  /** @param sign 1 if V rises in the direction of this walk, else -1 */
+  /**
+   * Makes a step to the next sample.
+   * @param sign 1 if V rises in the direction of this walk, else -1
+   */
   void Step(double value, double sign) noexcept
   {
     this->Change = value - this->Last;
@@ -72,7 +75,10 @@ struct Walk
     this->Pair = 0.0;
   }
 
-  /** @param opposite the walk to the other side, after the same step */
+  /**
+   * Adds the step to the value.
+   * @param opposite the walk to the other side, after the same step
+   */
   void Add(const Walk& opposite, double inverseOfMost) noexcept
   {
     const bool isLargest = this->Rise >= this->Largest;
@@ -93,7 +99,10 @@ struct Walk
   }
 };
 
-/** @param rise the rise of a pair of steps, by the gradient */
+/**
+ * Computes how even a ramp is.
+ * @param rise the rise of a pair of steps, by the gradient
+ */
 double ComputeEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 {
   const double found = std::min(ahead.LeastPair, behind.LeastPair);

@@ -93,7 +93,7 @@ constexpr double EdgeEvenness = 0.42;
 /** A ramp that is at least this even leads nowhere. */
 constexpr double RampEvenness = 0.52;
 
-/** From 0 for an edge to 1 for an even ramp, which has no edge. */
+/** Returns 0 for an edge, rising to 1 for an even ramp, which has no edge. */
 inline double ComputeEvenFraction(const FarValues& far) noexcept
 {
   return std::clamp((far.Evenness - EdgeEvenness) / (RampEvenness - EdgeEvenness), 0.0, 1.0);
@@ -101,16 +101,16 @@ inline double ComputeEvenFraction(const FarValues& far) noexcept
 } // namespace FarSide
 
 /**
- * The values of the plateaus ahead and behind. `reach` points along the normal (index steps),
- * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; with
- * isDescending, it falls.
+ * Returns the values of the plateaus ahead and behind. `reach` points along the normal (index
+ * steps), `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along
+ * `reach`; with isDescending, V falls.
  */
 FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept;
 
 /**
- * Whether a walk has met the edge of the touched surface again, and not the plateau behind it or
- * the next edge: a walk on the same edge has a part of its values.
+ * Returns whether a walk has met the edge of the touched surface again, and not the plateau behind
+ * it or the next edge: a walk on the same edge has a part of that edge's values.
  */
 inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
 {

@@ -31,7 +31,7 @@ constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
 /** LongestSampleDistance at walls of labels, which have bumps of a tenth of a voxel anyhow. */
 constexpr double LongestWallDistance = 4e-3;
 
-/** Predictions beyond these do not save the sample that judges them. */
+/** Predictions beyond these limits do not save the sample that judges them. */
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
 /** The learned part of a tick's prediction: the remainder appears in the next tick. */
@@ -201,7 +201,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Record(voxels);
     // Motions at one tip shrink at a constant rate, which gives the sum of this motion and all
-    // later ones.
+    // later motions.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)

@@ -49,29 +49,37 @@ public:
   {
   }
 
-  /** For a moving volume: takes over the surface to which the proxy was carried by a motion (m). */
+  /** Takes over the surface to which the proxy was carried by a motion (m), for a moving volume. */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
   /** Moves the tip straight to a position, and lets the proxy follow. */
   void Solve(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
   /**
-   * Writes the part of the force's change that comes from leaps of the proxy: the part that neither
-   * the tip's motion explains, nor the proxy's with the volume (m).
+   * Writes the part of the force's change that comes from leaps of the proxy: neither the tip's
+   * motion explains this part, nor the proxy's motion with the volume (`carried`, m).
    */
   void WriteLeap(const SpringBefore& before, double carried, TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
-  /** The material at the proxy, if its surface or drag takes a part of the spring's force. */
+  /**
+   * Returns the material at the proxy, if its surface or drag takes a part of the spring's force.
+   */
   TouchedMaterial ComputeTouched(const Vector3& lag) const noexcept;
-  /** Samples the material at the proxy; `touched` as in PreciseSurroundings::Look. */
+  /**
+   * Samples the material at the proxy; `touched` has the same meaning as in
+   * PreciseSurroundings::Look.
+   */
   void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
-   * Takes over a change of the tissue at the proxy since the last tick that no motion has caused.
+   * Takes over a change of the tissue at the proxy since the last tick, if no motion has caused the
+   * change.
    */
   void Refresh(double lag) noexcept;
-  /** Moves the proxy until the law leaves it in place; false if the budget does not suffice. */
+  /**
+   * Moves the proxy until the law leaves it in place; returns false if the budget does not suffice.
+   */
   bool Settle(const Vector3& tip) noexcept;
   /**
    * Returns the motion that the law demands at the proxy's point. `tipBefore` is null if the tip

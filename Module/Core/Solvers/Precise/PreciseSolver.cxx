@@ -11,7 +11,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** @param carried the distance (m) by which the volume has carried the proxy before */
+/**
+ * Moves the tip to its place, and lets the proxy follow.
+ * @param carried the distance (m) by which the volume has carried the proxy before
+ */
 void Solve(const HapticModel& model, const SpringBefore& before, double carried,
   PreciseFollower& follower, TickRecord& record) noexcept
 {

@@ -49,7 +49,7 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
 }
 
 /**
- * The strength of a graded edge of height h, whose material has the strength T:
+ * Returns the strength of a graded edge of height h, whose material has the strength T:
  *
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *

@@ -18,11 +18,11 @@
 namespace VolumeHaptics
 {
 
-/** The motion of the proxy by the law at its material point. */
+/** A planned motion of the proxy, computed with the material law from the material at the proxy. */
 struct Motion
 {
   Vector3 Displacement; ///< m
-  bool IsHeld = false;  ///< held by a surface: the proxy keeps its level
+  bool IsHeld = false;  ///< whether a surface holds the proxy, which then keeps the surface's level
   bool IsFree = false;  ///< whether no material holds the proxy
 };
 
@@ -31,7 +31,8 @@ struct TouchedMaterial
 {
   const PrecisePoint* Point = nullptr; ///< null without a touched material
   /**
-   * Whether the surface takes a force. If not, it did so earlier, and now only its medium drags.
+   * Whether the surface takes a force. If not, the surface took one earlier, and only its medium
+   * drags now.
    */
   bool IsSurface = false;
 };
@@ -54,7 +55,7 @@ struct Arrival
   PassiveSpring Spring;
 };
 
-/** The proxy moves to tissue of another stiffness (N/m), with the tip `lag` (m) away. */
+/** Passes the proxy on to tissue of another stiffness (N/m), with the tip `lag` (m) away. */
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /** Samples the volume around a proxy, and counts the samples: a tick has a budget of them. */
@@ -78,7 +79,7 @@ public:
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
-  /** The same, if the surface through the proxy is known. */
+  /** Returns the same if the surface through the proxy is known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /** Limits the drag of a point, for a proxy with this spring to a tip `lag` (m) away. */
@@ -86,7 +87,7 @@ public:
   {
     Law::LimitDrag(this->Model, spring.Tension < 1.0 ? (1.0 - spring.Tension) * lag : 0.0, point);
   }
-  /** Whether the budget suffices for another motion. */
+  /** Returns whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
   /** Returns ProxyDisplacement::LongestMean, or no limit for materials of the kernel. */
@@ -96,18 +97,18 @@ public:
                           : std::numeric_limits<double>::infinity();
   }
 
-  /** The length of a displacement (m) in voxels. */
+  /** Returns the length of a displacement (m) in voxels. */
   double Voxels(const Vector3& displacement) const noexcept
   {
     return this->Model.StepsOf(displacement);
   }
 
-  /** Voxels per metre along the axis of the smallest spacing. */
+  /** Returns the voxels per metre along the axis of the smallest spacing. */
   double GetVoxelsPerMeter() const noexcept { return this->Model.MostStepsPerMeter; }
 
   /**
-   * Whether a level can belong to the surface at a point: walls between labels have other levels
-   * than the scalars, and the next wall has another level than the last.
+   * Returns whether a level can belong to the surface at a point: walls between labels have other
+   * levels than the scalars, and the next wall has another level than the last.
    */
   bool IsOfLevel(const PrecisePoint& here, double level) const noexcept
   {
@@ -116,7 +117,7 @@ public:
       FarthestLevel * std::abs(here.Slope);
   }
 
-  /** Whether both positions lie beyond the same face of the volume. */
+  /** Returns whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
   /**
@@ -135,7 +136,9 @@ public:
     return std::clamp(displacement, -out, in);
   }
 
-  /** Makes a part of a motion, or less if the material there allows no more. */
+  /**
+   * Makes a part of a motion, or less if the material there allows no more; returns where it ends.
+   */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;
 
@@ -143,20 +146,18 @@ private:
   /** The largest distance (voxels) from a proxy to its level. */
   static constexpr double FarthestLevel = 0.25;
 
-  /** See the members of PrecisePoint. */
+  /** A walk, for the members Far and FarLasts of PrecisePoint. */
   struct FarWalk
   {
     FarValues Far;
     double Lasts = 0.0;
   };
-  /**
-   * The rest of the spring (m) along the parts of a motion; negative if the motion went too far.
-   */
+  /** The remaining spring (m) along the parts of a motion; negative if the motion went too far. */
   struct Remainder
   {
     double Normal;
     double Tangent;
-    bool IsWhole; ///< whether both belong to the motion as a whole
+    bool IsWhole; ///< whether both numbers belong to the motion as a whole
   };
 
   Arrival Try(const Departure& start, const Motion& motion, const Vector3& displacement,
@@ -169,13 +170,13 @@ private:
   PrecisePoint LookAt(const Vector3& index, Surface surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /**
-   * Returns the strength of a surface with alignment Edge; `join` gives the material between two
-   * values.
+   * Sets the strength of a point on a surface with alignment Edge; `join` returns the material
+   * between two values.
    */
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
-  /** The same as LeaveMedium, at a wall between labels. */
+  /** Does the same as LeaveMedium, at a wall between labels. */
   void LeaveWall(const Vector3& index, const Surface& surface,
     const DistinctnessTable::Values& distinct, const ValuePair& values,
     PrecisePoint& point) const noexcept;
@@ -194,11 +195,11 @@ private:
    * and a part of what it leads to hidden, but the hand meets it where the eye does.
    */
   double ComputeSeenFraction(const Vector3& index, const Law::Slope& slope) const noexcept;
-  /** The change of V over the kernel radius, by the gradient. */
+  /** Returns the change of V over the kernel radius, by the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
    * Returns the rise that the gradient predicts for an edge, over the kernel radius. For a spline
-   * it is over one voxel, because a spline is always as wide as the Gaussian of radius 1.
+   * the rise is over one voxel, because a spline is always as wide as the Gaussian of radius 1.
    */
   double ComputePromise(const Law::Slope& slope) const noexcept;
   /**
@@ -210,7 +211,7 @@ private:
 
   const HapticModel& Model;
   const FieldAtTime Field;
-  const bool IsPlain;      ///< as BakedVolume, and stands still
+  const bool IsPlain;      ///< whether BakedVolume::IsPlain() holds and the volume stands still
   const bool HasWalks;     ///< whether values need the proxy's path: for MaterialPlacement::FarSide
   const bool LeavesMedium; ///< whether surfaces are felt from both sides
   LabelMemory& Labels;

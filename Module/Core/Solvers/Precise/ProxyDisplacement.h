@@ -21,8 +21,8 @@ namespace VolumeHaptics
 namespace ProxyDisplacement
 {
 /**
- * Lengths of the parts of a tip's step, as fractions of the lag: with a mean direction, and
- * without.
+ * Lengths of the parts of a tip's step, as fractions of the lag: for parts with a mean direction,
+ * and for parts without.
  */
 constexpr double CirclePart = 0.1;
 constexpr double FreePart = 0.005;
@@ -43,8 +43,8 @@ constexpr double LongestMean = 2.0;
 struct UnheldSpring
 {
   Vector3 Lag;   ///< m
-  double Length; ///< of Lag
-  double Radius; ///< m, of the circle in which friction and drag hold the tip
+  double Length; ///< the length of Lag
+  double Radius; ///< m, the radius of the circle in which friction and drag hold the tip
   bool IsCircle; ///< false if they hold more in some directions
 };
 
@@ -64,7 +64,10 @@ VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
   return spring;
 }
 
-/** Returns one part of a step: in the mean direction if there is one, else `plain()`. */
+/**
+ * Returns the displacement by one part of a step: in the mean direction if there is one, else
+ * `plain()`.
+ */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compliance,
   double longest, const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag,
@@ -93,17 +96,17 @@ VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compl
   return half > 0.0 ? (along - std::sqrt(half)) * direction : plain();
 }
 
-/** A step in more than one part. */
+/** Returns the displacement by a step in more than one part. */
 Vector3 ComputeInParts(const PrecisePoint& here, double k, double longest, const Vector3& lagBefore,
   const Vector3& lag, double parts) noexcept;
 
 /**
- * The displacement of a proxy (m) while the tip's step takes the spring of stiffness k (N/m) from
- * one lag (m) to another, whose parts are given, too.
+ * Returns the displacement of a proxy (m) while the tip's step takes the spring of stiffness k
+ * (N/m) from one lag (m) to another, whose split is given, too.
  *
- * Second order in the step if friction and drag hold all directions alike. `plain()` is the
- * displacement by the law at the last lag alone, for steps without a mean direction; so are parts
- * whose spring is longer than `longest` radii of the circle.
+ * The result is of second order in the step if friction and drag hold all directions alike.
+ * `plain()` returns the displacement by the law at the last lag alone, for steps without a mean
+ * direction, and for parts whose spring is longer than `longest` radii of the circle.
  */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double longest,

@@ -43,7 +43,7 @@ enum class FollowedForm
 struct FollowedShape
 {
   FollowedForm Form = FollowedForm::Line;
-  int Mode = 0;   ///< its number
+  int Mode = 0;   ///< number of the mode
   Vector3 Centre; ///< m; on the line
   /** A unit vector along the line, or normal to the front: to its free side, if it has one. */
   Vector3 Direction;
@@ -66,12 +66,12 @@ public:
 
   /**
    * Replaces `direction` by the unit vector along a mode's line at a place, in the sense that is
-   * closer to it. False if there is no line.
+   * closer to `direction`. Returns false if there is no line.
    */
   bool Turn(int mode, const Vector3& place, Vector3& direction);
   /**
-   * Moves a place near a mode's line back to it, if the line has its own anchor: a step along its
-   * direction leaves it. False if the line ends there.
+   * Moves a place near a mode's line back to the line, if the line has its own anchor, since a step
+   * along the direction leaves the line. Returns false if the line ends there.
    */
   bool Return(int mode, Vector3& place);
 
@@ -79,18 +79,18 @@ private:
   void CollectOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
   void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
   ModeKind KindOf(int mode) const;
-  /** Reads the primitives of a mode; false if no primitive holds. */
+  /** Reads the primitives of a mode; returns false if no primitive holds. */
   bool Read(int mode, const Vector3& place);
   /** Returns the front among the primitives that were read; null if there is none. */
   const Primitive* FindFront(ModeKind kind) const;
   /**
-   * Returns the line among the primitives that were read. For a vortex it is the core, wherever the
-   * hand is.
+   * Returns the line among the primitives that were read. For a vortex, returns the core, wherever
+   * the hand is.
    */
   const Primitive* FindLine(ModeKind kind) const;
   /** Returns the first primitive of a kind whose strength is larger than a number. */
   const Primitive* FindPrimitive(PrimitiveKind kind, double strength) const;
-  /** Moves a place to a mode's line; false if there is none. */
+  /** Moves a place to a mode's line; returns false if there is no line. */
   bool FindStart(int mode, Vector3& place);
 
   const HapticModel& Model;

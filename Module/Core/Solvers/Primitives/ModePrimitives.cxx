@@ -189,7 +189,7 @@ private:
     this->Add(PrimitiveKind::Line, along, strength, this->Place + this->ToDevice(toRidge));
   }
 
-  /** The strength (N), the direction, and the displacement (world) to the ridge. */
+  /** Computes the direction and the displacement (world) to the ridge; returns the strength (N). */
   double ComputeRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
   {
     constexpr double half = 0.5; // voxels
@@ -305,8 +305,7 @@ private:
 
   ///@{
   /**
-   * Adds a primitive with a direction in the world, and with an anchor (device) or this place as
-   * its anchor.
+   * Adds a primitive with a direction in the world. The anchor is this place, or is given (device).
    */
   void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
   {

@@ -54,31 +54,31 @@ class ModeField
 {
 public:
   static constexpr int Most = PrimitiveSet::Most;
-  /** Voxels from the border of the volume. */
+  /** Distance (voxels) from the border of the volume over which strengths fade. */
   static constexpr double FadeDistance = 2.0;
-  /** Voxels from the core of a vortex. */
+  /** Distance (voxels) from the core of a vortex within which a line stands in for the plane. */
   static constexpr double CoreReach = 0.1;
-  /** Voxels. The core is searched up to this distance. */
+  /** Distance (voxels) up to which the core is searched. */
   static constexpr double CoreSight = 4.0;
 
   /**
-   * For a device that is placed in the world: a similarity, world units per metre. Without ridges
-   * and surfaces, which need the scalars of a model.
+   * Makes an empty field for a device that is placed in the world by a similarity, world units per
+   * metre. The field is without ridges and surfaces, which need the scalars of a model.
    */
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
   /**
-   * The modes of a model, in their order. Friction and drag of a surface depend on a spring of
-   * stiffness k to a tip (m). Borrows the model and the memory.
+   * Makes a field of the modes of a model, in their order. Friction and drag of a surface depend on
+   * a spring of stiffness k to a tip (m). Borrows the model and the memory.
    */
   ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 
   /**
-   * False if there are too many primitives or the mode is not valid; it is not felt then. A mode
-   * that is not active always fits.
+   * Adds a mode. Returns false if there are too many primitives or the mode is not valid; the mode
+   * is then not felt. A mode that is not active always fits.
    */
   bool Add(const BakedMode& mode) noexcept;
 
-  /** Borrows this. */
+  /** Returns the field of all modes, which borrows this object. */
   PrimitiveField GetField() const noexcept { return { &ModeField::Collect, this }; }
 
   int GetCount() const noexcept { return this->Count; }
@@ -98,9 +98,9 @@ private:
   Affine3 DeviceToIndex;
   Affine3 DeviceToWorld;
   Affine3 WorldToDevice;
-  Matrix3 Turn; ///< for directions, from the world to the device
+  Matrix3 Turn; ///< turns directions from the world to the device
   ///@{
-  /** For ridges and surfaces; null without a model. */
+  /** Needed for ridges and surfaces; null without a model. */
   const HapticModel* Model = nullptr;
   LabelMemory* Memory = nullptr;
   double Stiffness = 0.0;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the usable strength: 0 for an invalid one. */
+/** Returns the usable strength: 0 for an invalid strength. */
 double UsableStrength(const Primitive& primitive) noexcept
 {
   const double s = primitive.Strength;
@@ -20,7 +20,7 @@ double UsableStrength(const Primitive& primitive) noexcept
   return std::fmin(s, PrimitiveSet::MostStrength);
 }
 
-/** Gives a direction unit length. False if its length is 0, too large or not finite. */
+/** Gives a direction unit length. Returns false if the length is 0, too large or not finite. */
 bool Normalise(Vector3& direction) noexcept
 {
   constexpr double safe = 1e100;

@@ -39,7 +39,7 @@ enum class PrimitiveKind : std::uint8_t
 struct Primitive
 {
   PrimitiveKind Kind = PrimitiveKind::Force;
-  Vector3 Direction;     ///< of any length, but not 0; Point has none
+  Vector3 Direction;     ///< direction of any length but 0; Point has none
   Vector3 Anchor;        ///< m; Force has none
   double Strength = 0.0; ///< N
 };
@@ -58,7 +58,7 @@ public:
    * Adds a primitive, with a direction of unit length. A primitive without a valid strength,
    * direction or anchor (0, negative, NaN, or infinite) keeps its place in the set, but has the
    * strength 0; an infinite strength holds with MostStrength, unless it pushes. Without a strength
-   * the direction stays as given. False if the set is full.
+   * the direction stays as given. Returns false if the set is full.
    */
   bool Add(const Primitive& primitive) noexcept;
 
@@ -68,7 +68,7 @@ public:
   const Primitive* begin() const noexcept { return this->Items.data(); }
   const Primitive* end() const noexcept { return this->Items.data() + this->Size; }
 
-  /** The largest sum of their forces (N). */
+  /** Returns the sum of all strengths (N): the largest sum of the primitives' forces. */
   double SumStrengths() const noexcept;
 
 private:

@@ -50,7 +50,7 @@ public:
     this->Arrive(from, memory.Towards);
   }
 
-  /** Makes one step; returns the rate that it has met. */
+  /** Makes one step; returns the rate that the step has met. */
   double Step(double rate, double longest) noexcept
   {
     const double across = this->ComputeRateAcross();
@@ -61,12 +61,12 @@ public:
       : this->StepFar(rate, longest);
   }
 
-  /** The remaining part of the lag, and its length (m). */
+  /** Return the remaining part of the lag, and its length (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
   bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
   const Vector3& GetPlace() const noexcept { return this->Place; }
-  /** The balance at the place. */
+  /** Returns the balance at the place. */
   const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
 
 private:
@@ -104,10 +104,11 @@ private:
   }
 
   /**
-   * The rate at which the rest of a long step ends, across its way, as the stages show it; 0 if
-   * they do not. With m the ratio of this rate to the rate along the way, the weights of the stages
-   * leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic through
-   * the stages shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both gives m.
+   * Returns the rate at which the rest of a long step ends, across its way, as the stages show it;
+   * 0 if they do not show it. With m the ratio of this rate to the rate along the way, the weights
+   * of the stages leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the
+   * quadratic through the stages shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of
+   * both gives m.
    */
   double ComputeRateAcross() const noexcept
   {
@@ -177,14 +178,17 @@ private:
     return met > LeastRate ? std::min(met, MostRate) : LeastRate;
   }
 
-  /** The direction of the rest, forwards; or the direction before if there is no rest. */
+  /** Returns the direction of the rest, forwards; the direction before if there is no rest. */
   static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
   {
     const double length = Norm(rest);
     return length > 0.0 ? std::copysign(1.0 / length, Dot(rest, before)) * rest : before;
   }
 
-  /** @param towards the expected direction of the rest */
+  /**
+   * Computes the balance at a place, and returns the rest.
+   * @param towards the expected direction of the rest
+   */
   Vector3 SolveRest(const Vector3& place, const Vector3& towards) noexcept
   {
     PrimitiveSet set;
@@ -211,7 +215,7 @@ private:
   Vector3 Shown; ///< the rest by the stages of a long step that ended the way; else 0
   double EndRate = 0.0;
   double Length = 0.0;
-  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< in the tick
+  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< sweeps left in the tick
   PrimitiveBalance Balance;
 };
 

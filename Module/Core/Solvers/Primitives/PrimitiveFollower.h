@@ -49,7 +49,7 @@ struct PrimitiveMotion
   Vector3 Proxy; ///< m
   Vector3 Force; ///< N, on the hand
   int Steps = 0;
-  bool IsUnfinished = false; ///< the tick spent its steps
+  bool IsUnfinished = false; ///< whether the tick spent its steps
 };
 
 namespace PrimitiveFollower
@@ -57,11 +57,14 @@ namespace PrimitiveFollower
 constexpr int MostSteps = 32;
 /** Steps shorter than this fraction of the longest one use the midpoint method. */
 constexpr double ShortFraction = 0.1;
-/** A last step this short needs no stages. */
+/** A last step that is shorter than this fraction of the longest one needs no stages. */
 constexpr double FinishedFraction = 1e-3;
 } // namespace PrimitiveFollower
 
-/** How far (voxels) a mode's push, or a bent line, can lead out of the box around proxy and tip. */
+/**
+ * How far (voxels) a mode's push, or a bent line, can lead the proxy out of the box around proxy
+ * and tip.
+ */
 constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**

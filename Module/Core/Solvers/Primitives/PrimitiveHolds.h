@@ -21,7 +21,9 @@ inline Vector3 AtMost(const Vector3& force, double most) noexcept
   return square > most * most ? (most / std::sqrt(square)) * force : force;
 }
 
-/** The point of C_i, the set of the primitive's possible forces, that is nearest to a force. */
+/**
+ * Returns the force in C_i, the set of the primitive's possible forces, that is nearest to a force.
+ */
 inline Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
 {
   const double along = Dot(force, primitive.Direction);
@@ -46,7 +48,10 @@ enum class HoldState : std::uint8_t
   IsLeft
 };
 
-/** @param isOld the force comes from another tick: almost a whole strength counts as one */
+/**
+ * Returns the state of a primitive with a force.
+ * @param isOld the force comes from another tick: almost a whole strength counts as a whole one
+ */
 inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) noexcept
 {
   // Forces that were cut to the strength count as full.
@@ -57,7 +62,7 @@ inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) n
                                                       : HoldState::Holds;
 }
 
-/** The rounding of a condition (N). */
+/** Returns the rounding of a condition (N). */
 inline double RoundingOf(const HeldPrimitives& held) noexcept
 {
   double largest = 0.0;

@@ -44,7 +44,7 @@ public:
   int GetLooks() const noexcept { return this->Looks; }
   bool IsSpent() const noexcept { return this->Looks >= this->MostLooks; }
 
-  /** One step of Newton's method; false if it has converged. */
+  /** Makes one step of Newton's method; returns false if the method has converged. */
   bool Step(double settled) noexcept
   {
     const Vector3 slope = this->Slope;

@@ -28,10 +28,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Starts from forces that are within the strengths. They stay within them, and approach the forces
- * of a balance.
- *
- * @param isSettled whether they are the forces of a balance, apart from rounding
+ * Computes a balance, from forces that are within the strengths. The forces stay within the
+ * strengths, and approach the forces of a balance.
+ * @param isSettled receives whether they are the forces of a balance, apart from rounding
  * @return the number of evaluated places, each of which takes about as long as a sweep
  */
 int SolveBalanceByMultipliers(

@@ -100,7 +100,7 @@ private:
     ++this->Conditions;
   }
 
-  /** False if there are too many conditions. */
+  /** Collects the conditions; returns false if there are too many. */
   bool CollectConditions() noexcept
   {
     for (int at = 0; at < this->Held.Count; ++at)
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  /** Newton's method; false if the assumptions do not hold. */
+  /** Runs Newton's method; returns false if the assumptions do not hold. */
   bool Step() noexcept
   {
     for (int step = 0; step < MostBalanceSteps; ++step)
@@ -229,8 +229,8 @@ private:
   }
 
   /**
-   * Changes a step by the multipliers that make it meet the conditions; false if the conditions
-   * belong to one plane.
+   * Changes a step by the multipliers that make it meet the conditions; returns false if the
+   * conditions belong to one plane.
    */
   bool MeetConditions(const Matrix3& inverse, Vector3& step) noexcept
   {
@@ -270,7 +270,7 @@ private:
     return true;
   }
 
-  /** Computes the forces at the place; returns whether they are those of a balance. */
+  /** Computes the forces at the place; returns whether they belong to a balance. */
   bool Check() noexcept
   {
     const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
@@ -404,7 +404,7 @@ private:
   const HeldPrimitives& Held;
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
-  int First[PrimitiveSet::Most] = {}; ///< the first condition
+  int First[PrimitiveSet::Most] = {}; ///< number of the first condition of each primitive
   Vector3 Row[MostConditions];
   double Wanted[MostConditions] = {};
   int Conditions = 0;

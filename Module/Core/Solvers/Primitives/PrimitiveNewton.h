@@ -31,11 +31,11 @@
 namespace VolumeHaptics
 {
 
-/** Primitives with a strength that are not pushes, with b_i of each. */
+/** Primitives with a strength that are not pushes, and b_i of each primitive. */
 struct HeldPrimitives
 {
   const PrimitiveSet& Set;
-  const int* Number; ///< in the set
+  const int* Number; ///< number of each primitive in the set
   const Vector3* Spring;
   int Count;
 };

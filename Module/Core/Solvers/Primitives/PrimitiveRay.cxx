@@ -78,7 +78,7 @@ public:
 private:
   const Primitive& At(int at) const noexcept { return this->Held.Set[this->Held.Number[at]]; }
 
-  /** False if a vector has no direction. */
+  /** Sets the ray along a vector; returns false if the vector has no direction. */
   bool SetRay(const Vector3& to) noexcept
   {
     const double length = Norm(to);
@@ -86,7 +86,10 @@ private:
     return length > this->Settled && std::isfinite(length);
   }
 
-  /** Restricts the ray to the conditions of the holding primitives; false if they leave no ray. */
+  /**
+   * Restricts the ray to the conditions of the holding primitives; returns false if the conditions
+   * leave no ray.
+   */
   bool KeepConditions() noexcept
   {
     this->Slides = 0;
@@ -138,7 +141,7 @@ private:
       this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
   }
 
-  /** Directions across the ray in which it can turn; returns their number. */
+  /** Computes the directions across the ray in which it can turn; returns their number. */
   int ComputeTurns(Vector3 turns[2]) const noexcept
   {
     if (this->Along >= 0 || this->Slides == 2)
@@ -159,7 +162,7 @@ private:
     return 2;
   }
 
-  /** Turns the ray until nothing remains across it; false if it does not converge. */
+  /** Turns the ray until nothing remains across it; returns false if the turns do not converge. */
   bool Turn() noexcept
   {
     for (int i = 0; i < MostRayTurns; ++i)
@@ -260,7 +263,9 @@ private:
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
   }
 
-  /** Computes the forces of the holding primitives; returns whether all are those of a balance. */
+  /**
+   * Computes the forces of the holding primitives; returns whether all forces belong to a balance.
+   */
   bool Check() noexcept
   {
     const Vector3 rest = this->Spring + this->Fraction * this->Yielding;

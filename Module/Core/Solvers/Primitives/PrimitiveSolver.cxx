@@ -21,7 +21,7 @@ namespace
  */
 constexpr double SettledChange = 1e-11;
 constexpr double SettledFraction = 4e-16;
-/** N/m. */
+/** The stiffest spring (N/m). */
 constexpr double StiffestSpring = 1e9;
 ///@{
 /** An exact balance is tried after each of the first sweeps, and then at intervals. */
@@ -34,7 +34,7 @@ constexpr int SweepsOfALook = 4;
  */
 constexpr int SweepsAlone = 16;
 
-/** False for NaN, too. */
+/** Returns whether a tip is as near as an anchor may be; false for NaN, too. */
 bool IsNear(const Vector3& tip) noexcept
 {
   constexpr double most = PrimitiveSet::FarthestAnchor;
@@ -46,7 +46,7 @@ bool Holds(const Primitive& primitive) noexcept
   return primitive.Kind != PrimitiveKind::Force && primitive.Strength > 0.0;
 }
 
-/** Whether the composition is exact for two directions. */
+/** Returns whether the composition is exact for two directions. */
 bool AreSeparate(const Primitive& a, const Primitive& b) noexcept
 {
   constexpr double most = PrimitiveSolver::DirectionTolerance;
@@ -59,7 +59,10 @@ bool AreSeparate(const Primitive& a, const Primitive& b) noexcept
   return Dot(sine, sine) <= most * most;
 }
 
-/** Whether the composition is exact for each holding primitive, with those before it. */
+/**
+ * Returns whether the composition is exact for each holding primitive, with the primitives before
+ * it.
+ */
 bool IsComposable(const PrimitiveSet& set) noexcept
 {
   const Primitive* first = nullptr;
@@ -85,7 +88,9 @@ bool IsComposable(const PrimitiveSet& set) noexcept
   return true;
 }
 
-/** Writes the pushes, and 0 for all others; returns the sum of the pushes. */
+/**
+ * Writes the forces of the pushes, and 0 for all other primitives; returns the sum of the pushes.
+ */
 Vector3 Push(const PrimitiveSet& set, PrimitiveForces& forces) noexcept
 {
   Vector3 sum;
@@ -170,13 +175,13 @@ protected:
   const Vector3& Towards;
   PrimitiveForces& Forces;
   Vector3 Spring[PrimitiveSet::Most];  ///< b_i: the sum of the spring and the pushes
-  int Number[PrimitiveSet::Most] = {}; ///< in the set
+  int Number[PrimitiveSet::Most] = {}; ///< number in the set
   int Count = 0;
   Vector3 Sum;
   double Largest = 0.0;
 };
 
-/** Sweeps over the dual problem, storing the last ones for the acceleration. */
+/** Sweeps over the dual problem, and stores the last sweeps for the acceleration. */
 class Sweeper : public Dual
 {
 public:
@@ -185,7 +190,7 @@ public:
   {
   }
 
-  /** Writes the changes of the forces; returns the largest one. */
+  /** Writes the changes of the forces; returns the largest change. */
   double Sweep() noexcept
   {
     double square = 0.0;
@@ -204,8 +209,8 @@ public:
   }
 
   /**
-   * Anderson's acceleration: computes, from the last sweeps, the forces at which a sweep would
-   * change nothing if it were linear. They are taken if their energy is not higher.
+   * Computes, from the last sweeps, the forces at which a sweep would change nothing if it were
+   * linear. The forces are taken if their energy is not higher (Anderson's acceleration).
    */
   void Accelerate() noexcept
   {

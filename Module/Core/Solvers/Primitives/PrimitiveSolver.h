@@ -56,24 +56,24 @@ struct PrimitiveBalance
 {
   Vector3 Proxy;             ///< m
   Vector3 Force;             ///< N, on the hand
-  int Sweeps = 0;            ///< including evaluations of the multipliers
-  bool IsUnfinished = false; ///< the descent spent its sweeps
+  int Sweeps = 0;            ///< sweeps, including evaluations of the multipliers
+  bool IsUnfinished = false; ///< whether the descent spent its sweeps
 };
 
 namespace PrimitiveSolver
 {
-/** Sine or cosine of an angle between directions. */
+/** The largest sine or cosine of an angle between directions that counts as 0. */
 constexpr double DirectionTolerance = 4e-15;
 constexpr int MostSweeps = 256;
 
 /**
  * Computes the closed composition; if the set does not allow it, returns false and writes nothing.
- * For numbers that Minimise has checked.
+ * The numbers must be checked, as by Minimise.
  */
 bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance) noexcept;
 
-/** Descends from `forces`, for any set. For numbers that Minimise has checked. */
+/** Descends from `forces`, for any set. The numbers must be checked, as by Minimise. */
 void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance, int mostSweeps = MostSweeps, const Vector3& towards = {}) noexcept;
 } // namespace PrimitiveSolver

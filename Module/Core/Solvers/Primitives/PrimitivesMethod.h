@@ -21,8 +21,8 @@ namespace VolumeHaptics
 {
 
 /**
- * One tick. The record has the whole force as its NormalForce, along its Normal; the contact is
- * sticking if the proxy stays and sliding if it moves; and there is no material.
+ * Computes one tick. The record has the whole force as its NormalForce, along its Normal; the
+ * contact is sticking if the proxy stays and sliding if it moves; and there is no material.
  */
 void StepPrimitives(
   const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;

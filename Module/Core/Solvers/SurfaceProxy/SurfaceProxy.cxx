@@ -51,7 +51,10 @@ constexpr double Recovery = 0.01;
 class Sphere
 {
 public:
-  /** @param fraction fraction of the triangles' way to the next time step */
+  /**
+   * Places a sphere among the triangles.
+   * @param fraction fraction of the triangles' way to the next time step
+   */
   Sphere(const HapticModel& model, const SurfaceMesh& mesh, double fraction,
     const Vector3& centre) noexcept
     : Model(model)
@@ -66,7 +69,7 @@ public:
   const Vector3& GetCentre() const noexcept { return this->Centre; }
   bool IsShading() const noexcept { return this->IsShaded; }
   bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
-  /** Whether there are more triangles than a tick has time for. */
+  /** Returns whether there are more triangles than a tick has time for. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
   /** Returns the point nearest to a goal that the touched triangles allow. */
@@ -157,7 +160,7 @@ private:
   const bool IsShaded;
   int Budget = MaximumVisits;
   Vector3 Centre;
-  double Nearest = HUGE_VAL; ///< the distance of the nearest triangle that it touches
+  double Nearest = HUGE_VAL; ///< the distance of the nearest triangle that the sphere touches
   HalfSpaces True;
   HalfSpaces Shaded;
 };

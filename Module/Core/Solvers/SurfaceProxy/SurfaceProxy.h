@@ -53,7 +53,7 @@ constexpr int MaximumVisits = 20000;
  */
 constexpr int MostTouched = MaximumVisits / 4;
 
-/** One tick from record.Tip; writes all of the record. The model must have a mesh. */
+/** Computes one tick from record.Tip; writes all of the record. The model must have a mesh. */
 void StepSurfaceProxy(
   const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;
 
@@ -61,7 +61,7 @@ void StepSurfaceProxy(
 Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept;
 
 /**
- * The first position (device) of a proxy that another method has left at `place`.
+ * Returns the first position (device) of a proxy that another method has left at `place`.
  *
  * Triangles let no proxy through, not even outward. Other methods may leave the proxy inside the
  * isosurface: up to EntryDepth inside, it begins at the nearest position outside; a deeper proxy is
@@ -70,12 +70,12 @@ Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept;
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
 /**
- * Whether a position (device) is outside the isosurface at a data time, by the value there. True if
- * there is no isosurface.
+ * Returns whether a position (device) is outside the isosurface at a data time, by the value there.
+ * True if there is no isosurface.
  */
 bool IsOutsideSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
-/** in kernel lengths */
+/** The depth (kernel lengths) up to which a proxy begins outside. */
 constexpr double EntryDepth = 3.0;
 
 } // namespace VolumeHaptics

@@ -33,7 +33,7 @@ struct BurrDescription
 {
   BurrSettings Settings;
   Polyline SpecificEnergy = ConstantPolyline(10.0); ///< U, J/mm^3 of the hand's space, at least 0
-  ShellDescription Head;                            ///< its points are those of MakeHead()
+  ShellDescription Head;                            ///< head with the points of MakeHead()
 };
 
 /**
@@ -46,16 +46,18 @@ class BakedBurr final : public ShapedTool
 public:
   explicit BakedBurr(BurrDescription description);
 
-  /** The array RemovedVolume. */
+  /** Returns the array RemovedVolume. */
   static const ToolColumns& Columns();
 
   /** Makes points of equal areas on a sphere around the origin. */
   static std::vector<ShellPoint> MakeHead(double radius, std::size_t points = 1000);
 
   bool IsSame(const BakedTool& other) const override;
-  /** One tick, HapticSettings::TickPeriod long. The proxy is the centre of the head. */
+  /** Computes one tick, HapticSettings::TickPeriod long. The proxy is the centre of the head. */
   bool Step(const ToolTick& tick) const noexcept override;
-  /** Carries the head to another model; removal begins anew. */
+  /**
+   * Carries the head to another model; removal begins anew. Returns whether the method begins anew.
+   */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   std::shared_ptr<ToolMemory> MakeMemory(const std::shared_ptr<ToolMemory>& last) const override;
@@ -65,7 +67,7 @@ public:
   bool Spins(std::uint32_t buttons, bool isOrdered) const noexcept override;
 
   const BurrSettings Settings;
-  const Polyline SpecificEnergyLine; ///< as described
+  const Polyline SpecificEnergyLine; ///< U, as described
   const SpecificEnergyTable SpecificEnergy;
   const double RimSpeed;  ///< v, world units a second
   const double Frequency; ///< the frequency (Hz) of the vibration, at most MostFrequency

@@ -26,7 +26,7 @@ constexpr double StrokeEnd = 0.5;
 /** The most energy (J) that the vibration gives back at a time. */
 constexpr double MostGivenBack = 1e-3;
 
-/** The tool of a model whose tool is a burr. */
+/** Returns the tool of a model whose tool is a burr. */
 const BakedBurr& GetBurr(const HapticModel& model) noexcept
 {
   return static_cast<const BakedBurr&>(*model.Baked->Tool);
@@ -39,7 +39,7 @@ double Wave(double phase) noexcept
   return -4.0 * x * (1.0 - std::abs(x));
 }
 
-/** Removal in one tick. */
+/** The removal of tissue in one tick. */
 class Removing
 {
 public:
@@ -96,7 +96,7 @@ public:
 private:
   bool HasTime() const noexcept { return this->Record.Work < MostBurrWork; }
 
-  /** The cost of the next sphere, or of its next part. */
+  /** Returns the cost of the next sphere, or of its next part. */
   CarvingCost Try(const Vector3& next) noexcept
   {
     const BurrState& s = this->State;
@@ -108,7 +108,7 @@ private:
     return cost;
   }
 
-  /** Removes another part of a sphere; false if the tick can do no more. */
+  /** Removes another part of a sphere; returns false if the tick can do no more. */
   bool GoOn() noexcept
   {
     BurrState& s = this->State;
@@ -189,8 +189,8 @@ private:
   }
 
   /**
-   * Makes a step, or a shorter one; false if the energy does not suffice even for a shorter one, or
-   * if the step takes more ticks.
+   * Makes a step, or a shorter one; returns false if the energy does not suffice even for a shorter
+   * step, or if the step takes more ticks.
    */
   bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
   {
@@ -255,14 +255,14 @@ private:
     this->Record.RemovedVolume += cost.Volume;
   }
 
-  const double Radius; ///< m
+  const double Radius; ///< radius (m)
   TissueRemoval& Removal;
   BurrState& State;
   SphereCarver& Carver;
   BurrRecord& Record;
 };
 
-/** The depth of the head's deepest point (m). */
+/** Returns the depth of the head's deepest point (m). */
 double ComputeDepth(ShellMemory& memory) noexcept
 {
   const ShellContacts& contacts = memory.GetCurrent();
@@ -320,14 +320,14 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     burr.Settings.Friction * force * speed * hand.Step);
 }
 
-/** The energy (J) of the spring between the hand and the head. */
+/** Returns the energy (J) of the spring between the hand and the head. */
 double SpringEnergy(const ShellRecord& record, const Vector3& head, const Vector3& hand) noexcept
 {
   const Vector3 lag = head - hand;
   return 0.5 * record.Stiffness * Dot(lag, lag);
 }
 
-/** The force that vibrates (N). */
+/** Returns the force that vibrates (N). */
 Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const BurrHand& by,
   const ShellState& before, const ShellState& after, BurrState& state,
   const ShellRecord& shell) noexcept

@@ -67,7 +67,7 @@ struct BurrRecord
   double Energy = 0.0;        ///< J, spent on removal
   double RemovedVolume = 0.0; ///< mm^3
   std::size_t Work = 0;       ///< work of the removal; less than MostBurrWork plus one brick's work
-  bool IsUnfinished = false;  ///< the head has moved farther than tissue could be removed
+  bool IsUnfinished = false;  ///< whether the head has moved farther than tissue could be removed
 };
 
 /** Advances the burr of a model by one tick: first the forces, then the removal. */

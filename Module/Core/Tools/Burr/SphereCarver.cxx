@@ -21,9 +21,9 @@ constexpr std::int64_t BrickSide = CarvedBricks::Side;
  * the recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
-constexpr std::size_t WorkOfSolid = 40;  ///< for a brick that is not in use
-constexpr std::size_t WorkOfEmpty = 100; ///< for such a brick, if it has no solid samples
-constexpr std::size_t KnownPart = 5;     ///< for both: after the first sphere they count a fifth
+constexpr std::size_t WorkOfSolid = 40;  ///< work for a brick that is not in use
+constexpr std::size_t WorkOfEmpty = 100; ///< work for such a brick, if it has no solid samples
+constexpr std::size_t KnownPart = 5;     ///< divides both after the first sphere
 constexpr std::size_t WorkOfFractions = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
@@ -59,7 +59,7 @@ double ComputeLeft(std::int32_t fraction, double edge) noexcept
 struct SphereCarver::Sphere
 {
   Vector3 Centre; ///< m
-  Vector3 Index;  ///< the centre's
+  Vector3 Index;  ///< index of the centre
   double Radius;
   double Width;
   double Outer;       ///< m^2: samples farther away keep everything
@@ -232,7 +232,7 @@ CarvingCost SphereCarver::TryTyped(
   return cost;
 }
 
-/** Whether a brick has to be added. */
+/** Returns whether a brick has to be added. */
 template <typename T>
 bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
   CarvingCost& cost) noexcept
@@ -312,7 +312,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       }
       cost.Work += WorkOfFractions;
       // All at once: the compiler vectorises this loop.
-      double ramp[BrickSide]; // from the surface, in widths
+      double ramp[BrickSide]; // distance from the surface, in widths
       for (int i = 0; i < BrickSide; ++i)
       {
         const double at = i;

@@ -44,15 +44,15 @@ using SpecificEnergyTable = PiecewiseTable<2>;
 /** Which tissue is carved. */
 struct CarvedTissue
 {
-  double Level = 0.0;   ///< samples beyond the level are solid
-  bool IsBelow = false; ///< samples below the level are solid
+  double Level = 0.0;   ///< samples with a value beyond the level are solid
+  bool IsBelow = false; ///< if true, samples with a value below the level are solid
   const SpecificEnergyTable* SpecificEnergy = nullptr;
 };
 
 /** The part of a sphere to remove: all of it, if there is time. */
 struct CarvingPart
 {
-  std::uint32_t First = 0; ///< an index into the sphere's places of bricks: where the last part has
+  std::uint32_t First = 0; ///< an index into the sphere's places of bricks, at which the last part
                            ///< ended
   std::size_t MostWork = ~std::size_t{ 0 }; ///< after this much work, no further brick is begun
 };
@@ -63,16 +63,16 @@ struct CarvingCost
   double Energy = 0.0;     ///< J
   double Volume = 0.0;     ///< mm^3, of solid tissue
   std::size_t Work = 0;    ///< time: 1 for a row of samples that does not change
-  std::size_t Changes = 0; ///< rows of samples
-  std::uint32_t Next = 0;  ///< where the next part begins; 0: the sphere is complete
-  bool IsUsedUp = false;   ///< needs more bricks than there are
+  std::size_t Changes = 0; ///< changed rows of samples
+  std::uint32_t Next = 0;  ///< index at which the next part begins; 0: the sphere is complete
+  bool IsUsedUp = false;   ///< whether the sphere needs more bricks than there are
 };
 
 /** Removes spheres from the volume of one model at a time. Its memory never grows. */
 class SphereCarver
 {
 public:
-  /** Voxels, along the axis where they are longest: w. */
+  /** The width w of the ramp, in voxels along the axis where they are longest. */
   static constexpr double RampWidth = 3.0;
   /** The largest part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
@@ -81,21 +81,24 @@ public:
 
   SphereCarver();
 
-  /** Call this first in each tick. Reads the samples of the model as if nothing was removed. */
+  /**
+   * Sets model and tissue. Call this first in each tick. Reads the samples of the model as if
+   * nothing was removed.
+   */
   void SetTissue(const HapticModel& model, const CarvedTissue& tissue) noexcept;
   /** Returns the side (m) of a cube with the volume of a voxel. */
   double GetVoxel() const noexcept { return this->Voxel; }
-  /** m */
+  /** Returns the width of the ramp (m). */
   double GetRampWidth() const noexcept { return RampWidth * this->Longest; }
 
   /**
-   * Computes the changes and their cost.
+   * Computes the changes that removing a sphere would make, and returns their cost.
    * @param centre in m, in the device's space
    * @param from if not null, a sphere of the same radius that was removed before
    */
   CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
     const Vector3* from = nullptr, const CarvingPart& part = {}) noexcept;
-  /** The memory that a tick writes. */
+  /** Appends the memory that a tick writes. */
   void AppendTables(std::vector<MemoryRange>& tables) const;
   /** Removes the tissue of the last trial. */
   void Carve(TissueRemoval& removal) const noexcept;
@@ -122,7 +125,7 @@ private:
   bool IsAnySolid(const BrickPlace& place) noexcept;
   /** Returns the fraction with which a sample has the level, as at the sphere's surface. */
   double ComputeEdge(double value) const noexcept;
-  /** U, J/mm^3, at the sample of an index. */
+  /** Returns U, J/mm^3, at the sample of an index. */
   double ComputeEnergy(double value, const Vector3& index) const noexcept;
 
   VolumeView View; ///< Data points to the volume's first sample
@@ -130,12 +133,12 @@ private:
   Vector3 Step[3]; ///< m, an index step along each axis
   double Voxel = 0.0;
   double Longest = 0.0; ///< m, the longest side of a voxel
-  double Volume = 0.0;  ///< mm^3, of a voxel
-  double Reach = 1.0;   ///< ramps: the farthest change from a sphere's surface
+  double Volume = 0.0;  ///< mm^3, the volume of a voxel
+  double Reach = 1.0;   ///< in ramps: the distance of the farthest change from a sphere's surface
   double Air = 0.0;     ///< the value of a sample without tissue
   CarvedTissue Tissue;
   const BakedLabels* Labels = nullptr; ///< null: no label has its own energy
-  Affine3 ToLabel;                     ///< from an index of the volume
+  Affine3 ToLabel;                     ///< maps an index of the volume to the label image
   std::uint64_t Model = 0;
   std::vector<Change> Changes;
   std::size_t Count = 0;

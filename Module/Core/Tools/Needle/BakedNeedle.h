@@ -27,7 +27,7 @@ class BakedNeedle final : public BakedTool
 public:
   explicit BakedNeedle(NeedleDescription description);
 
-  /** The array ForbiddenTouches. */
+  /** Returns the array ForbiddenTouches. */
   static const ToolColumns& Columns();
 
   bool IsSame(const BakedTool& other) const override;

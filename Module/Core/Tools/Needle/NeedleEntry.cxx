@@ -18,7 +18,7 @@ namespace
 constexpr double BreakFraction = 1e-3;
 /** A surface that still holds is punctured when the proxy was pushed this far (kernel lengths). */
 constexpr double MostPushed = 2.0;
-constexpr double SmallestLag = 1e-9; // m
+constexpr double SmallestLag = 1e-9; // m, the smallest lag
 /** A surface gives way at no less than this fraction of its strength. */
 constexpr double WholeFraction = 0.99;
 /** The hand's direction is averaged over this length of its motion (m). */
@@ -46,7 +46,7 @@ Vector3 HeadingOf(const Vector3& v) noexcept
 
 /**
  * Returns the unit direction of a needle that is inserted now; 0 if there is none.
- * @param normal of the surface that holds it; 0 if there is none
+ * @param normal normal of the surface that holds the needle; 0 if there is none
  */
 Vector3 FindAxis(const ServoState& state, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -81,7 +81,7 @@ struct HeldAt
   double Strength = 0.0; ///< T W_d, N
   bool IsWhole() const noexcept
   {
-    // Holds with all the strength of the label behind it, whatever W_d is.
+    // The surface holds with all the strength of the label behind it, whatever W_d is.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };
@@ -101,7 +101,7 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   return held;
 }
 
-/** Whether a tick of the free law has broken through the surface that held the needle. */
+/** Returns whether a tick of the free law has broken through the surface that held the needle. */
 bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& before,
   const Vector3& axis, const TickRecord& record, double& pushed) noexcept
 {
@@ -156,9 +156,8 @@ Vector3 FindFirstResistance(
 }
 
 /**
- * A surface of the scalars holds over some voxels, so that a needle that breaks through it is in
- * tissue already: begins the track where the tissue begins, at most as far back as the needle was
- * pushed.
+ * Begins the track where the tissue begins, at most as far back as the needle was pushed. A surface
+ * of the scalars holds over some voxels, so a needle that breaks through it is in tissue already.
  */
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {

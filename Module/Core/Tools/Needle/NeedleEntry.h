@@ -35,8 +35,8 @@ struct FreeTick
 };
 
 /**
- * Call it after a tick of the method with a free needle: if the tick has broken through a surface
- * or has come into tissue that resists, inserts the needle and repeats the tick from `before`.
+ * Inserts the needle and repeats the tick from `before`, if the tick has broken through a surface
+ * or has come into tissue that resists. Call it after a tick of the method with a free needle.
  */
 void EnterNeedle(
   const HapticModel& model, ServoState& state, const FreeTick& before, TickRecord& record) noexcept;

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** The tool of a model whose tool is a needle. */
+/** Returns the tool of a model whose tool is a needle. */
 inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 {
   return static_cast<const BakedNeedle&>(*model.Baked->Tool);
@@ -27,7 +27,7 @@ struct NeedleTissue
   double Shaft = 0.0;   ///< tau, N per metre
   double Value = 0.0;   ///< the scalars' value
   std::int64_t Label = NoLabel;
-  bool HasPuncture = false; ///< whether its label gives the strength of its boundary, Puncture
+  bool HasPuncture = false; ///< whether the label gives its boundary's strength, Puncture
   double Puncture = 0.0;    ///< T, N
 
   bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
@@ -37,11 +37,12 @@ struct NeedleTissue
 class NeedleTissueReader
 {
 public:
-  /** The model has a needle, and outlives the reader. */
+  /** Makes a reader. The model has a needle, and outlives the reader. */
   NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
 
   /**
-   * Returns the tissue at a place. Nothing resists outside the volume, and where it is cut away.
+   * Returns the tissue at a place. Nothing resists outside the volume, or where the volume is cut
+   * away.
    */
   NeedleTissue At(const Vector3& place) const noexcept;
 
@@ -52,16 +53,16 @@ public:
    */
   double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
 
-  /** The stiffness (N/m) of the tissue at a place. */
+  /** Returns the stiffness (N/m) of the tissue at a place. */
   double Stiffness(const Vector3& place) const noexcept;
 
-  /** Whether there are forbidden labels. */
+  /** Returns whether there are forbidden labels. */
   bool HasForbidden() const noexcept { return this->Model.Baked->GetZone() != nullptr; }
 
-  /** Whether a place is within the stand-off of a forbidden label. */
+  /** Returns whether a place is within the stand-off of a forbidden label. */
   bool IsForbidden(const Vector3& place) const noexcept;
 
-  /** The length (m) of a quarter voxel of the finer image, along a unit axis. */
+  /** Returns the length (m) of a quarter voxel of the finer image, along a unit axis. */
   double ComputeStep(const Vector3& axis) const noexcept;
 
 private:

@@ -90,7 +90,7 @@ private:
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
 
-  /** Moves forwards, into this tissue. */
+  /** Moves the needle forwards by a length, into this tissue. */
   void MoveBy(double length, const NeedleTissue& into) noexcept
   {
     this->Proxy = this->Ahead(length);
@@ -100,7 +100,7 @@ private:
     this->Here = into;
   }
 
-  /** Whether a boundary in front of the tip holds the needle; if not, the tip passes. */
+  /** Returns whether a boundary in front of the tip holds the needle; if not, the tip passes. */
   bool IsHeldAtBoundary(double pull, double shaft) noexcept
   {
     this->Strength = this->Needle.Puncture;
@@ -115,7 +115,10 @@ private:
     return false;
   }
 
-  /** Moves to the boundary that lies within a length, or through it if that costs nothing. */
+  /**
+   * Moves the needle to the boundary that lies within a length, or through the boundary if that
+   * costs nothing.
+   */
   void MeetBoundary(double length) noexcept
   {
     const double gap = BoundaryFraction * this->Step;
@@ -216,7 +219,7 @@ private:
   }
 
   /**
-   * Skips the rest of a leap: at most the force that the tissue holds may be felt. Stops at
+   * Skips the rest of a leap, since at most the force that the tissue holds may be felt. Stops at
    * forbidden labels.
    */
   void Skip(double length) noexcept
@@ -292,11 +295,11 @@ private:
   const double Stiffness;
   const double LateralStrength;
   const Vector3 Axis;
-  const double KernelLength; ///< m, along the axis
+  const double KernelLength; ///< m, the kernel's length along the axis
   double Step = 0.0;
-  NeedleTissue Here;     ///< around the tip
+  NeedleTissue Here;     ///< the tissue around the tip
   double Strength = 0.0; ///< N, the strength of the boundary or surface that holds the tip
-  double Moved = 0.0;    ///< m, forwards
+  double Moved = 0.0;    ///< m, the way forwards
   bool IsStopped = false;
   bool IsUnfinished = false;
 };
@@ -310,7 +313,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // As if the method began.
+    // As if the method began anew.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

@@ -35,7 +35,7 @@
 namespace VolumeHaptics
 {
 
-/** The direction of a stylus with a unit quaternion: its own -z. */
+/** Returns the direction of a stylus with a unit quaternion: the stylus's own -z. */
 inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
 {
   return ToMatrix(q) * Vector3{ 0.0, 0.0, -1.0 };

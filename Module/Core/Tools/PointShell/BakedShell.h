@@ -23,7 +23,7 @@ namespace VolumeHaptics
 /** A tool with a shape, and how it is felt. */
 struct ShellDescription
 {
-  std::shared_ptr<const PointShell> Points; ///< in world units; not null
+  std::shared_ptr<const PointShell> Points; ///< points in world units; not null
   /**
    * The settings of the shell. The contact area is in square world units here, and the scale is not
    * used.
@@ -35,11 +35,11 @@ struct ShellDescription
 class ShapedTool : public BakedTool
 {
 public:
-  /** The tool of a model; null if it has no shape. Not for ticks. */
+  /** Returns the tool of a model; null if the tool has no shape. Not for ticks. */
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** Carries the state to another model; if the tool can't be carried, the hand begins anew. */
+  /** Carries the state to another model. If the tool can't be carried, the hand begins anew. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;
@@ -75,7 +75,7 @@ class BakedShell final : public ShapedTool
 public:
   explicit BakedShell(ShellDescription description);
 
-  /** The array ToolOrientation. */
+  /** Returns the array ToolOrientation. */
   static const ToolColumns& Columns();
 
   bool Step(const ToolTick& tick) const noexcept override;
@@ -88,9 +88,9 @@ public:
 
 ///@{
 /**
- * For recordings: return the contacts that a tool with a shape has kept (ToolMemory::Keep), null
- * without such a tool; and continue with a copy of such contacts. If they belong to another tool,
- * RestoreContacts() returns false and changes nothing.
+ * For recordings: FindKeptContacts returns the contacts that a tool with a shape has kept
+ * (ToolMemory::Keep), null without such a tool; RestoreContacts continues with a copy of such
+ * contacts. If they belong to another tool, RestoreContacts returns false and changes nothing.
  */
 const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept;
 bool RestoreContacts(ToolMemory& memory, const BakedVolume& baked,

@@ -45,14 +45,14 @@ VOLUME_HAPTICS_INLINE Double4 DotOf(const FourVectors& a, const FourVectors& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
-/** A matrix by rows times vectors. */
+/** Multiplies a matrix, given by rows, by vectors. */
 VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
 {
   return { m[0] * v.X + m[1] * v.Y + m[2] * v.Z, m[3] * v.X + m[4] * v.Y + m[5] * v.Z,
     m[6] * v.X + m[7] * v.Y + m[8] * v.Z };
 }
 
-/** Positions in their cells along an axis: LocateCell for four at a time. */
+/** The positions of four points in their cells along an axis, as LocateCell finds one. */
 struct FourPlaces
 {
   Double4 Cell;
@@ -61,14 +61,15 @@ struct FourPlaces
 VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
 {
   const Double4 inside = Smaller(Larger(position, Spread(first)), Spread(last));
-  // Whole numbers: the smaller one is at most the last cell.
+  // Both are whole numbers: the smaller one is at most the last cell.
   const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
   return { cell, inside - cell };
 }
 
 /**
- * Loads two neighbours along x, at an offset from each of four samples: the first ones and the
- * second ones. IsRow: samples along x are adjacent in memory, and sx is not used.
+ * Loads two neighbours along x, at an offset from each of four samples: the first neighbours to one
+ * vector, the second ones to another. IsRow tells that samples along x are adjacent in memory; sx
+ * is then not used.
  */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -98,8 +99,8 @@ struct FourCells
   FourPlaces X;
   FourPlaces Y;
   FourPlaces Z;
-  std::int64_t Step; ///< between samples along x
-  const T* First[4]; ///< the first sample of each
+  std::int64_t Step; ///< distance between samples along x
+  const T* First[4]; ///< the first sample of each cell
 };
 template <typename T>
 VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
@@ -129,7 +130,7 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   LoadFourPairs<IsRow>(at.First, distance, at.Step, first, second);
 }
 
-/** Whether samples along x are adjacent in memory. */
+/** Returns whether samples along x are adjacent in memory. */
 VOLUME_HAPTICS_INLINE bool HasRows(const FieldView& view)
 {
   return view.Volume.Stride[0] == 1;

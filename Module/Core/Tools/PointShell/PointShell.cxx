@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Spreads the lower 20 bits, two zeros behind each. */
+/** Spreads the lower 20 bits, with two zeros behind each. */
 std::uint64_t SpreadBits(std::uint64_t bits)
 {
   std::uint64_t spread = 0;
@@ -37,7 +37,7 @@ struct ShellBox
   Vector3 High;
 };
 
-/** The box of at least one point. */
+/** Returns the box of at least one point. */
 ShellBox ComputeBox(const ShellPoint* begin, const ShellPoint* end)
 {
   ShellBox box{ begin->Position, begin->Position };

@@ -29,7 +29,7 @@ struct ShellPoint
 struct ShellSettings
 {
   double Level = 0.0;               ///< V_c
-  bool IsBelow = false;             ///< values below the level are solid
+  bool IsBelow = false;             ///< whether values below the level are solid
   double ContactArea = 2.5e-5;      ///< m^2, the area to which materials refer
   double CouplingStiffness = 500.0; ///< N/m, between hand and tool
   double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
@@ -52,7 +52,10 @@ struct ShellBlock
 class PointShell
 {
 public:
-  /** Leaves out points with a number that is not finite, or without an area. */
+  /**
+   * Makes a shell of points; leaves out points with a number that is not finite, or without an
+   * area.
+   */
   explicit PointShell(std::vector<ShellPoint> points);
 
   std::size_t GetSize() const noexcept { return this->Areas.size(); }
@@ -65,7 +68,7 @@ public:
   {
     return { this->X[i], this->Y[i], this->Z[i] };
   }
-  double GetArea() const noexcept { return this->Area; }   ///< of all points
+  double GetArea() const noexcept { return this->Area; }   ///< area of all points
   double GetReach() const noexcept { return this->Reach; } ///< largest distance from the origin
   std::size_t GetMemorySize() const noexcept;              ///< bytes
 

@@ -27,7 +27,7 @@ struct ShellContact
   double Depth;     ///< m, the length of Offset
   double Energy;    ///< J
   double Stretch;   ///< m, u
-  double Stiffness; ///< N/m^3, the stiffness of its computation
+  double Stiffness; ///< N/m^3, the stiffness with which the contact was computed
   double Strength;  ///< N/m^2
   std::uint32_t Point;
 };
@@ -37,11 +37,11 @@ static_assert(std::is_standard_layout_v<ShellContact> &&
     offsetof(ShellContact, Strength) == 7 * sizeof(double),
   "eight numbers in this order");
 
-/** Maps from a gradient per index step, and from a position in it, to the device. */
+/** Maps from a gradient per index step, and from the device to an index. */
 struct ShellFrame
 {
-  double GradientToDevice[9]; ///< by rows; per world unit, on the device's axes
-  double DeviceToIndex[9];    ///< by rows, for displacements in m
+  double GradientToDevice[9]; ///< map by rows; per world unit, on the device's axes
+  double DeviceToIndex[9];    ///< map by rows, for displacements in m
   double UnitsPerMeter;
   double Voxel;        ///< m
   double KernelLength; ///< m
@@ -52,26 +52,26 @@ struct ShellFrame
 struct ShellPlacement
 {
   double ToolToIndex[12]; ///< a matrix by rows, and an offset
-  double ToolToDevice[9]; ///< by rows, for displacements
+  double ToolToDevice[9]; ///< map by rows, for displacements
 };
 
 /** Points that may be in contact, one array per number, so that several are computed at a time. */
 struct ShellBatch
 {
-  static constexpr std::size_t Most = 64; ///< with all results, it fits into the first cache
+  static constexpr std::size_t Most = 64; ///< a batch with all results fits into the first cache
 
   std::size_t Count = 0;
   std::uint64_t Solid = 0;          ///< a bit for each point: whether it is solid
   std::uint32_t Point[Most];        ///< the point's number
   const ShellContact* Before[Most]; ///< the point's last contact; zeros if it has none
-  double Position[3][Most];         ///< in the tool's frame
+  double Position[3][Most];         ///< position in the tool's frame
   double Area[Most];                ///< the area, in the tool's units
   ///@{
   /** Computed from the tool's placement. */
-  double Offset[3][Most]; ///< Before's
-  double Was[Most];       ///< Before's depth
+  double Offset[3][Most]; ///< Offset of Before
+  double Was[Most];       ///< Depth of Before
   double Place[3][Most];  ///< the index of the known foot
-  double Index[3][Most];  ///< of the point
+  double Index[3][Most];  ///< the index of the point
   double Arm[3][Most];    ///< m, from the origin of the tool, on the device's axes
   ///@}
   ///@{
@@ -80,7 +80,7 @@ struct ShellBatch
   double Gradient[3][Most]; ///< central differences over one sample to either side, per index step
   double Cell[3][Most];     ///< the derivatives in the cell of Place, per index step
   double Normal[3][Most];   ///< n: unit, on the device's axes, into the solid side
-  double Magnitude[Most];   ///< the gradient's, per world unit
+  double Magnitude[Most];   ///< the magnitude of the gradient, per world unit
   double Beyond[Most];      ///< m, distance of Place beyond the level
   double Depth[Most];       ///< m, the point's depth
   double Foot[3][Most];     ///< the index of the foot
@@ -103,7 +103,7 @@ struct ShellPushes
   static constexpr std::size_t Most = 128;
 
   std::size_t Count = 0;
-  double Wrench[6][Most]; ///< of 1 N along the normal n: n, and arm x n in m
+  double Wrench[6][Most]; ///< the wrench of 1 N along the normal n: n, and arm x n in m
   double Force[Most];     ///< N
   double Stiffness[Most]; ///< N/m
 };
@@ -114,12 +114,12 @@ struct ShellLaw
   const MaterialTable* Materials; ///< null if ShellBatch::Material is known
   const DistinctnessTable* Distinctness;
   ///@{
-  /** The segments that contained the last numbers; for speed only. */
+  /** The segments that contained the last numbers; used for speed only. */
   const MaterialTable::Segment* LastMaterial;
   const DistinctnessTable::Segment* LastDistinctness;
   ///@}
   double LeastStiffness;   ///< N/m: lower stiffness is not felt
-  double PerContactArea;   ///< 1/m^2
+  double PerContactArea;   ///< 1/m^2, the inverse of the area of contact
   double SquareMeters;     ///< the area (m^2) of a unit of ShellBatch::Area
   double InverseRadius;    ///< 1 / the kernel's radius (voxels)
   double Fraction;         ///< the fraction of their energies that the earlier contacts keep

@@ -28,13 +28,13 @@ const PointShell* ShellOf(const BakedVolume& baked) noexcept
   return tool ? tool->Description.Points.get() : nullptr;
 }
 
-/** The settings of a model whose tool has a shape. */
+/** Returns the settings of a model whose tool has a shape. */
 const ShellSettings& TouchOf(const HapticModel& model) noexcept
 {
   return static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
 }
 
-/** Maps from the frame of one model's device to that of another. */
+/** Maps from the frame of one model's device to the frame of another model's device. */
 class Carrier
 {
 public:
@@ -54,7 +54,10 @@ public:
       (1.0 / std::sqrt(SquaredNorm(turned))) * turned };
   }
 
-  /** Scales lengths; stiffness and strength per area are adapted to the new lengths. */
+  /**
+   * Scales the lengths of a contact; stiffness and strength per area are adapted to the new
+   * lengths.
+   */
   void Carry(ShellContact& contact) const noexcept
   {
     const double square = this->Scale * this->Scale;

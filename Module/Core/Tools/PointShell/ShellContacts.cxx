@@ -96,7 +96,7 @@ struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
   ShellLaw Law;
-  MixMemory Labels; ///< for speed only
+  MixMemory Labels; ///< memory of label lookups, for speed only
   ShellPushes Forces;
   std::size_t Pushing = 0; ///< the number of points whose pressing ones are in Forces
 };

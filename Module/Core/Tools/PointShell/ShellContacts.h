@@ -66,10 +66,10 @@ struct ShellClearance
   }
 
   double Travelled = 0.0;    ///< voxels: the largest motion of any point, summed over all looks
-  std::vector<double> Until; ///< how far IsClear and PerValue of a block are valid; -1: unknown
+  std::vector<double> Until; ///< Travelled at which IsClear and PerValue expire; -1: unknown
   std::vector<char> IsClear;
   ///@{
-  /** Computed as if nothing was removed: see ShellMarking. */
+  /** Computed as if no tissue was removed: see ShellMarking. */
   std::vector<double> PerValue;
   std::vector<std::uint64_t> Marks;
   std::vector<double> MarksUntil;
@@ -86,9 +86,9 @@ struct ShellContacts
   }
 
   std::vector<ShellContact> List;
-  std::vector<std::uint64_t> Marks; ///< a bit for each point: it is in the list
+  std::vector<std::uint64_t> Marks; ///< a bit for each point: whether it is in List
   std::size_t Count = 0;
-  double Fraction = 1.0; ///< the fraction of the energies that counts
+  double Fraction = 1.0; ///< the fraction of the stored energies that counts
 };
 
 /** Computes the contacts at a pose from those at a pose nearby. Borrows all its arguments. */
@@ -98,9 +98,9 @@ public:
   ShellContactFinder(
     const HapticModel& model, const PointShell& shell, const ShellSettings& settings) noexcept;
 
-  /** m: the longest motion over which contacts can be followed. */
+  /** Returns the longest motion (m) over which contacts can be followed. */
   double GetFarthestStep() const noexcept { return 0.25 * this->Voxel; }
-  /** Voxels: the largest motion of any point from one pose to another. */
+  /** Returns the largest motion (voxels) of any point from one pose to another. */
   double ComputeWay(const ShellPose& from, const ShellPose& to) const noexcept;
   /**
    * Collects the contacts at a pose. With isStart they have no energy, whatever their depth. `way`
@@ -134,7 +134,7 @@ private:
   const double Voxel; ///< m, the smallest spacing
   const double Scale; ///< m, length of the shell's unit
   const ShellFrame Frame;
-  double Steepness[6]; ///< from slopes per axis to that per voxel: xx, yy, zz, xy, yz, zx
+  double Steepness[6]; ///< from slopes per axis to slope per voxel: xx, yy, zz, xy, yz, zx
 };
 
 } // namespace VolumeHaptics

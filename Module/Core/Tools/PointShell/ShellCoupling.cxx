@@ -51,8 +51,8 @@ struct Coupling
   struct Pull
   {
     double Energy;
-    Vector3 Force;  ///< on the hand
-    Vector3 Torque; ///< on the hand
+    Vector3 Force;  ///< N, on the hand
+    Vector3 Torque; ///< N m, on the hand
   };
   Pull At(const ShellPose& tool, const ShellPose& hand) const noexcept
   {
@@ -70,7 +70,7 @@ Coupling MakeCoupling(const ShellSettings& settings, const ForceCaps& caps) noex
   return { caps.Stiffness > 0.0 ? std::min(k, caps.Stiffness) : k, settings.TurningStiffness };
 }
 
-/** The Gauss-Newton step from a pose with this pull and these contacts. */
+/** Computes the Gauss-Newton step from a pose with this pull and these contacts. */
 Step ComputeStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
 {
   // Cholesky: A = L L^T, by rows.
@@ -111,7 +111,7 @@ Step ComputeStep(const Coupling& coupling, const Coupling::Pull& pull, const She
   return { { b[0], b[1], b[2] }, { b[3], b[4], b[5] } };
 }
 
-/** The pose after a fraction of a step; its turn is by 2 atan(|Turn|/2) < |Turn|. */
+/** Returns the pose after a fraction of a step; the pose turns by 2 atan(|Turn|/2) < |Turn|. */
 ShellPose Moved(const ShellPose& pose, const Step& step, double fraction) noexcept
 {
   const Vector3 half = (0.5 * fraction) * step.Turn;
@@ -224,7 +224,7 @@ public:
 
 private:
   /**
-   * After a change of the model: computes which points press. The tool rests, and no contact gains
+   * Computes which points press, after a change of the model. The tool rests, and no contact gains
    * energy.
    */
   void Resume() noexcept
@@ -282,7 +282,7 @@ private:
     return Moved(from, step, this->ComputeFraction(step));
   }
 
-  /** Whether one step turns a free tool to the hand's orientation. */
+  /** Returns whether one step turns a free tool to the hand's orientation. */
   bool IsNearlyTurned(const ShellPose& hand) const noexcept
   {
     const Quaternion turn = this->State.Tool.Orientation * Conjugate(hand.Orientation);
@@ -342,7 +342,7 @@ private:
   ShellMemory& Memory;
   ShellSum Sum;        ///< the sum at the last look
   double Way = 0.0;    ///< voxels, from the tool to the last look
-  bool IsAway = false; ///< the last look was not adopted
+  bool IsAway = false; ///< whether the last look was not adopted
   std::uint32_t Looks = 0;
   bool IsUnfinished = false;
 };

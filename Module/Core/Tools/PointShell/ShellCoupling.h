@@ -29,7 +29,7 @@
 namespace VolumeHaptics
 {
 
-/** The contacts at ShellState::Tool, and room for those of a step; for one shell. */
+/** The contacts at ShellState::Tool, and room for the contacts of a step; for one shell. */
 class ShellMemory
 {
 public:
@@ -48,16 +48,19 @@ public:
   std::size_t GetPoints() const noexcept { return this->Points; }
 
   ///@{
-  /** Copies the current contacts (Keep), and returns the copy: a recording begins with them. */
+  /**
+   * Copies the current contacts (Keep), and returns the copy (GetKept): a recording begins with
+   * them.
+   */
   void Keep() noexcept;
   const ShellContacts& GetKept() const noexcept { return this->Kept; }
   ///@}
   /**
-   * Continues with contacts of a copy, in ascending order of their points. If they can't belong to
-   * this shell, returns false and changes nothing.
+   * Continues with the contacts of a copy, in ascending order of their points. If the contacts
+   * can't belong to this shell, returns false and changes nothing.
    */
   bool Restore(const std::vector<ShellContact>& contacts, double fraction) noexcept;
-  /** The memory that a tick writes. */
+  /** Appends the memory that a tick writes. */
   void AppendTables(std::vector<MemoryRange>& tables) const;
 
   ShellClearance Clearance;
@@ -78,15 +81,15 @@ struct ShellRecord
   ShellPose Tool;
   Vector3 Force;              ///< N, on the hand
   Vector3 Torque;             ///< N m, on the hand, about the origin of the tool
-  double Stiffness = 0.0;     ///< N/m, the coupling's
-  double Energy = 0.0;        ///< J, in the contacts
-  std::uint32_t Contacts = 0; ///< pressed points
-  std::uint32_t Yielding = 0; ///< of these, points with the largest pressure of their material
+  double Stiffness = 0.0;     ///< N/m, the coupling's stiffness
+  double Energy = 0.0;        ///< J, energy in the contacts
+  std::uint32_t Contacts = 0; ///< number of pressed points
+  std::uint32_t Yielding = 0; ///< number of points at the limit of their material
   std::uint32_t Looks = 0;    ///< how often the volume was read at all points
-  bool IsUnfinished = false;  ///< the tool has not reached its pose yet
+  bool IsUnfinished = false;  ///< whether the tool has not reached its pose yet
 };
 
-/** The settings of a model whose tool has a shape, in the device's units of length. */
+/** Returns the settings of a model whose tool has a shape, in the device's units of length. */
 ShellSettings ComputeShellSettings(const HapticModel& model) noexcept;
 
 /** Returns the energy (J) in the springs between hand and tool. */

@@ -20,7 +20,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Value and gradient from positions that are clamped to the samples one by one. */
+/** Reads value and gradient from positions that are clamped to the samples one by one. */
 template <typename T>
 VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
   const FieldView& view, double x, double y, double z, double* to)
@@ -41,8 +41,8 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
 }
 
 /**
- * The value and its central differences are seven interpolations with the same weights, since the
- * differences reach over one sample on either side: 32 samples are enough.
+ * Reads the value and its central differences: seven interpolations with the same weights. Since
+ * the differences reach over one sample on either side, 32 samples are enough.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, double z, double* to)
@@ -127,7 +127,8 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
 
 /**
  * Computes the fraction of one line along x in the sums of ReadFoot, for four cells at a time.
- * isSecondY and isSecondZ choose one of a cell's four lines. IsRow: its samples are adjacent.
+ * isSecondY and isSecondZ choose one of a cell's four lines. IsRow tells that the line's samples
+ * are adjacent.
  */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64_t* stride,
@@ -174,7 +175,10 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
     (isSecondY ? wz : minus(wz)) * a, (isSecondZ ? wy : minus(wy)) * a } };
 }
 
-/** The same as ReadFoot, for four points at a time. False if one of them is at the border. */
+/**
+ * Does the same as ReadFoot, for four points at a time. Returns false if one of them is at the
+ * border.
+ */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
 {

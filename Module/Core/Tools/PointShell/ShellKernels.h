@@ -111,7 +111,7 @@ std::uint64_t ComputeAllFeet(
   return there & FirstBits(batch.Count);
 }
 
-/** Some rows of AddFunction's sums: as many as there are registers for. */
+/** Computes some rows of AddFunction's sums: as many as there are registers for. */
 template <int First, int Last>
 VOLUME_HAPTICS_INLINE void AddRows(const ShellPushes& forces, double* gradient, double* curvature)
 {
@@ -162,7 +162,7 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
   AddRows<5, 6>(forces, gradient, curvature);
 }
 
-/** The same as Trilinear, for four indices at a time. */
+/** Does the same as Trilinear, for four indices at a time. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {
@@ -220,7 +220,7 @@ void ReadValues(const ShellReading& reading, const ShellNumbers& indices, double
   }
 }
 
-/** The functions of this translation unit's instruction set. */
+/** Returns the functions of this translation unit's instruction set. */
 ShellFunctions SelectFunctionsOfShell(ScalarType type)
 {
   return WithSampleType(type,

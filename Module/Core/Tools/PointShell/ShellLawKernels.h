@@ -49,10 +49,10 @@ template <typename Segment>
 struct FourSegments
 {
   const Segment* Of[4];
-  Double4 Way; ///< from the segments' beginnings
+  Double4 Way; ///< distances from the segments' beginnings
   bool IsOne;  ///< whether all four are the same segment
 };
-/** A channel of a table. */
+/** Returns a channel of a table at the four numbers. */
 template <typename Segment>
 VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, int channel)
 {
@@ -67,7 +67,10 @@ VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, in
       of[0]->Slope[channel], of[1]->Slope[channel], of[2]->Slope[channel], of[3]->Slope[channel]) *
     segments.Way;
 }
-/** Tries the segment of the last numbers first: mostly it contains these, too. */
+/**
+ * Finds the segments of four numbers. Tries the segment of the last numbers first, which mostly
+ * contains these numbers, too.
+ */
 template <typename Table>
 VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
   const Table& table, const Double4& x, const typename Table::Segment*& last)
@@ -91,7 +94,7 @@ VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
   return found;
 }
 
-/** The same as HapticModel::BorderFade, for four points. */
+/** Does the same as HapticModel::BorderFade, for four points. */
 VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
   const ShellReading& reading, const FourVectors& index, double inverseRadius)
 {
@@ -110,9 +113,11 @@ struct FourLaws
 {
   Double4 Stiffness;
   Double4 Strength;
-  Double4 IsFelt; ///< 1 if felt, else 0
+  Double4 IsFelt; ///< 1 if the contact is felt, else 0
 
-  /** The energy (J/m^2) at depths u, some of which may yield; pull is the stiffness times u. */
+  /**
+   * Returns the energy (J/m^2) at depths u, some of which may yield; pull is the stiffness times u.
+   */
   Double4 EnergyAt(const Double4& u, const Double4& pull, std::uint64_t yielding) const
   {
     const Double4 stored = 0.5 * this->Stiffness * u * u;
@@ -123,7 +128,7 @@ struct FourLaws
     const Double4 most = this->Strength / this->Stiffness;
     return ChooseAbove(pull, this->Strength, this->Strength * (u - 0.5 * most), stored);
   }
-  /** The depths at which they have these energies (J/m^2). */
+  /** Returns the depths at which the contacts have these energies (J/m^2). */
   Double4 DepthOf(const Double4& energy) const
   {
     const Double4 most = this->Strength / this->Stiffness;
@@ -166,7 +171,7 @@ VOLUME_HAPTICS_INLINE FourLaws ComputeLaws(
   return laws;
 }
 
-/** The depth u of four points: see ShellContacts.h. */
+/** Returns the depth u of four points: see ShellContacts.h. */
 VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLaws& laws,
   const Double4& area, const ShellBatch& batch, std::size_t i)
 {
@@ -206,9 +211,9 @@ struct FourHolds
   Double4 Energy;
   Double4 Force;
   Double4 Stiffness;
-  std::uint64_t Held;     ///< a bit for each lane: the point is in contact
-  std::uint64_t Pressed;  ///< and is pressed
-  std::uint64_t Yielding; ///< with the largest pressure of its material
+  std::uint64_t Held;     ///< a bit for each lane: whether the point is in contact
+  std::uint64_t Pressed;  ///< a bit for each lane: whether the point is pressed
+  std::uint64_t Yielding; ///< a bit for each lane: whether the point is at its material's limit
 };
 
 /** Appends the forces of the pressed points. */

@@ -22,7 +22,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The mark of one point from its index and the trilinear value there. */
+/** Returns the mark of one point from the point's index and the trilinear value there. */
 VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
   const ShellReading& reading, double x, double y, double z, double value)
 {
@@ -33,7 +33,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
   return isInside && isBeyond ? 1 : 0;
 }
 
-/** The marks of four points, and their values. */
+/** Returns the marks of four points, and writes their values. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
   const ShellReading& reading, const FourVectors& points, const double* map, Double4& values)
@@ -193,7 +193,7 @@ private:
   Double4 Odd = MakeDouble4(0.0, 0.0, 0.0, 0.0);
 };
 
-/** For a box with rows, of at least four samples along x. */
+/** Computes the largest slopes in a box with rows, of at least four samples along x. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
   const ShellReading& reading, const std::int64_t* low, const std::int64_t* high, double* most)

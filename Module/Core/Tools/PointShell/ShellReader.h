@@ -23,7 +23,7 @@ namespace VolumeHaptics
 /** The volume that is read, and the level beyond which it is solid. Borrows the samples. */
 struct ShellReading
 {
-  FieldView View;                       ///< without a kernel
+  FieldView View;                       ///< samples without a kernel
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   double Level = 0.0;
   double Sign = 1.0; ///< -1 if values below the level are solid
@@ -56,34 +56,34 @@ struct ShellMarking
   double From;         ///< new marks count their lengths from here
   double PerValue;     ///< the fewest voxels over which a value changes by 1; 0 if that is unknown
 };
-/** The same as MarkFunction; also writes to ShellMarking::Until. */
+/** Does the same as MarkFunction; also writes to ShellMarking::Until. */
 using MarkingFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
-/** Whether any sample in a box of indices is solid; NaN is not solid. */
+/** Returns whether any sample in a box of indices is solid; NaN is not solid. */
 using BoxFunction = bool (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
 /**
- * The largest differences between neighbours in a box of indices, along each axis; not finite if a
- * sample is not.
+ * Computes the largest differences between neighbours in a box of indices, along each axis; not
+ * finite if a sample is not.
  */
 using SlopeFunction = void (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
 
 /** Computes the places of the points and their feet from Position and Before. */
 using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
-/** Value, gradient and derivatives in the cell at a place: seven numbers. */
+/** Reads value, gradient and derivatives in the cell at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
 /** Reads value, gradient and cell derivatives for a batch, at Place. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
- * Computes the other results from those, Index, Offset and Solid. Sets the bits of points that may
- * be in contact: there is a gradient, and they are deep enough; in a thin wall they may still be
- * after they have come out of its other side.
+ * Computes the other results from Place's results, Index, Offset and Solid. Sets the bits of points
+ * that may be in contact: there is a gradient, and the points are deep enough. In a thin wall,
+ * points may still be in contact after they have come out of the wall's other side.
  */
 using FeetFunction = std::uint64_t (*)(
   const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
-/** Trilinear values at indices; BorderValue if one is not finite. */
+/** Reads trilinear values at indices; BorderValue if a value is not finite. */
 using ValuesFunction = void (*)(
   const ShellReading&, const ShellNumbers& indices, double* to) noexcept;
 /**
@@ -139,7 +139,7 @@ public:
     return this->Unmark(
       points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
   }
-  /** The same as Mark, as if nothing was removed, for points with earlier marks. */
+  /** Does the same as Mark, as if nothing was removed, for points with earlier marks. */
   std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
     const ShellMarking& before) const noexcept
   {
@@ -158,9 +158,9 @@ public:
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   /**
-   * Computes the largest slopes along each axis, per sample, in such a box. False if the box has
-   * too many samples to check, reaches beyond the resident samples, or has a sample that is not
-   * finite. Ignores removal.
+   * Computes the largest slopes along each axis, per sample, in such a box. Returns false if the
+   * box has too many samples to check, reaches beyond the resident samples, or has a sample that is
+   * not finite. Ignores removal.
    */
   bool ComputeSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
@@ -210,7 +210,7 @@ private:
   std::uint64_t Remark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
   ///@{
-  /** Replaces values by those of the remaining tissue where tissue was removed. */
+  /** Replaces values by the values of the remaining tissue where tissue was removed. */
   void ReadCarved(ShellBatch& batch) const noexcept;
   void ReadCarved(const ShellNumbers& indices, double* to) const noexcept;
   ///@}
@@ -219,7 +219,7 @@ private:
   VolumeView Given;
   CarvedView Carved;
   ShellFunctions Functions;
-  ShellFunctions OfCopies; ///< for doubles
+  ShellFunctions OfCopies; ///< functions for copies, which are doubles
 };
 
 } // namespace VolumeHaptics

@@ -19,8 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Guards hidapi's functions that take no device, because they share one error message, and every
- * HidClaim::Own, because testing whether a device is free claims it for a moment.
+ * Returns the mutex for hidapi's functions that take no device, because they share one error
+ * message, and for every HidClaim::Own, because testing whether a device is free claims it for a
+ * moment.
  */
 std::mutex& GetHidMutex();
 

@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** As UTF-8. */
+/** Converts a text to UTF-8. */
 std::string Narrow(const wchar_t* wide)
 {
   std::string text;

@@ -23,21 +23,27 @@ struct HidDeviceInfo
   std::string Product; ///< the name that the device reports
   std::uint16_t Vendor = 0;
   std::uint16_t ProductId = 0;
-  std::uint16_t UsagePage = 0; ///< the first collection's; 0 if unknown
-  std::string Serial = {};     ///< empty if the device has none
+  std::uint16_t UsagePage = 0; ///< usage page of the first collection; 0 if unknown
+  std::string Serial = {};     ///< serial number; empty if the device has none
 
-  /** Maker, product and path, as shown to the user. */
+  /** Returns maker, product and path, as shown to the user. */
   std::string GetLabel() const;
-  /** DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial number. */
+  /**
+   * Returns DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial
+   * number.
+   */
   std::string MakeIdentity(const char* kind) const;
   /**
-   * DeviceBackend::KeepsIdentity: without a serial number, other devices of the same model have the
-   * same identity.
+   * Returns DeviceBackend::KeepsIdentity: without a serial number, other devices of the same model
+   * have the same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
-  /** "available", "in use", or the obstacle and its cure. */
+  /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** Reads and parses the report descriptor. False, with the reason, if that is not possible. */
+  /**
+   * Reads and parses the report descriptor. If this fails, returns false and writes the reason to
+   * `error`.
+   */
   bool ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const;
 };
 

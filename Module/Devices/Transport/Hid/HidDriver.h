@@ -21,7 +21,8 @@ public:
   /** How long (s) a device that reports by itself may be silent. */
   static constexpr double SilenceTime = 0.1;
   /**
-   * The smallest number of reads during that time: if the host was late, the device is not silent.
+   * The smallest number of reads during SilenceTime: if the host was late, the device is not
+   * silent.
    */
   static constexpr int SilentReads = 20;
 
@@ -43,11 +44,14 @@ protected:
   ///@{
   /** The parts that differ between kinds. */
   /**
-   * Returns the devices to try, in order: if one is in use, the next one is tried. Empty, with the
-   * reason and the cure, if there are none.
+   * Returns the devices to try, in order: if one is in use, the next one is tried. If there are
+   * none, returns an empty list and writes the reason and the cure to `error`.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
-  /** Reads the device's description of itself. False, with the reason and the cure. */
+  /**
+   * Reads the device's description of itself. If this fails, returns false and writes the reason
+   * and the cure to `error`.
+   */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
    * Called at the start of the thread, after a loss (then with `isAnew`), and if homing is
@@ -79,7 +83,7 @@ protected:
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
   ///@}
 
-  /** Whether the device has been silent for too long. Call it after every read. */
+  /** Returns whether the device has been silent for too long. Call it after every read. */
   bool IsSilent(bool hasNews) noexcept;
 
   /** Returns the device that was connected last. */
@@ -90,7 +94,7 @@ protected:
 private:
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
-  /** While the device is lost: waits a moment, and checks whether it is unplugged. */
+  /** Waits a moment while the device is lost, and checks whether the device is unplugged. */
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;

@@ -42,7 +42,7 @@ struct HidField
   bool IsRelative = false;
   /// Whether the value is in two's complement, as it is if the logical minimum is below zero.
   bool IsSigned = false;
-  std::uint32_t BitOffset = 0; ///< in the payload
+  std::uint32_t BitOffset = 0; ///< index of the first bit in the payload
   HidUsage Usage = 0;          ///< an array's first usage
   int Collection = -1;         ///< index of the innermost collection in the descriptor; -1: none
 
@@ -56,39 +56,42 @@ struct HidField
   std::int64_t PhysicalMinimum = 0;
   std::int64_t PhysicalMaximum = 0;
   ///@}
-  std::uint32_t Unit = 0;         ///< as HID 1.11, 6.2.2.7 packs it; 0: none
+  std::uint32_t Unit = 0;         ///< unit as HID 1.11, 6.2.2.7 packs it; 0: none
   int UnitExponent = 0;           ///< value in Unit = physical value * 10^UnitExponent
-  std::uint32_t FirstChoice = 0;  ///< for an array: its first usage in the descriptor's list
+  std::uint32_t FirstChoice = 0;  ///< for an array: its first usage in the list
   std::uint32_t ChoiceRanges = 0; ///< for an array: its number of usage ranges
 };
 
 /**
- * Returns the nearest value that is in the logical range and fits into the bits, so that no sign
- * wraps.
+ * Returns the nearest value that is in the logical range and fits into the field's bits, so that no
+ * sign wraps.
  */
 std::int64_t ClampToField(const HidField& field, std::int64_t value) noexcept;
 
-/** Reads the bits, with their sign. False, and 0, if the payload is too short. */
+/**
+ * Reads the field's bits, with their sign. If the payload is too short, returns false and sets the
+ * value to 0.
+ */
 bool ReadRaw(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
 /**
- * The same as ReadRaw, but also false for a value outside the logical range, which is HID's null
- * value and means "no value".
+ * Does the same as ReadRaw, but also returns false for a value outside the logical range, which is
+ * HID's null value and means "no value".
  */
 bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
 /**
- * Writes the lowest bits of the value, for any logical range, and keeps all other bits. False, with
- * nothing written, if the payload is too short.
+ * Writes the lowest bits of the value, for any logical range, and keeps all other bits. If the
+ * payload is too short, returns false and writes nothing.
  */
 bool WriteRaw(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;
 
 /**
- * Writes the clamped value and keeps all other bits. False, with nothing written, if the payload is
- * too short.
+ * Writes the clamped value and keeps all other bits. If the payload is too short, returns false and
+ * writes nothing.
  */
 bool WriteValue(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;

@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** The packets that the kernel keeps for a reader. */
+/** The number of packets that the kernel keeps for a reader. */
 constexpr int LongestQueue = 64;
 
 /**
@@ -33,23 +33,23 @@ public:
   HidPort& operator=(const HidPort&) = delete;
 
   /**
-   * Opens and claims a device. False, with the reason and the cure. IsInUse returns whether another
-   * holder is the reason.
+   * Opens and claims a device. If this fails, returns false and writes the reason and the cure to
+   * `error`; IsInUse returns whether another holder is the reason.
    */
   bool Open(const HidDeviceInfo& info, std::string& error);
   void Close() noexcept;
   bool IsInUse() const noexcept { return this->InUse; }
 
   /**
-   * Returns the size of a report, 0 if none came within the time (ms), negative if the device is
-   * gone.
+   * Reads a report to `bytes`. Returns the report's size, 0 if none came within the time (ms),
+   * negative if the device is gone.
    */
   int Read(std::uint8_t* bytes, std::size_t size, int time) noexcept;
 
   ///@{
   /**
-   * Sends a report, which begins with its id (0 if the device has none). False if the device
-   * refuses it.
+   * Sends a report, which begins with its id (0 if the device has none). Returns false if the
+   * device refuses the report.
    */
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
@@ -60,8 +60,8 @@ public:
    */
   void TryAgain() noexcept { this->Stuck = false; }
   /**
-   * Fills in the report whose id is the first byte. Returns its size with the id, negative if there
-   * is no such report.
+   * Reads the feature report whose id is the first byte of `report`. Returns the size with the id,
+   * negative if there is no such report.
    */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}

@@ -289,7 +289,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
   }
 }
 
-// The page is the last one before the main item, even if it comes after the usage.
+// Returns the range of usages with its page, which is the last page before the main item, even if
+// it comes after the usage.
 HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
 {
   const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);
@@ -390,7 +391,7 @@ bool HidItemReader::Local(const Item& item)
       return true;
     case 0x2:
     {
-      // If only one of the two has a page, the page holds for both.
+      // If only one of the two usages has a page, the page holds for both.
       const bool hasPage = item.Size == 4 || l.MinimumSize == 5;
       const std::uint32_t page = (item.Size == 4 ? item.Data : l.Minimum) & 0xFFFF0000U;
       const std::uint32_t first = (l.Minimum & 0xFFFFU) | (hasPage ? page : 0);

@@ -54,29 +54,32 @@ public:
   ///@}
 
   /**
-   * Parses the descriptor. If it is not valid: false, with the fault and its byte, and nothing is
-   * listed.
+   * Parses the descriptor. If the descriptor is not valid, returns false, writes the fault and its
+   * byte to `error`, and lists nothing.
    */
   bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
 
   ///@{
-  /** Data fields and collections in the order of the descriptor. */
+  /** Return data fields and collections in the order of the descriptor. */
   const std::vector<HidField>& GetFields() const noexcept { return this->Fields; }
   const std::vector<HidCollection>& GetCollections() const noexcept { return this->Collections; }
   ///@}
 
-  /** Whether each report begins with its id. */
+  /** Returns whether each report begins with its id. */
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
-  /** Returns the bytes of a payload with padding, without the id; 0 if there is no such report. */
+  /**
+   * Returns the number of bytes of a payload with padding, without the id; 0 if there is no such
+   * report.
+   */
   std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
 
-  /** Whether one of the collections around the field has this usage. */
+  /** Returns whether one of the collections around the field has this usage. */
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * Returns the value of an array that selects a usage. False if the field is no array or does not
-   * list the usage.
+   * Writes the value of an array that selects a usage to `value`. Returns false if the field is no
+   * array or does not list the usage.
    */
   bool ReadChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 

@@ -28,7 +28,7 @@ inline std::vector<DeviceListing> ListNumbered(
   return all;
 }
 
-/** Makes a kind of such devices. The driver is made from a device's number. */
+/** Makes a kind of devices with a number. The driver is made from a device's number. */
 template <typename Driver>
 DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {

@@ -20,8 +20,8 @@ namespace
 {
 
 /**
- * Opens a port for this holder alone. Returns a negative number, with errno, on failure; EBUSY if
- * another holder has the port.
+ * Opens a port for this holder alone, and returns the descriptor. If this fails, returns a negative
+ * number and sets errno; EBUSY if another holder has the port.
  */
 int OpenAlone(const std::string& path)
 {

@@ -17,7 +17,7 @@ namespace VolumeHaptics
 /** A port of a USB board. */
 struct SerialPortInfo
 {
-  std::string Path; ///< its node, such as /dev/ttyACM0
+  std::string Path; ///< the port's node, such as /dev/ttyACM0
   /// the board's name with its serial number, as udev gives it; empty if it is not known
   std::string Name;
 };
@@ -36,23 +36,25 @@ public:
   /** Lists the boards with a word in their names, in the order of the names. */
   static std::vector<SerialPortInfo> List(
     const std::string& word, const std::string& folder = NamesFolder);
-  /** Returns the name of a port's board, by its node or a link to it. */
+  /** Returns the name of a port's board, given the port's node or a link to it. */
   static std::string NameOf(const std::string& path, const std::string& folder = NamesFolder);
-  /** "available", "in use", or the obstacle and its cure. */
+  /** Returns "available", "in use", or the obstacle and its cure. */
   static std::string StateOf(const std::string& path);
 
   /**
    * Opens the port: raw bytes, 8N1 at 115200 baud, without flow control, and for this holder alone.
-   * False, with the reason and the cure.
+   * If this fails, returns false and writes the reason and the cure to `error`.
    */
   bool Open(const std::string& path, std::string& error);
   void Close() noexcept;
 
-  /** Sends all bytes. False if the port does not take them within a time (ms), or is gone. */
+  /**
+   * Sends all bytes. Returns false if the port does not take them within a time (ms), or is gone.
+   */
   bool Write(const char* bytes, std::size_t size, int time) noexcept;
   /**
-   * Waits for at most a time (ms). Returns the number of bytes, 0 if none came, and a negative
-   * number if the port is gone.
+   * Reads bytes, waiting at most a time (ms). Returns the number of bytes, 0 if none came, negative
+   * if the port is gone.
    */
   int Read(char* bytes, std::size_t size, int time) noexcept;
   /** Drops the bytes that wait to be read. */

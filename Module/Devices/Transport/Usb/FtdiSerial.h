@@ -39,13 +39,13 @@ constexpr FtdiRequest FtdiNoFlowControl = { FtdiRequestType, 2, 0, 0 };
 constexpr FtdiRequest Ftdi8N1 = { FtdiRequestType, 4, 8, 0 };
 ///@}
 
-/** Sets a baud rate, by its divisor. */
+/** Returns the request that sets a baud rate, by its divisor. */
 constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
 {
   return { FtdiRequestType, 3, divisor, 0 };
 }
 
-/** Sets how long bytes are held back for more bytes (ms, 1 to 255). */
+/** Returns the request that sets how long bytes are held back for more bytes (ms, 1 to 255). */
 constexpr FtdiRequest FtdiLatency(std::uint8_t milliseconds) noexcept
 {
   return { FtdiRequestType, 9, milliseconds, 0 };
@@ -61,8 +61,8 @@ struct FtdiPayload
 };
 
 /**
- * Removes the next packet from a bulk IN transfer. Returns the bytes behind its two status bytes;
- * there may be none. Call it until the size is zero.
+ * Removes the next packet from a bulk IN transfer. Returns the bytes behind the packet's two status
+ * bytes; there may be none. Call it until the size is zero.
  */
 constexpr FtdiPayload DrainFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

@@ -25,8 +25,8 @@ public:
 
   /**
    * Waits until transfers have ended (their owners are called), until the exchange wakes up, or for
-   * a time (ns). Returns whether the exchange woke up. If the system can't tell, waits for at most
-   * a millisecond and returns true.
+   * a time (ns). Returns whether the exchange woke up. If the system can't tell whether it did,
+   * waits for at most a millisecond and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
 
@@ -37,7 +37,7 @@ private:
   UsbInterface& Usb;
   HardwareExchange& Exchange;
 #if defined(__linux__)
-  std::vector<pollfd> Watched; ///< the exchange's descriptor is first
+  std::vector<pollfd> Watched; ///< descriptors to wait for; the exchange's descriptor is first
 #endif
 };
 

@@ -38,10 +38,13 @@ struct UsbProduct
 {
   std::uint16_t Vendor;
   std::uint16_t Product;
-  const char* Name; ///< for people: maker and product
+  const char* Name; ///< name for people: maker and product
 };
 
-/** Makes a context. Null, with the reason, if the system's USB can't be reached. */
+/**
+ * Makes a context. If the system's USB can't be reached, returns null and writes the reason to
+ * `error`.
+ */
 UsbContext MakeUsbContext(std::string& error);
 
 /**
@@ -53,18 +56,18 @@ std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct&
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
- * DeviceBackend::GetIdentity for a device of a kind: the kind, and the serial number if the device
- * has one and may be opened.
+ * Returns DeviceBackend::GetIdentity for a device of a kind: the kind, and the serial number if the
+ * device has one and may be opened.
  */
 std::string UsbIdentityOf(libusb_device* device, const char* kind);
 
 /**
- * Says whether interface 0 could be claimed now: "available", "in use", or the obstacle and the
+ * Returns whether interface 0 could be claimed now: "available", "in use", or the obstacle and the
  * cure. Sends nothing to the device, and leaves a kernel driver bound.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 
-/** Explains the obstacle and the cure, if opening or claiming gave this error of libusb. */
+/** Returns the obstacle and the cure, if opening or claiming gave this error of libusb. */
 std::string UsbTroubleText(int error, const UsbProduct& product);
 
 class UsbInterface
@@ -77,7 +80,7 @@ public:
 
   /**
    * Opens the device with a number in ListUsbDevices, detaches a kernel driver until Close, and
-   * claims interface 0. False, with the reason and the cure.
+   * claims interface 0. If this fails, returns false and writes the reason and the cure to `error`.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   /**
@@ -90,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Each function waits until the transfer is done or the time (ms) is over. Returns the size, or a
-   * negative libusb error.
+   * Each function waits until the transfer is done or the time (ms) is over. Returns the size of
+   * the transfer, or a negative libusb error.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;
@@ -99,7 +102,7 @@ public:
     std::uint8_t endpoint, std::uint8_t* bytes, std::size_t size, unsigned int time) noexcept;
   ///@}
 
-  /** Call it after a stall. */
+  /** Ends the halt of an endpoint. Call it after a stall. */
   void ClearHalt(std::uint8_t endpoint) noexcept { libusb_clear_halt(this->Handle, endpoint); }
 
   libusb_context* GetContext() const noexcept { return this->Context.get(); }

@@ -47,15 +47,18 @@ public:
   UsbTransfer(const UsbTransfer&) = delete;
   UsbTransfer& operator=(const UsbTransfer&) = delete;
 
-  /** The bytes to send, or to be filled. */
+  /** Returns the bytes to send, or the bytes that the transfer fills. */
   std::uint8_t* GetBytes() noexcept { return this->Bytes.data(); }
-  /** How many bytes the last transfer moved. */
+  /** Returns how many bytes the last transfer moved. */
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
-  /** Submits the transfer, without a time limit: use Cancel. Returns Done if it was submitted. */
+  /**
+   * Submits the transfer, without a time limit: use Cancel. Returns Done if the transfer was
+   * submitted.
+   */
   UsbOutcome Submit(std::size_t size) noexcept;
-  /** Cancels the transfer. Its owner is called when it has ended. */
+  /** Cancels the transfer. The owner is called when the transfer has ended. */
   void Cancel() noexcept;
   bool IsFlying() const noexcept { return this->Flying; }
 

@@ -25,7 +25,7 @@ using boost::system::error_code;
 
 using Moment = std::chrono::steady_clock::time_point;
 
-/** ServoClock is steady_clock. */
+/** Converts a time of ServoClock, which is steady_clock. */
 Moment MomentOf(std::int64_t time)
 {
   return Moment(std::chrono::duration_cast<Moment::duration>(std::chrono::nanoseconds(time)));
@@ -37,7 +37,7 @@ Moment After(double seconds)
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
 }
 
-/** Handles events until a condition holds. False if it does not hold in time. */
+/** Handles events until a condition holds. Returns false if the condition does not hold in time. */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {

@@ -31,8 +31,8 @@ public:
   enum class Outcome
   {
     Message,
-    Nothing, ///< no message until then
-    Closed   ///< by the service, or because of an error
+    Nothing, ///< no message came before the time
+    Closed   ///< the connection was closed by the service, or because of an error
   };
 
   WebSocketClient();
@@ -40,10 +40,13 @@ public:
   WebSocketClient(const WebSocketClient&) = delete;
   WebSocketClient& operator=(const WebSocketClient&) = delete;
 
-  /** Connects to a port of this computer, within a time (s). False, with the reason. */
+  /**
+   * Connects to a port of this computer, within a time (s). If this fails, returns false and writes
+   * the reason to `error`.
+   */
   bool Open(std::uint16_t port, double seconds, std::string& error);
   bool IsOpen() const noexcept;
-  /** Sends a text within a time (s), else closes the connection and returns false. */
+  /** Sends a text within a time (s). If this fails, closes the connection and returns false. */
   bool Send(const std::string& text, double seconds);
   /**
    * Receives the next message that comes before a time of ServoClock, or a message that has come
@@ -59,8 +62,8 @@ private:
 };
 
 /**
- * Fetches the answer of a service on this computer to GET, within a time (s). False, with the
- * reason, if there is none or its status is not 200.
+ * Fetches the answer of a service on this computer to GET, within a time (s). If there is no answer
+ * or its status is not 200, returns false and writes the reason to `error`.
  */
 bool FetchText(std::uint16_t port, const std::string& target, double seconds, std::string& text,
   std::string& error);
