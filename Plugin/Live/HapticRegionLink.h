@@ -36,7 +36,7 @@ public:
   enum class Answer
   {
     Nothing, ///< all needed samples are here
-    Region,  ///< the filter has another image
+    Region,  ///< a region was fetched
     Refused, ///< the problem has the reason; no new request until something changes
     Lost     ///< the server does not answer
   };

@@ -50,7 +50,10 @@ public:
   }
   /** Whether the last image is the first one. */
   bool IsFirst() const { return this->IsBeginning; }
-  /** Whether the servo has reached the last image, so that it can move on. */
+  /**
+   * Whether the next image may be sent: the servo has reached the last image, the device does not
+   * run, or the data time has stood still for longer than Patience.
+   */
   bool IsThere(vtkHapticDevice* device);
   /** Return the last image and its time, and the previous time. */
   vtkImageData* GetImage() const { return this->To; }

@@ -13,7 +13,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Computes w at the taps, and the least-squares fit with it. */
+/**
+ * Computes the tap weights that give the value (`smoothing`) and the slope (`derivative`) of the
+ * line fitted by least squares, weighted with `window`. The value is the line's at `mean`, the
+ * weighted mean of the taps' positions.
+ */
 void FitLine(int radius, double fraction, const std::function<double(double)>& window,
   double* smoothing, double* derivative, double& mean)
 {

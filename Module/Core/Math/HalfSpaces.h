@@ -30,7 +30,10 @@ public:
   void Clear() noexcept { this->Count = 0; }
   int GetCount() const noexcept { return this->Count; }
 
-  /** Adds a half-space, unless another one implies it almost exactly, or Most are there already. */
+  /**
+   * Adds a half-space. If a stored half-space has almost the same normal, the larger bound of both
+   * is kept instead. Otherwise a half-space is ignored once Most are stored.
+   */
   void Add(const HalfSpace& space) noexcept;
 
   /**

@@ -9,7 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** More rotations than are ever needed: each rotation squares what is left beside the diagonal. */
+/**
+ * The limit: ten sweeps of three rotations. Near the end, each sweep about squares the elements
+ * beside the diagonal, so far fewer sweeps suffice.
+ */
 constexpr int MostRotations = 30;
 
 /** Makes a[p][q] zero by a rotation of the axes p and q. */

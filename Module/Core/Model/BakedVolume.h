@@ -43,7 +43,7 @@ struct FieldTimeStep
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
-/** A moving mesh between two fractions of its way. */
+/** The mesh of a time step, and the fractions (0 to 1) of the time step between which it moves. */
 struct MeshWay
 {
   const SurfaceMesh* Mesh; ///< null if there is no mesh

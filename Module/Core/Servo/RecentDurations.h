@@ -24,7 +24,9 @@ class RecentDurations
 public:
   static constexpr std::size_t Capacity = 256;
   static constexpr std::size_t Stride = 16;
-  static constexpr std::int64_t Span = 1000000000; ///< ns, the largest sum of the durations used
+  static constexpr std::int64_t Span = 1000000000; ///< ns; the figures use the latest durations
+                                                   ///< until their sum reaches this, or Capacity of
+                                                   ///< them
 
   ///@{
   /**

@@ -46,9 +46,10 @@ public:
   static std::string GetToday();
 
   /**
-   * Reads the facts of a device by its identity (DeviceBackend::GetIdentity); returns no facts if
-   * there is no file. A damaged line is ignored; `error` then receives file and line, and the cure.
-   * Otherwise `error` is empty.
+   * Reads the facts of a device by its identity (DeviceBackend::GetIdentity); the last line of a
+   * device counts. Returns no facts without a file, or if that line is damaged. `error` names the
+   * file, and the cure, if the file can't be read or a line of this device is damaged; else it is
+   * empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**

@@ -34,6 +34,6 @@ def read(path: str | os.PathLike, *options: str) -> tuple[vtkImageData, list[str
         reader.SetFileName(file)
         reader.Update()
     image = vtkImageData()
-    image.ShallowCopy(reader.GetOutput())  # without the reader
+    image.ShallowCopy(reader.GetOutput())  # the image must not keep the reader alive
     said = [line.strip() for line in result.stdout.splitlines()]
     return image, [line for line in said if line and not line.startswith("Written: ") and "slices, sorted by" not in line]

@@ -37,7 +37,8 @@ struct HapticCut
   /**
    * Makes the cut for a model of an image, whose points and cells may be blanked. Null if nothing
    * is cut away, or after a fault, which `error` then reports with the cure.
-   * @param extent extent of the model: that of its index 0 and of its last index
+   * @param extent the model's extent in the image's structured coordinates; index 0 of the model is
+   * its lower corner
    */
   std::shared_ptr<const CutAway> Make(vtkImageData* image, const int extent[6],
     const Affine3& indexToWorld, std::string& error) const;

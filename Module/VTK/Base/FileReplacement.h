@@ -45,8 +45,10 @@ public:
    */
   bool Finish(std::string& error);
   /**
-   * Renames the file. False, with the reason and the cure, if anything could not be written; an
-   * existing file is then unchanged.
+   * Replaces the file: renames the temporary file, or copies it over the existing file if the
+   * file's group could not be kept. False, with the reason and the cure, on failure. The existing
+   * file is then unchanged, except after a failed copy: the existing file may be incomplete then,
+   * and the temporary file, which the error names, is kept.
    */
   bool Commit(std::string& error);
 

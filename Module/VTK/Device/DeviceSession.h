@@ -111,7 +111,8 @@ public:
   ///@}
 
   /**
-   * Computes the caps of the device for the measured round trip, or for a period of the rate (Hz).
+   * Computes the device's caps for the measured round trip or the period of this rate (Hz),
+   * whichever is longer.
    */
   ForceCaps ComputeCaps(double rate) const;
   /**

@@ -21,7 +21,7 @@ enum class SignalManner
 {
   Deliver,       ///< the watcher ends the force, then sends the signal again
   Crash,         ///< the signal comes again when the handler returns
-  CrashIfDefault ///< as Crash, but installed only if the signal has its default action
+  CrashIfDefault ///< the same as Crash, but installed only if the signal has its default action
 };
 
 class GuardedSignal

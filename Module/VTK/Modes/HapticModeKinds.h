@@ -19,8 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * What the kinds of vtkHapticMode differ in. Their names are the choices of Kind in
- * Module/VTK/Settings.json; what a tick makes of them is in Core/Model/BakedMode.h.
+ * The properties that differ between the kinds of vtkHapticMode. The kinds' names are the choices
+ * of Kind in Module/VTK/Settings.json; Core/Model/BakedMode.h describes what a tick computes for
+ * each kind.
  */
 struct ModeKindRow
 {

@@ -140,8 +140,9 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
   writer.WriteTo(track);
-  // The surface was felt in the last tick whose normal is not yet the axis. If there is none, the
-  // needle met the surface at a right angle.
+  // From the insertion on, the normals are the needle's axis. Walk back through the ticks of
+  // contact before it to the last one whose normal is still the surface's. If every normal is the
+  // axis, the needle met the surface at a right angle.
   const auto isHeld = [&ticks](vtkIdType tick)
   { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
   vtkIdType before = first - 1;

@@ -73,7 +73,7 @@ void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
   if (analysis.Kind == VolumeKind::Field)
   {
-    return; // the background's flanks are not noise
+    return; // in a simulation's field, values near the background are data, not noise
   }
   const Background found = FindBackground(image);
   if (found.Threshold < found.Full &&
@@ -109,8 +109,8 @@ void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const do
 
 void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 {
-  // Outside nothing, in the body soft, inside hard: the contrast of the CT preset at other
-  // thresholds.
+  // Nothing is felt below OuterThreshold; the body is soft from there on, and hard from
+  // DeepThreshold on.
   const double stiffness[3] = { 0.0, 350.0, 800.0 };
   const double friction[3] = { 0.0, 0.25, 0.30 };
   const double viscosity[3] = { 0.0, 0.2, 0.2 };

@@ -289,7 +289,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
-  // The picture of a large volume sets the cropping of its mapper.
+  // There is no cropping box for a large volume: its picture crops the mapper itself.
   touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
     !exploration.Input.Large);
   touch.Setup->SetVolumeHaptics(filter);

@@ -86,7 +86,10 @@ constexpr double PathLength = 2.5;
 constexpr double MediumPathLength = 8.0;
 constexpr double WalkInterval = 0.5;
 ///@}
-/** The least fraction of its height by which an edge stays the same. */
+/**
+ * IsSameEdge(): a walk is on the touched edge if its range of values overlaps at least this
+ * fraction of the edge's range.
+ */
 constexpr double SharedHeight = 0.3;
 /** A ramp that is at most this even is an edge. */
 constexpr double EdgeEvenness = 0.42;

@@ -65,7 +65,8 @@ public:
       this->Contradictions = 0;
       this->Conditions = 0;
       this->IsOff = false;
-      // More conditions can only be met at a common anchor.
+      // With more than MostConditions conditions there is a balance only if all springs have one
+      // anchor: Fraction() computes the force there.
       if (this->CollectConditions() ? this->Step() : this->Fraction())
       {
         return true;
@@ -178,8 +179,8 @@ private:
   }
 
   /**
-   * Returns the part of a vector in which the force of a yielding line or point turns, given the
-   * direction of the force.
+   * Returns the part of `v` across the force's direction `unit`, and for a line also across the
+   * line. A yielding force keeps its magnitude, so it can only turn in this direction.
    */
   static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
   {

@@ -219,8 +219,9 @@ private:
   }
 
   /**
-   * Skips the rest of a leap, since at most the force that the tissue holds may be felt. Stops at
-   * forbidden labels.
+   * Advances the needle by `length` (m) when the tick has no steps left, through tissue that counts
+   * as that at the present place, so that no more force is felt than the tissue holds. Stops at
+   * forbidden labels; with forbidden labels, takes at most MostSkippedSteps steps.
    */
   void Skip(double length) noexcept
   {

@@ -98,7 +98,8 @@ struct ShellContactFinder::Candidates
   ShellLaw Law;
   MixMemory Labels; ///< memory of label lookups, for speed only
   ShellPushes Forces;
-  std::size_t Pushing = 0; ///< the number of points whose pressing ones are in Forces
+  std::size_t Pushing = 0; ///< candidate points since the last AddForces(); Forces holds those that
+                           ///< press
 };
 
 ShellContactFinder::ShellContactFinder(

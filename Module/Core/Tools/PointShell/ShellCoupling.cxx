@@ -185,7 +185,8 @@ public:
       pull = this->Springs.At(next, hand);
       if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
       {
-        // The step has met unknown contacts, which are now known.
+        // The step met contacts that it was not computed for. They are in the sums now, so correct
+        // the step once.
         next = this->Corrected(next, pull);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);

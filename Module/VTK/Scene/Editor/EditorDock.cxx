@@ -16,7 +16,10 @@
 namespace
 {
 
-/** Lets the editor draw. A renderer of its own must not keep the editor alive. */
+/**
+ * Draws the editor in the docked renderer. The editor itself is not added to this renderer: the
+ * editor owns the renderer, so they would keep each other alive.
+ */
 class HapticDockedProp : public vtkProp
 {
 public:

@@ -463,7 +463,7 @@ std::string EditorPages::GetWarning() const
 //------------------------------------------------------------------------------
 void EditorPages::ScaleValues()
 {
-  // Opacities depend on scalars.
+  // An opacity function takes unscaled scalars, so its axis is not scaled.
   vtkHapticProperty* const property =
     this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
   this->Chart.ScaleValues(property

@@ -40,7 +40,7 @@ constexpr double LongestStillFrame = 0.1; // s, for a frame at rest that can't b
 constexpr double LongestRest = 0.5;       // s, for any frame, because a device without news lets go
 constexpr double LongestTry = 1.0;        // s, until a frame at rest is given up
 constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
-constexpr int MostSlowFrames = 3;    // in a row; a busy processor may delay one or two
+constexpr int MostSlowFrames = 3;    // slow frames in a row; a busy processor may delay one or two
 
 /** Returns the sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
 double AutomaticDistance(vtkImageData* image)
