@@ -117,10 +117,9 @@ if [ "$python" = ON ]; then
   package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
   site=$(dirname "$(dirname "$package")")
   installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
-  expected=$(printf './%s\n' __init__.py __main__.py _files.py _grids.py _hosts.py _identify.py _labels.py _large.py _paths.py \
-    _plotting.py _qt.py _tools.py _touch.py _trame.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti \
-    data/README.txt \
-    examples.py py.typed pyvista.py web.py | sort)
+  expected=$(printf './%s\n' __init__.py __main__.py _files.py _grids.py _hosts.py _identify.py _inspect.py _labels.py \
+    _large.py _paths.py _plotting.py _qt.py _tools.py _touch.py _trame.py _version.py _webdoor.py _webview.py \
+    arrays.py data/HeadPhantom.vti data/README.txt examples.py py.typed pyvista.py web.py | sort)
   if [ "$installed" != "$expected" ]; then
     printf 'installed Python package:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
     exit 1

@@ -28,7 +28,7 @@ FILTER = {
     "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini", "LOCAL_SURFACE", "Mark"),
     "SetSolver": ("PAPER", "PRECISE", "default"),
     "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
-    "SetTimeUnitsPerSecond": ("Default 1", "time runs backwards"),
+    "SetTimeUnitsPerSecond": ("Default 1", "plays backwards"),
     "SetFrames": ("TIME_STEPS (default)", "COMPONENTS", "TimeAsVectorOn"),
     "SetFrameSpacing": ("Default 1",),
     "SetDisplacementArrayName": ("world", "default", "three components"),
@@ -186,7 +186,7 @@ def test_tools():
     check(volumehaptics.vtkHapticNeedle, documented, ("MakeTrack", "GetText"))
     documented = {"SetMesh": ("world units", "closed"), "SetNumberOfPoints": ("Default 2000",),
                   "SetContactArea": ("Default 25",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
-                  "SetTurningStiffness": ("(N m/rad)", "Default 0.5"), "SetContactValue": ("scalars", "Default 0"),
+                  "SetTurningStiffness": ("(N m/rad)", "Default 0.5"), "SetContactValue": ("scalar at the surface", "Default 0"),
                   "SetSolid": ("FROM_STRENGTH (default)", "half")}
     assert issubclass(volumehaptics.vtkHapticShapedTool, volumehaptics.vtkHapticTool)
     assert issubclass(volumehaptics.vtkHapticPointShell, volumehaptics.vtkHapticShapedTool)
@@ -196,7 +196,7 @@ def test_tools():
                   "SetFriction": ("friction", "0.3"), "SetSpecificEnergy": ("J/mm^3", "default"),
                   "SetVibration": ("0 to 1", "Default 0"), "SetSpinButton": ("button", "Default 0"),
                   "SetContactArea": ("Default 0.1",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
-                  "SetContactValue": ("scalars", "Default"), "SetSolid": ("FROM_STRENGTH (default)", "half")}
+                  "SetContactValue": ("scalar at the surface", "Default"), "SetSolid": ("FROM_STRENGTH (default)", "half")}
     assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticShapedTool)
     check(volumehaptics.vtkHapticBurr, documented, ("SetSolidToFromStrength", "SetSolidToAbove", "SetSolidToBelow"))
     check(volumehaptics.vtkHapticRemoval, {"SetAutoAirValue": ("Default: on",), "SetAirValue": ("-1000",)},

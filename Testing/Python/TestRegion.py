@@ -3,6 +3,7 @@
 """Regions of a volume from Python: planned, cropped, and felt as the whole."""
 
 import pydoc
+from pathlib import Path
 
 import pytest
 from ramp import make_ramp
@@ -37,7 +38,10 @@ def test_settings_come_back_with_their_documentation():
     planner.AddLatency(0.01)
     assert planner.GetLatency() == 0.01
     text = pydoc.render_doc(vtkHapticRegionPlanner, renderer=pydoc.plaintext)
-    assert "v_max t + T_N/k + r + b" in text and "128^3" in text and "(m/s)" in text
+    assert 'method.md, "Regions of a volume", has the equation' in " ".join(text.replace("|", " ").split())
+    method = (Path(__file__).parents[2] / "Documentation" / "method.md").read_text(encoding="utf-8")
+    assert "h = v_max L + T_N/k + r + b" in method.split("## Regions of a volume")[1].split("\n## ")[0]
+    assert "128^3" in text and "(m/s)" in text
     assert "MaximumVoxels: 50000" in str(planner)
 
 
