@@ -195,7 +195,7 @@ def test_tools():
     documented = {"SetRadius": ("world units", "Default 2"), "SetSpeed": ("1/min", "60000"),
                   "SetFriction": ("friction", "0.3"), "SetSpecificEnergy": ("J/mm^3", "default"),
                   "SetVibration": ("0 to 1", "Default 0"), "SetSpinButton": ("button", "Default 0"),
-                  "SetContactArea": ("Default 0.1",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
+                  "SetContactArea": ("0.1 for a vtkHapticBurr",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
                   "SetContactValue": ("scalar at the surface", "Default"), "SetSolid": ("FROM_STRENGTH (default)", "half")}
     assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticShapedTool)
     check(volumehaptics.vtkHapticBurr, documented, ("SetSolidToFromStrength", "SetSolidToAbove", "SetSolidToBelow"))
