@@ -22,7 +22,7 @@ ARM = "device.Arm()\n"
 REPORT = "faulthandler.enable()\n"
 CRASHES = {
     "fault": ("import ctypes; ctypes.memset(8, 1, 1)", signal.SIGSEGV, "Segmentation fault"),
-    "sent": ("os.kill(os.getpid(), signal.SIGSEGV)", signal.SIGSEGV, "Segmentation fault"),
+    "sent": ("os.kill(os.getpid(), signal.SIGSEGV)\nsignal.pause()", signal.SIGSEGV, "Segmentation fault"),
     "abort": ("os.abort()", signal.SIGABRT, "Aborted"),
 }
 
