@@ -126,7 +126,7 @@ const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
 ///@}
 
-/** What a command needs to address an arm. */
+/** The address of an arm, which each command carries. */
 struct HaplyAddress
 {
   HaplyVersion Version;

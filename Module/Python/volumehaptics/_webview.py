@@ -153,7 +153,7 @@ class View:
         return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
 
     def _may_lead(self, page: str | None) -> bool:
-        """Whether a page may lead the hand: it leads already, or nobody does. The program may always."""
+        """Whether a page may lead the hand: no other page leads. `page` None stands for the program, which always may."""
         return page is None or self.leader in (None, page)
 
     def _lead(self, page: str | None) -> None:

@@ -124,8 +124,8 @@ struct DicomSegment
 /// Reads the segments of a segmentation file: PS3.3, section C.8.20.2.
 std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
 
-/// What a DICOM file without pixels of a volume is, such as "an RT plan", and the cure. The texts
-/// are empty for a slice, and for a file that is not DICOM.
+/// The kind of a DICOM file that holds no pixels of a volume, such as "an RT plan", and the cure.
+/// Both texts are empty for a slice, and for a file that is not DICOM.
 struct DicomObject
 {
   std::string Name;

@@ -74,7 +74,7 @@ void RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
     const double label = std::round(value);
     if (!(std::abs(value - label) <= most) || std::abs(label) > VTK_INT_MAX)
     {
-      return; // whoever reads the labels says so
+      return; // the reader of the labels reports these values
     }
     isChanged = isChanged || value != label;
     labels->SetValue(i, static_cast<int>(label));

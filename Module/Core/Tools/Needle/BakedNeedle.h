@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** What a needle feels, as functions of the scalar, where no label gives a material. */
+/** A needle's friction and cutting force by the scalar, used where no label sets them. */
 struct NeedleDescription
 {
   Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau, N per metre of the shaft

@@ -87,7 +87,7 @@ private:
   bool IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const;
   bool Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last);
 
-  const vtkVolumeHapticsFilter* Of = nullptr; ///< not dereferenced
+  const vtkVolumeHapticsFilter* Of = nullptr; ///< of the span; only compared, may be deleted
   ChangeTimes Times{ 0, 0 };
   std::optional<PreparedTimeSpan> Span;
   double TimeOfRest = 0.0;
