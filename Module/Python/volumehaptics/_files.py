@@ -15,6 +15,14 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from .__main__ import PROGRAM, find_explorer
 
 
+def run_explorer(explorer: str, *arguments: str) -> str:
+    """Returns what volumehaptics-explore prints. ValueError: it failed; with what it said."""
+    result = subprocess.run([explorer, *arguments], capture_output=True, text=True, errors="replace", check=False)
+    if result.returncode != 0:
+        raise ValueError(result.stderr.strip() or f"{PROGRAM} failed with status {result.returncode}")
+    return result.stdout
+
+
 def read(path: str | os.PathLike, *options: str) -> tuple[vtkImageData, list[str]]:
     """Returns the volume of a file or a folder, left-posterior-superior in mm if it says so, and notes on what was
     assumed, dropped, filled or turned. options: options of volumehaptics-explore, such as "--series", "2".
@@ -26,14 +34,11 @@ def read(path: str | os.PathLike, *options: str) -> tuple[vtkImageData, list[str
                          "brings it along (CMake/wheel/build.sh)")
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "volume.vti")
-        command = [explorer, os.path.abspath(path), *options, "--write-volume", file]
-        result = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
-        if result.returncode != 0:
-            raise ValueError(result.stderr.strip() or f"{path} can't be read: {PROGRAM} ended by {result.returncode}")
+        printed = run_explorer(explorer, os.path.abspath(path), *options, "--write-volume", file)
         reader = vtkXMLImageDataReader()
         reader.SetFileName(file)
         reader.Update()
     image = vtkImageData()
     image.ShallowCopy(reader.GetOutput())  # the image must not keep the reader alive
-    said = [line.strip() for line in result.stdout.splitlines()]
+    said = [line.strip() for line in printed.splitlines()]
     return image, [line for line in said if line and not line.startswith("Written: ") and "slices, sorted by" not in line]
