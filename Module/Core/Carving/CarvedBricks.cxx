@@ -125,7 +125,7 @@ int CarvedBricks::AddFollower(int keptFree) noexcept
     }
   } while (!this->Followers.compare_exchange_weak(
     all, all | 1U << follower, std::memory_order_acq_rel, std::memory_order_relaxed));
-  // Bricks that are added later are marked when they are written.
+  // Marks the bricks that exist now. Bricks that are added later are marked when they are written.
   const std::uint32_t count = this->GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)
   {

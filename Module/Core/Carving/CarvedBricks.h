@@ -4,14 +4,14 @@
  * @file
  * The remaining fraction of the tissue at each sample of a volume.
  *
- * Fractions are bytes; 255 is all of the tissue. They need memory only where tissue was removed: in
- * bricks of 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size locates
- * them, so that nothing grows with the volume.
+ * A fraction is a byte; 255 means that all tissue remains. Fractions are stored only where tissue
+ * was removed, in bricks of 8^3 samples. A fixed number of bricks is allocated at once, and a hash
+ * of fixed size locates them, so that no memory grows with the volume.
  *
- * One thread writes, without a lock or an allocation. Any other thread may read at any time; the
- * parts of a brick that it reads may be of different moments. A few threads may follow the changes:
- * each receives the bricks that were written since its last call, and misses none, however slow it
- * is.
+ * One thread writes, without a lock or an allocation. Any other thread may read at any time, but
+ * the rows of a brick that it reads may be of different moments. A few threads may follow the
+ * changes: each receives all bricks that were written since its last call, and misses none, however
+ * slow it is.
  */
 #ifndef CarvedBricks_h
 #define CarvedBricks_h
@@ -24,7 +24,7 @@
 namespace VolumeHaptics
 {
 
-/** The place of a brick, in bricks, by axis. */
+/** The position of a brick along each axis, counted in bricks. */
 struct BrickPlace
 {
   std::int64_t X;
@@ -35,19 +35,21 @@ struct BrickPlace
 class CarvedBricks
 {
 public:
-  static constexpr int Side = 8;  ///< samples
-  static constexpr int Shift = 3; ///< converts a sample's index to its brick's index
-  /** 8 samples along x, one byte each; row y + 8 z. */
+  static constexpr int Side = 8;  ///< number of samples along each side of a brick
+  static constexpr int Shift = 3; ///< shift that converts a sample's index to its brick's index
+  /**
+   * A row is 8 samples along x, one byte each. The row at (y, z) in a brick has the number y + 8 z.
+   */
   static constexpr int Rows = Side * Side;
   static constexpr std::uint64_t WholeRow = ~std::uint64_t{ 0 };
   static constexpr std::uint8_t Whole = 255;
   static constexpr std::uint32_t None = ~std::uint32_t{ 0 };
-  static constexpr std::uint32_t DefaultMost = 16384; ///< 8 MiB
+  static constexpr std::uint32_t DefaultMost = 16384; ///< default limit of bricks (8 MiB)
   static constexpr int MostFollowers = 8;
-  /** A brick's place has 21 bits along each axis. */
+  /** Limit of a brick's position along each axis, because a key has 21 bits per axis. */
   static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
 
-  /** Allocates all memory at once, and touches it once. */
+  /** Allocates all memory, and writes to all of it, so that no page fault occurs later. */
   explicit CarvedBricks(std::uint32_t most = DefaultMost);
   CarvedBricks(const CarvedBricks&) = delete;
   CarvedBricks& operator=(const CarvedBricks&) = delete;
@@ -65,15 +67,18 @@ public:
   }
 
   ///@{
-  /** Return facts about the bricks. From any thread. */
+  /**
+   * Return the limit of bricks, the number of bricks in use, and whether there are none. From any
+   * thread.
+   */
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
-  /** Returns whether all tissue remains. If it does, the call visits all bricks. */
+  /** Returns whether all tissue remains. If it does, the call reads all bricks. */
   bool IsWhole() const noexcept;
   /** Returns whether all tissue of one brick remains. */
   bool IsWhole(std::uint32_t brick) const noexcept;
-  /** Returns a counter that grows with each change of a brick. */
+  /** Returns a counter that grows with each call of MarkChanged. */
   std::uint64_t GetChanges() const noexcept
   {
     return this->Changes.load(std::memory_order_acquire);
@@ -95,7 +100,7 @@ public:
   {
     return this->Fractions[RowAt(brick, row)].load(std::memory_order_relaxed);
   }
-  /** Returns the remaining fraction at a sample, whose index is not negative. */
+  /** Returns the remaining fraction at a sample. Its indices must not be negative. */
   std::uint8_t GetFraction(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
   /** Returns whether any sample in a box of indices, both ends included, is in a brick. */
   bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
@@ -103,15 +108,15 @@ public:
 
   ///@{
   /**
-   * Returns the number of a brick. If the brick is missing, adds it with all of its tissue; returns
-   * None if there is no room. Called by the writer.
+   * Returns the number of a brick. If the brick is missing, adds it with all of its tissue, or
+   * returns None if there is no room. Called by the writer.
    */
   std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
   void SetRow(std::uint32_t brick, int row, std::uint64_t fractions) noexcept
   {
     this->Fractions[RowAt(brick, row)].store(fractions, std::memory_order_relaxed);
   }
-  /** Tells the followers that rows of a brick were set. */
+  /** Reports to the followers that rows of a brick were set. */
   void MarkChanged(std::uint32_t brick) noexcept
   {
     this->Changed[brick / BricksOfWord].fetch_or(
@@ -123,7 +128,7 @@ public:
 
   ///@{
   /**
-   * Registers a follower, for which all bricks count as changed, and returns the follower's number;
+   * Registers a follower, for which all bricks count as changed. Returns the follower's number, or
    * -1 if fewer than keptFree places for followers would remain. From any thread.
    */
   int AddFollower(int keptFree = 0) noexcept;
@@ -135,7 +140,7 @@ public:
 
   /**
    * Called by a follower: calls f(brick) for each brick that has changed since the last call. The
-   * data read then are at least as new as the change.
+   * data that f reads are at least as new as the change.
    */
   template <typename F>
   void DrainChanged(int follower, F&& f)
@@ -180,8 +185,9 @@ private:
   const std::uint32_t Most;
   std::uint64_t SlotMask = 0;
   int SlotShift = 0;
-  std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< at least twice as many as bricks
-  std::unique_ptr<std::uint64_t[]> Keys;               ///< each key is written before its slot
+  /** The hash; at least twice as many slots as bricks. */
+  std::unique_ptr<std::atomic<std::uint32_t>[]> Slots;
+  std::unique_ptr<std::uint64_t[]> Keys; ///< key of each brick, written before the brick's slot
   std::unique_ptr<std::atomic<std::uint64_t>[]> Fractions;
   /** For each brick, one bit per possible follower. */
   std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;

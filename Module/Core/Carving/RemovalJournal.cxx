@@ -86,7 +86,7 @@ void RemovalJournal::End() noexcept
   Stroke& stroke = this->At(this->Last);
   if (this->IsTooLarge)
   {
-    // This stroke is lost, and so are the strokes before it.
+    // The entries of this stroke no longer fit, so this stroke and all earlier ones are lost.
     this->Head = stroke.Begin;
     return;
   }

@@ -14,7 +14,7 @@ namespace
 
 constexpr std::int64_t SideOfBrick = CarvedBricks::Side;
 
-/** The part of a brick in a box: indices in the volume, both ends included. */
+/** The part of a brick that lies in a box, as indices in the volume, both ends included. */
 struct BrickPart
 {
   std::int64_t Low[3];
@@ -31,7 +31,8 @@ struct BrickPart
     }
   }
   /**
-   * Calls f(row, begin, place) for each row, with its first sample in the brick and in the image.
+   * Calls f(row, begin, place) for each row of the part: `begin` is the row's first sample in the
+   * brick, and `place` the position of this sample in the image.
    */
   template <typename F>
   void ForEachRow(const TissueBox& box, F&& f) const
@@ -183,7 +184,7 @@ bool ReadTissue(CarvedBricks& bricks, const TissueBox& box, const std::uint8_t* 
 
 std::vector<BrickTissue> MoveTissue(const std::vector<BrickTissue>& bricks, const TissueBox& box)
 {
-  std::map<std::uint64_t, BrickTissue> moved; // the same order every time
+  std::map<std::uint64_t, BrickTissue> moved; // sorted by key, so that the order is always the same
   for (const BrickTissue& brick : bricks)
   {
     const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The remaining fractions as a plain image, a byte for each sample, x first: to save, load and show
- * removed tissue.
+ * Saves, loads and shows removed tissue: the remaining fractions as a plain image with a byte for
+ * each sample, x first.
  */
 #ifndef TissueImage_h
 #define TissueImage_h
@@ -17,32 +17,33 @@
 namespace VolumeHaptics
 {
 
-/** A box of a volume's samples. */
+/** A box of samples in a volume: its first index and its size along each axis. */
 struct TissueBox
 {
   std::int64_t First[3];
   std::int64_t Size[3];
 };
 
-/** Writes the fractions of a box to an image; from any thread. */
+/** Writes the fractions in a box to an image. From any thread. */
 void WriteTissue(const CarvedBricks& bricks, const TissueBox& box, std::uint8_t* to) noexcept;
 
 /**
- * Writes the fractions of one brick to the image of a box, for a reader that follows changes. A
- * brick outside the box changes nothing.
+ * Writes the fractions of one brick to the image of a box, for a thread that follows changes.
+ * Writes nothing if the brick is outside the box.
  */
 void WriteBrick(
   const CarvedBricks& bricks, std::uint32_t brick, const TissueBox& box, std::uint8_t* to) noexcept;
 
 /**
- * Called by the writer: sets all fractions from an image; tissue comes back where the image has all
- * of it. If there are not enough bricks, or indices are below 0, returns false and changes nothing.
+ * Sets all fractions from an image, and restores tissue where the image has all of it. Returns
+ * false and changes nothing if there are not enough bricks or if indices are below 0. Called by the
+ * writer.
  */
 bool ReadTissue(CarvedBricks& bricks, const TissueBox& box, const std::uint8_t* from) noexcept;
 
 /**
- * Converts bricks of a volume to bricks of another volume whose samples are a box of the first
- * volume. Leaves out what is outside the box; the box may reach beyond the first volume.
+ * Converts bricks of a volume to bricks of another volume, whose samples are a box of the first
+ * volume. Leaves out all tissue outside the box. The box may reach beyond the first volume.
  */
 std::vector<BrickTissue> MoveTissue(const std::vector<BrickTissue>& bricks, const TissueBox& box);
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file The tissue that a tool has removed from a volume. A tick writes to nothing else but its own
- * state.
+ * @file
+ * The tissue that a tool has removed from a volume. It is the only data outside its own state that
+ * a tick writes.
  */
 #ifndef TissueRemoval_h
 #define TissueRemoval_h
@@ -23,14 +24,14 @@ namespace VolumeHaptics
 enum class RemovalRequest : std::uint8_t
 {
   None = 0,
-  Undo = 1, ///< undoes the last stroke
+  Undo = 1, ///< undo the last stroke
   Redo = 2,
-  Reset = 3 ///< restores all tissue
+  Reset = 3 ///< restore all tissue
 };
 
 /**
- * The remaining fractions, their journal, and the undo and redo requests of another thread, which
- * the thread that ticks carries out piece by piece.
+ * The remaining fractions, their journal, and the undo and redo requests of another thread. The
+ * ticking thread serves the requests piece by piece.
  */
 class TissueRemoval
 {
@@ -46,22 +47,24 @@ public:
 
   /** Queues a request; returns false if too many requests wait. Called by one thread. */
   bool Request(RemovalRequest request) noexcept;
-  /** Returns the number of requests that wait or are being carried out. From any thread. */
+  /** Returns the number of requests that are not finished yet. From any thread. */
   std::size_t GetPending() const noexcept
   {
     return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
   }
-  /** Returns whether tissue could not be removed because all bricks are in use. From any thread. */
+  /**
+   * Returns whether a tool could not remove tissue because all bricks were in use. From any thread.
+   */
   bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
 
   ///@{
   /**
-   * Called by the thread that ticks, at the beginning of a tick: carries out a piece of a request,
-   * which may bring tissue back. Returns false if there was no request.
+   * Serves a piece of the oldest request, which may restore tissue. Called by the ticking thread at
+   * the beginning of a tick. Returns false if there was no request.
    * @param begun if not null, receives the request that this call began, or None
    */
   bool Serve(RemovalRequest* begun = nullptr) noexcept;
-  /** Returns whether the next Serve has something to do. */
+  /** Returns whether Serve would find a request. */
   bool HasWork() const noexcept { return this->GetPending() > 0; }
   void SetUsedUp(bool isUsedUp) noexcept
   {
@@ -71,16 +74,16 @@ public:
 
   ///@{
   /**
-   * Copies all fractions at one tick. One other thread at a time begins the copy, which allocates;
-   * then the thread that ticks completes it with TakeSnapshot, at the beginning of a tick and
-   * before Serve. TakeSnapshot returns false if it can't complete a copy now: none was begun, or a
-   * request is being carried out, or so much has changed that the copy has to be begun again
-   * (IsSnapshotLate). From then on, earlier strokes can no longer be undone or redone.
+   * Copy all fractions at one tick. One other thread at a time calls BeginSnapshot, which allocates
+   * and copies. Then the ticking thread calls TakeSnapshot at the beginning of a tick, before
+   * Serve, to complete the copy; from then on, earlier strokes can no longer be undone or redone.
+   * TakeSnapshot returns false if no copy was begun, if a request is being served, or if so much
+   * has changed that the copy must be begun again (IsSnapshotLate).
    */
   void BeginSnapshot() { this->Snapshot = std::make_unique<TissueSnapshot>(this->Bricks); }
   bool TakeSnapshot() noexcept;
   bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
-  /** Ends the copying and returns the copied bricks; none if the copy was not completed. */
+  /** Ends the copying. Returns the copied bricks, or none if the copy was not completed. */
   std::vector<BrickTissue> EndSnapshot();
   ///@}
 
@@ -89,12 +92,12 @@ public:
 
 private:
   static constexpr std::size_t MostRequests = 64;
-  /** The number of bricks that a tick exchanges: 16 KiB. */
+  /** Number of bricks that a tick exchanges (16 KiB). */
   static constexpr std::size_t BricksPerTick = 32;
 
   std::atomic<RemovalRequest> Requests[MostRequests] = {};
-  std::atomic<std::size_t> Head{ 0 }; ///< the number of requests so far
-  std::atomic<std::size_t> Done{ 0 }; ///< the number of requests carried out
+  std::atomic<std::size_t> Head{ 0 }; ///< number of all requests so far
+  std::atomic<std::size_t> Done{ 0 }; ///< number of finished requests
   std::atomic<bool> UsedUp{ false };
   std::unique_ptr<TissueSnapshot> Snapshot;
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A copy of all remaining fractions at one tick; the thread that ticks copies only the last
- * changes.
+ * A copy of all remaining fractions at one tick. Another thread copies all bricks, so that the
+ * ticking thread has to copy only the bricks that have changed since.
  */
 #ifndef TissueSnapshot_h
 #define TissueSnapshot_h
@@ -19,7 +19,7 @@
 namespace VolumeHaptics
 {
 
-/** The fractions of a brick. */
+/** The fractions of one brick. */
 struct BrickTissue
 {
   std::uint64_t Key;
@@ -27,20 +27,20 @@ struct BrickTissue
 };
 
 /**
- * Returns the bricks that are not whole. From any thread; if bricks change meanwhile, the copies
- * are from different moments.
+ * Returns the bricks from which tissue was removed. From any thread. If bricks change meanwhile,
+ * the copies are from different moments.
  */
 std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
-/** Called by the writer: stores bricks; returns false if there is no room for all of them. */
+/** Stores bricks. Returns false if there is no room for all of them. Called by the writer. */
 bool WriteBricks(const std::vector<BrickTissue>& fractions, CarvedBricks& bricks) noexcept;
 
 class TissueSnapshot
 {
 public:
-  /** The limit of bricks that change until the tick that completes the snapshot: 1 MiB. */
+  /** Limit of the bricks that may change before the snapshot is completed (1 MiB). */
   static constexpr std::size_t MostLate = 2048;
 
-  /** Copies all bricks, while they may change. Borrows the bricks. Allocates. */
+  /** Copies all bricks, which may change meanwhile, and keeps a reference to them. Allocates. */
   explicit TissueSnapshot(CarvedBricks& bricks);
   ~TissueSnapshot();
   TissueSnapshot(const TissueSnapshot&) = delete;
@@ -51,11 +51,11 @@ public:
    * Returns false if too many bricks have changed, or if the snapshot is complete already.
    */
   bool Complete() noexcept;
-  /** Returns whether too many bricks had changed. From any thread. */
+  /** Returns whether Complete() failed because too many bricks had changed. From any thread. */
   bool IsLate() const noexcept { return this->State.load(std::memory_order_acquire) == Late; }
   /**
-   * Returns all bricks, in the order of their numbers, including whole bricks, since these take up
-   * room, too. Empty if the snapshot is not complete.
+   * Returns all bricks in the order of their numbers. Includes bricks that are whole again, because
+   * they take up room, too. Returns none if the snapshot is not complete.
    */
   std::vector<BrickTissue> Collect() const;
 
@@ -69,14 +69,14 @@ private:
 
   CarvedBricks& Bricks;
   const int Follower;
-  std::vector<BrickTissue> Copies; ///< the copies, by the brick's number
+  std::vector<BrickTissue> Copies; ///< copies of the bricks, by number
   struct Change
   {
     std::uint32_t Brick;
     BrickTissue Fractions;
   };
   std::vector<Change> Changes;
-  std::size_t Count = 0; ///< number of changes
+  std::size_t Count = 0; ///< number of changes in Changes
   std::atomic<Stage> State{ Open };
 };
 

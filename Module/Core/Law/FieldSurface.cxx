@@ -16,8 +16,8 @@ Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
 }
 
 /**
- * Computes the wall at the stand-off from forbidden labels. Returns false if the position is not at
- * the wall.
+ * Computes the wall at its stand-off in front of forbidden labels. Returns false if the position is
+ * not at the wall.
  */
 bool ComputeForbidden(
   const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
@@ -49,7 +49,8 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   Surface surface = MakeNoSurface(model);
   if (baked.Settings.Geometry == SurfaceGeometry::Both)
   {
-    // A wall replaces the scalars' surface where that has less than half of its distinctness.
+    // A wall replaces the scalars' surface where that surface has less than half of its
+    // distinctness.
     constexpr double least = 0.5;
     surface = ComputeFieldSurface(model, field, index);
     if (model.DistinctnessOf(surface.GradientMagnitude, surface.Normal)[0] >= least &&
@@ -74,7 +75,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   {
     return surface;
   }
-  // Root and reciprocal do not wait for each other.
+  // The root and the reciprocal are independent, so the processor computes them at the same time.
   const double magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * magnitude;
   surface.Normal = inverse * gradient;
@@ -89,7 +90,7 @@ Surface ComputeWall(const HapticModel& model, const FieldAtTime& field, const Ve
   return surface;
 }
 
-/** Returns the surface that labels or the scalars make. */
+/** Returns the surface of labels or scalars, as if nothing were cut away. */
 Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -97,7 +98,7 @@ Surface ComputeUncutSurface(const HapticModel& model, const FieldAtTime& field,
                             : ComputeFieldSurface(model, field, index);
 }
 
-/** Makes the face of a cut, with the material a voxel behind it. */
+/** Makes the surface of a cut's face. Its material is read one voxel behind the face. */
 Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPlace& place) noexcept
 {
   Surface surface;
@@ -167,7 +168,7 @@ Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
   Surface surface;
-  // Even in a part that is cut away, because no cut gives access to a forbidden label.
+  // A forbidden label counts in a part that is cut away, too, because no cut gives access to it.
   if (model.Baked->GetZone() && ComputeForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;

@@ -28,21 +28,28 @@ namespace VolumeHaptics
 /** The surface through a position. */
 struct Surface
 {
-  Vector3 Normal; ///< unit, into the structure
-  Vector3 Reach;  ///< x_s - x_p, as index steps
+  Vector3 Normal; ///< unit vector into the structure
+  Vector3 Reach;  ///< x_s - x_p in index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0; ///< the estimator's own value, whose gradient this is
-  double Fade = 0.0;  ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
-  /** Felt fraction of the medium's drag: 0 in a part that is cut away. */
+  double Value = 0.0; ///< the estimator's own value; the normal is the direction of its gradient
+  /**
+   * Factor of the surface's strength, 0 to 1; falls to 0 at the border and is 0 without a gradient.
+   */
+  double Fade = 0.0;
+  /** Fraction of the medium's drag that is felt; 0 in a part that is cut away. */
   double DragFraction = 1.0;
-  bool IsWall = false;        ///< a wall between labels (Value: LabelWall's), or the face of a cut
-  double Depth = 0.0;         ///< the value of a wall, with the sign of the normal
-  bool IsOneSided = false;    ///< whether the normal belongs to the structure, wherever the tip is
-  std::uint32_t CutFaces = 0; ///< see CutPlace::Faces; a hollow corner has several
-  bool IsForbidden = false;   ///< the wall in front of a forbidden label; Value is in world units
+  /** Whether the surface is a cut's face or a wall between labels (Value: LabelWall's). */
+  bool IsWall = false;
+  double Depth = 0.0; ///< value of a wall, with the sign of the normal
+  /** Whether the normal points into the structure on whichever side the tip is. */
+  bool IsOneSided = false;
+  /** The faces of a cut here (CutPlace::Faces); several in a hollow corner. */
+  std::uint32_t CutFaces = 0;
+  /** Whether the wall is in front of a forbidden label; Value is then in world units. */
+  bool IsForbidden = false;
 };
 
-/** A lag as the sum of its part along the normal and its tangential part. */
+/** A lag, split into its length along the normal and its tangential vector. */
 struct SplitLag
 {
   double Push;
@@ -50,26 +57,29 @@ struct SplitLag
   double Length; ///< length of Tangent
 };
 
-/** How surface and friction share the spring's force (N), and the excess that moves the proxy. */
+/**
+ * How the spring's force (N) is shared out: the forces of surface and friction, and the excess,
+ * which moves the proxy.
+ */
 struct Balance
 {
-  double Normal;        ///< force taken by the surface
-  double Friction;      ///< force taken by friction
-  double NormalExcess;  ///< force left along the normal
-  double TangentExcess; ///< force left across the normal
-  double Pull;          ///< the tangential force
-  double Excess;        ///< excess in both parts, before the drag
+  double Normal;        ///< force held by the surface
+  double Friction;      ///< force held by friction
+  double NormalExcess;  ///< rest of the force along the normal
+  double TangentExcess; ///< rest of the force along the surface
+  double Pull;          ///< tangential force of the spring
+  double Excess;        ///< magnitude of both rests together, before the drag
   double ExcessSquare;
-  bool IsThrough; ///< whether the normal force is more than the surface takes
-  bool Slides;    ///< whether the tangential force is more than friction takes
+  bool IsThrough; ///< whether the normal force exceeds the surface's strength
+  bool Slides;    ///< whether the tangential force exceeds the friction
 };
 
 namespace Law
 {
-/** A gradient below this fraction of the value per voxel is rounding. */
+/** A gradient below this fraction of the value per voxel is only rounding. */
 constexpr double RelativeGradientEpsilon = 1e-12;
 constexpr double SmallestSquare = std::numeric_limits<double>::min();
-/** Distances (m) and forces (N) below these are zero. */
+/** Distances (m) and forces (N) below these limits count as zero. */
 constexpr double DistanceEpsilon = 1e-15;
 constexpr double ForceEpsilon = 1e-9;
 
@@ -90,7 +100,7 @@ inline Surface MakeNoSurface(const HapticModel& model) noexcept
 /** The direction in which the scalars rise. */
 struct Slope
 {
-  Vector3 Normal;   ///< unit
+  Vector3 Normal;   ///< unit vector
   Vector3 Reach;    ///< see Surface::Reach
   double Magnitude; ///< see MaterialPoint::GradientMagnitude
 };
@@ -102,13 +112,13 @@ VOLUME_HAPTICS_INLINE bool ComputeSlope(
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;
   const double square = Dot(gradient, gradient);
-  // False for NaN, too: no surface if a sample is not finite.
+  // The condition is false for NaN, too: where a sample is not finite, there is no surface.
   if (!(Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
         std::isfinite(square)))
   {
     return false;
   }
-  // Root and reciprocal do not wait for each other.
+  // The root and the reciprocal are independent, so the processor computes them at the same time.
   slope.Magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * slope.Magnitude;
   slope.Normal = inverse * gradient;
@@ -116,7 +126,7 @@ VOLUME_HAPTICS_INLINE bool ComputeSlope(
   return true;
 }
 
-/** Makes the scalars' surface through an index from the gradient there. */
+/** Makes the scalars' surface through an index from the gradient there. The normal ascends. */
 inline Surface MakeFieldSurface(
   const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
 {
@@ -133,7 +143,7 @@ inline Surface MakeFieldSurface(
   return surface;
 }
 
-/** Computes the scalars' surface through an index, with an ascending normal. */
+/** Computes the scalars' surface through an index. The normal ascends. */
 inline Surface ComputeFieldSurface(
   const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
 {
@@ -141,11 +151,14 @@ inline Surface ComputeFieldSurface(
                                : MakeNoSurface(model);
 }
 
-/** Finds the surface where labels or a cut matter, not only the scalars. In FieldSurface.cxx. */
+/**
+ * Computes the surface through an index if labels or a cut count, not only the scalars. Defined in
+ * FieldSurface.cxx.
+ */
 Surface ComputeOtherSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept;
 
-/** Computes the surface through an index, with an ascending normal. */
+/** Computes the surface through an index. The normal ascends. */
 inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field,
   const Vector3& index, LabelMemory& memory) noexcept
 {
@@ -153,29 +166,33 @@ inline Surface ComputeSurface(const HapticModel& model, const FieldAtTime& field
                                        : ComputeFieldSurface(model, field, index);
 }
 
-/** The voxels along the normal over which a drag may hold a proxy, however soft the material is. */
+/**
+ * Distance (voxels along the normal) over which a drag may hold a proxy, however soft the material
+ * is.
+ */
 constexpr double DragVoxels = 3.0;
 
 /**
- * Limits the drag R: it holds the proxy at most as far behind the tip as with the coupling
- * stiffness, or three voxels along the normal, whichever is longer.
+ * Limits the drag R so that it holds the proxy at most as far behind the tip as it would with the
+ * coupling stiffness, or three voxels along the normal, whichever is longer.
  *
- * A k near 0 with an R above 0 is a mistake of the functions, or noise on a ramp of k: without the
- * limit, the proxy would stay R/k behind, where the hand goes through a surface unfelt. PAPER keeps
- * the drag as published.
+ * A k near 0 with an R above 0 is a mistake in the functions, or noise on a ramp of k. Without the
+ * limit, the proxy would stay R/k behind, and the hand would go through a surface without feeling
+ * it. PAPER keeps the drag as published.
  *
- * @param slack m, the part of the distance over which the spring (PassiveSpring.h) does not pull
+ * @param slack the part (m) of the distance over which the spring (PassiveSpring.h) does not pull
  */
 inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& point) noexcept
 {
   const double k = point.Stiffness;
   const double drag = point.Viscosity;
-  // With the smallest spacing: few materials need the root below.
+  // The smallest spacing shows for most materials that the limit does not apply, without the root
+  // below.
   if (!(drag > k * (DragVoxels / model.MostVoxelsPerMeter - slack)))
   {
     return;
   }
-  // Without a gradient, the normal only stands in for one.
+  // Without a gradient the normal has no meaning, so the smallest spacing counts.
   const double voxelsPerMeter = point.GradientMagnitude > 0.0
     ? Norm(model.DeviceToIndex.Linear * point.Normal)
     : model.MostVoxelsPerMeter;
@@ -185,31 +202,32 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     if (slack == 0.0 && k >= coupling)
     {
-      return; // not R/k, which rounding may make longer
+      return; // returns, because rounding may make drag / coupling longer than R/k
     }
     longest = std::max(longest, drag / coupling);
   }
   point.Viscosity = std::clamp(k * (longest - slack), 0.0, drag);
 }
 
-/** The wall in front of a forbidden label: its strength (N), and its least stiffness (N/m). */
+/** Strength (N) and least stiffness (N/m) of the wall in front of a forbidden label. */
 constexpr double ForbiddenStrength = 1e6;
 constexpr double ForbiddenStiffness = 500.0;
 
 /**
- * The depths (as LabelWall::Value) down to which a wall holds with all of its strength, and with
+ * Depths (as LabelWall::Value): up to WallHolds a wall has all of its strength, from WallEnds on
  * none.
  */
 constexpr double WallHolds = 0.5;
 constexpr double WallEnds = 0.9;
 /**
- * A wall begins to hold by this much in front of it, so that a proxy comes to rest in front of it.
+ * Distance in front of a wall over which its strength rises, so that a proxy comes to rest in front
+ * of the wall.
  */
 constexpr double WallBegins = 5e-3;
 
 /**
- * Returns the distinctness of a wall: 1 on the wall and just behind it, 0 before it and farther
- * behind.
+ * Returns the distinctness of a wall: 1 on the wall and down to WallHolds, 0 in front of WallBegins
+ * and below WallEnds, and linear ramps between.
  */
 inline double DistinctnessOfWall(double depth) noexcept
 {
@@ -218,7 +236,7 @@ inline double DistinctnessOfWall(double depth) noexcept
   return std::clamp(std::min(before, behind), 0.0, 1.0);
 }
 
-/** Computes W_d, and the visibility of the gradient. */
+/** Returns W_d and the visibility, which depend on the gradient. */
 inline DistinctnessTable::Values ComputeDistinctness(
   const HapticModel& model, const Surface& surface) noexcept
 {
@@ -226,7 +244,10 @@ inline DistinctnessTable::Values ComputeDistinctness(
                         : model.DistinctnessOf(surface.GradientMagnitude, surface.Normal);
 }
 
-/** Returns whether the settings put the structure on the side of lower values. */
+/**
+ * Returns whether the structure is on the side of the lower values, by the settings and, if both
+ * sides are felt, by the lag.
+ */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -235,12 +256,15 @@ inline bool IsDescending(
 }
 
 /**
- * Turns the normal in a hollow corner between faces of a cut into the direction of the faces' joint
- * force, that is, of the push against all of them. In FieldSurface.cxx.
+ * Changes the normal in a hollow corner between faces of a cut to the direction of the lag's joint
+ * push against these faces. Defined in FieldSurface.cxx.
  */
 void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
 
-/** Turns a surface's normal towards its structure. Returns true if that is against the gradient. */
+/**
+ * Turns a surface's normal towards its structure. Returns true if the normal then points against
+ * the gradient.
+ */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
   if (surface.IsOneSided)
@@ -268,7 +292,9 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
   return { push, tangent, Norm(tangent) };
 }
 
-/** Sets the material of a surface with these values and materials inside and outside (eq. 13). */
+/**
+ * Sets the material of a point from the values and materials inside and outside a surface (eq. 13).
+ */
 inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
   const MaterialTable::Values& inside, const MaterialTable::Values& outside,
   const DistinctnessTable::Values& distinct, double fade, double dragFraction,
@@ -283,8 +309,8 @@ inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
 }
 
 /**
- * Sets the material of the surface through an index, with these values inside and outside, and with
- * the labels at x_s and x_v (eq. 13, section 3.3).
+ * Sets the material at an index from the values inside and outside the surface and from the labels
+ * at x_s and x_v (eq. 13, section 3.3).
  */
 inline void SetMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
   const DistinctnessTable::Values& distinct, const ValuePair& values, LabelMemory& memory,
@@ -309,17 +335,17 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   }
 }
 
-/** Reads the material at an index: at x_s and x_v (section 3.3), by value and by label. */
+/** Reads the material at an index, by value and by label: from x_s and x_v (section 3.3). */
 inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
 {
-  // Look up first: the sampling of the values then hides the lookup's latency.
+  // Look up the distinctness first, so that sampling the values hides the latency of the lookup.
   const DistinctnessTable::Values distinct = ComputeDistinctness(model, surface);
   SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
 }
 
 /**
- * Reads the material at the isovalue, for methods that touch an isosurface. Returns false if the
+ * Reads the material at the isovalue, for methods that touch an isosurface. Returns false if that
  * material is not felt.
  */
 inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
@@ -334,7 +360,7 @@ inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noex
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }
 
-/** Returns whether the material is felt at all; if not, the proxy moves with the tip. */
+/** Returns whether the material is felt. Otherwise the proxy moves with the tip. */
 inline bool IsFelt(const MaterialPoint& point) noexcept
 {
   return point.Stiffness > HapticModel::MinimumStiffness;
@@ -342,7 +368,7 @@ inline bool IsFelt(const MaterialPoint& point) noexcept
 
 /**
  * Computes the forces that surface and friction hold against a spring of stiffness k (N/m), and the
- * excess, by which Move displaces the proxy (eqs. 8 to 12).
+ * excess, from which Move computes the proxy's motion (eqs. 8 to 12).
  */
 inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
 {
@@ -365,23 +391,20 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
 }
 
 /**
- * Returns the end of a motion (m) of the proxy in a volume with a cut, whose solid faces may stop
- * the motion.
+ * Returns where a motion (m) of the proxy ends in a volume with a cut: at `to`, or at the first
+ * solid face of the cut.
  */
 Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
 
-/**
- * Returns the end of a motion (m) of the proxy: `to`, or the place where the motion meets a solid
- * face of a cut.
- */
+/** Returns where a motion (m) of the proxy ends: at `to`, or at the first solid face of a cut. */
 inline Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
 {
   return model.Baked->Cut ? StopAtFaces(model, from, to) : to;
 }
 
 /**
- * Returns the proxy's position after eq. 14, which moves the proxy by what the drag leaves of the
- * excess.
+ * Returns the proxy's position after eq. 14: the part of the excess that the drag does not hold
+ * moves the proxy.
  */
 inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,
   const Vector3& start) noexcept

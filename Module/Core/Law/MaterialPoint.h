@@ -15,7 +15,7 @@ namespace VolumeHaptics
 /** The material at a point of the volume, for the law of MaterialLaw.h. */
 struct MaterialPoint
 {
-  Vector3 Normal;                 ///< unit, into the structure
+  Vector3 Normal;                 ///< unit vector into the structure
   double GradientMagnitude = 0.0; ///< scalar units per world unit
   double SurfaceValue = 0.0;      ///< V(x_s)
   double MediumValue = 0.0;       ///< V(x_v)

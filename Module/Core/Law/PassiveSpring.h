@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A spring whose stiffness follows the tissue without giving energy to the hand.
+ * A spring whose stiffness changes with the tissue without giving energy to the hand.
  *
- * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, k = K
- * at once would store energy that the hand has not put in (T15 in Documentation/evaluation.md). So
- * a rise keeps the force instead: the spring gets slack s,
+ * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, using
+ * the new K at once would store energy that the hand has not put in (T15 in
+ * Documentation/evaluation.md). So a rise keeps the force instead: the spring gets slack s,
  *
- *   |f| = K (|d| - s)   for |d| > s, else 0,
+ *    |f| = K (|d| - s)   for |d| > s, else 0,
  *
- * and pressing on is felt with the new stiffness. A fall of K keeps the stretch |d| - s and loses
- * energy, which goes to a reserve. A later rise is first paid from the reserve, so that sliding
- * over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the
- * reserve rises only by the hand's work. Slack and reserve end with the contact.
+ * and the new stiffness is felt when the hand presses on. A fall of K keeps the stretch |d| - s and
+ * loses energy, which is added to a reserve. The reserve pays for later rises first, so that
+ * sliding over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus
+ * the reserve rises only by the hand's work. Slack and reserve end with the contact.
  */
 #ifndef PassiveSpring_h
 #define PassiveSpring_h
@@ -25,14 +25,16 @@ namespace VolumeHaptics
 
 struct PassiveSpring
 {
-  double Tissue = 0.0;  ///< K, N/m
-  double Tension = 1.0; ///< stretch / |d|
-  double Reserve = 0.0; ///< J
+  double Tissue = 0.0;  ///< K, the tissue's stiffness in N/m
+  double Tension = 1.0; ///< stretch / |d|; 1 without slack
+  double Reserve = 0.0; ///< energy in J that pays for later rises of K
 
   /** Returns f / |d| in N/m; at most the tissue's stiffness. */
   double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Tissue; }
 
-  /** Follows the tip: d grows or shrinks from one length (m) to another. */
+  /**
+   * Changes the stretch for a tip that moved: d grows or shrinks from one length (m) to another.
+   */
   void Stretch(double from, double to) noexcept
   {
     if (this->Tension < 1.0)
@@ -42,7 +44,7 @@ struct PassiveSpring
     }
   }
 
-  /** Takes over the tissue's stiffness (N/m) at the proxy, with the tip d (m) away. */
+  /** Sets the tissue's stiffness (N/m) at the proxy, at the tip's present distance d (m). */
   void Pass(double stiffness, double d) noexcept
   {
     const double before = this->Tissue;
@@ -54,13 +56,13 @@ struct PassiveSpring
       this->Reserve -= gained;
       return;
     }
-    // The stretch stays as far as the reserve pays for it; beyond that, the force stays.
+    // As far as the reserve pays for it, the stretch stays, and beyond that the force.
     const double paid = before + 2.0 * this->Reserve / (stretch * stretch);
     this->Tension *= paid / stiffness;
     this->Reserve = 0.0;
   }
 
-  /** Ends the contact: no slack, no reserve. */
+  /** Ends the contact: removes slack and reserve. `stiffness` (N/m) is the tissue's. */
   void Relax(double stiffness) noexcept
   {
     this->Tissue = stiffness;
@@ -68,10 +70,12 @@ struct PassiveSpring
     this->Reserve = 0.0;
   }
 
-  /** Discards the energy that falls have lost so far, so that it does not pay for later rises. */
+  /** Discards the reserve, so that earlier falls do not pay for later rises. */
   void DropReserve() noexcept { this->Reserve = 0.0; }
 
-  /** Keeps the law's quotients finite if the spring is all slack. */
+  /**
+   * Smallest tension in use, so that the law's quotients stay finite if the spring is all slack.
+   */
   static constexpr double Least = 1e-6;
 };
 

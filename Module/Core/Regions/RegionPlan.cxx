@@ -9,9 +9,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest length in use (world units); longer lengths are cut to it. */
+/** The longest length that a plan uses (world units). Longer lengths are shortened to it. */
 constexpr double Longest = 1e12;
-/** The smallest useful width of a region along an axis (samples), unless the volume is smaller. */
+/**
+ * The smallest useful width of a region along an axis (samples). A smaller volume is fetched as a
+ * whole.
+ */
 constexpr double LeastWidth = 16.0;
 constexpr int MostHalvings = 60;
 constexpr double LeastRoom = 0.5;
@@ -20,7 +23,7 @@ constexpr double FallingFraction = 0.1;
 
 double Length(double value) noexcept
 {
-  // False for NaN.
+  // The condition is false for NaN, too.
   return value > 0.0 ? std::min(value, Longest) : 0.0;
 }
 
@@ -31,7 +34,7 @@ struct Cube
 };
 
 /**
- * Computes the cube around a position (world); around the volume's middle if the position is not
+ * Computes the cube around a position (world), or around the volume's middle if the position is not
  * finite.
  */
 Cube ComputeCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
@@ -58,8 +61,8 @@ double CountVoxels(const int extent[6]) noexcept
 }
 
 /**
- * Computes the part of a volume within a half-width (world units), as indices; never empty. Returns
- * the number of its voxels.
+ * Computes the part of a volume within a half-width (world units), as indices. The part is never
+ * empty. Returns the number of its voxels.
  */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
 {
@@ -81,7 +84,10 @@ bool IsEmpty(const int extent[6]) noexcept
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
 }
 
-/** Returns the distance (world units) of the cube's centre from the borders inside the volume. */
+/**
+ * Returns the distance (world units) from the cube's centre to the nearest border inside the
+ * volume.
+ */
 double FindRoom(const WholeGeometry& whole, const Cube& cube, const int region[6]) noexcept
 {
   double room = Longest;
@@ -152,8 +158,9 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // A cut region may have no room at all. Then the next region is fetched at half of the way to the
-  // border, so that it comes before the tip leaves this region.
+  // A cut region may have no room at all. Then the next region is fetched when the tip is half as
+  // far from the nearest border as the wanted centre is, so that the region comes before the tip
+  // leaves.
   const double enough = LeastRoom * (then > 0.0 ? then : then - needed);
   return !isSame && now < enough;
 }

@@ -31,14 +31,16 @@
 namespace VolumeHaptics
 {
 
-/** The extent of a volume, by indices (both ends included), and the volume's place in the world. */
+/** The extent of a volume (indices, both ends included) and its position in the world. */
 struct WholeGeometry
 {
   int Extent[6] = { 0, -1, 0, -1, 0, -1 };
-  Affine3 IndexToWorld; ///< maps indices to the world, from index (0, 0, 0)
+  Affine3 IndexToWorld; ///< maps indices to the world; index (0, 0, 0) maps to the offset
 };
 
-/** Lengths in world units. */
+/**
+ * Speed, latency and lengths that decide how large a region must be. Lengths are in world units.
+ */
 struct RegionNeeds
 {
   double MaximumSpeed = 500.0;   ///< v_max (per second)
@@ -46,43 +48,42 @@ struct RegionNeeds
   double SpringLength = 0.0;     ///< T_N/k
   double Reach = 0.0;            ///< r
   double Band = 0.0;             ///< b
-  double MostVoxels = 2097152.0; ///< most voxels of a region; at least LeastVoxels
+  double MostVoxels = 2097152.0; ///< limit of a region's voxels; at least LeastVoxels
 };
 
-/** The smallest region: kernels fit into it, whatever the limit is. */
+/** Number of voxels that a region may always have, so that a kernel fits into it. */
 constexpr double LeastVoxels = 4096.0;
 
-/** Returns h above; finite, and 0 or more, for any needs. */
+/** Returns the half-width h (above). It is finite and not negative for any needs. */
 double ComputeHalfWidth(const RegionNeeds& needs) noexcept;
 
 /**
- * Computes the wanted region, as indices, for a tip (world) with a velocity (world units per
- * second). Returns whether to fetch it now, while another region (empty: none) is resident.
+ * Computes the wanted region (indices) for a tip (world) with a velocity (world units per second).
+ * Returns whether to fetch it now. `resident` is the region in memory; it may be empty.
  *
- * The region is the whole volume if that has at most MostVoxels; else h is cut to that size. For
- * any input, the region of a volume that is not empty lies in it and is not empty. A tip that is
- * not finite counts as at rest in the middle of the volume. An empty volume gives false, with an
- * empty region.
+ * The wanted region is the whole volume if that has at most MostVoxels; otherwise h is cut to that
+ * size. Whatever the input, it is not empty and lies in the volume. If the tip is not finite, it
+ * counts as at rest in the middle of the volume. For an empty volume, the function returns false
+ * and an empty region.
  */
 bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const Vector3& velocity, const int resident[6], int wanted[6]) noexcept;
 
 /**
- * Returns the room (world units): the distance of a tip (world) from the region's nearest border
- * that is not the volume's own, less T_N/k + r + b. If the room is negative, a tick there may lack
- * samples. Returns a large negative number for an empty region, and a large positive number for the
- * whole volume.
+ * Returns the room of a region for a tip (both above; world units). If the room is negative, a tick
+ * at this tip may lack samples. Returns a large negative number for an empty region, and a large
+ * positive number for the whole volume.
  */
 double ComputeSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;
 
 /**
- * Returns the smoothed latency (s) after another measurement: it rises fast and falls slowly.
- * Measurements that are negative or not finite do not count.
+ * Returns the smoothed latency (s) after a new measurement. It rises fast and falls slowly. Ignores
+ * measurements that are negative or not finite.
  */
 double SmoothLatency(double latency, double measured) noexcept;
 
-/** The largest latency (s) for which regions are planned. */
+/** The largest latency (s) that a plan accounts for. */
 constexpr double MostLatency = 10.0;
 
 } // namespace VolumeHaptics

@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * Computes how far a tool with a shape reads beyond the method's reach: as far as its points are
- * from its origin, and a kernel length farther, where their material is read.
+ * Computes how far a shaped tool reads beyond the method's own reach: the largest distance of its
+ * points from its origin, and a kernel length more, because the material is read around each point.
  */
 Vector3 ComputeToolReach(const HapticModel& model) noexcept
 {
@@ -23,7 +23,7 @@ Vector3 ComputeToolReach(const HapticModel& model) noexcept
     return {};
   }
   const double reach = tool->GetReach() / model.WorldUnitsPerMeter;
-  // The foot of a point may move over a voxel, and its gradient reads one more voxel on either
+  // The foot of a point may move by one voxel, and its gradient reads one more voxel on either
   // side.
   constexpr double around = 3.0;
   return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };

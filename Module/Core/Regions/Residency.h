@@ -24,20 +24,17 @@
 namespace VolumeHaptics
 {
 
-/**
- * Returns the reach (index steps along each axis) of the samples that a tick reads around tip and
- * proxy.
- */
+/** Returns how far (index steps along each axis) around tip and proxy a tick reads samples. */
 Vector3 ComputeReadReach(const HapticModel& model) noexcept;
 
 /**
- * Computes the box of the samples that a tick reads if it takes a state to a tip (device); returns
- * false if the tick reads none.
+ * Computes the box of the samples that a tick reads when it moves from a state to a tip (device).
+ * Returns false if the tick reads none.
  */
 bool ComputeReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;
 
-/** Returns the residency of the tick that takes a state to a tip (device): 0 to 1. */
+/** Returns the residency (0 to 1) of a tick that moves from a state to a tip (device). */
 double ComputeResidency(
   const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept;
 
