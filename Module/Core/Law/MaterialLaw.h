@@ -202,7 +202,7 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     if (slack == 0.0 && k >= coupling)
     {
-      return; // returns, because rounding may make drag / coupling longer than R/k
+      return; // no limit: drag / coupling is R/k or longer, apart from rounding
     }
     longest = std::max(longest, drag / coupling);
   }

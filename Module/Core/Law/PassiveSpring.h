@@ -8,7 +8,7 @@
  * the new K at once would store energy that the hand has not put in (T15 in
  * Documentation/evaluation.md). So a rise keeps the force instead: the spring gets slack s,
  *
- *    |f| = K (|d| - s)   for |d| > s, else 0,
+ *   |f| = K (|d| - s)   for |d| > s, else 0,
  *
  * and the new stiffness is felt when the hand presses on. A fall of K keeps the stretch |d| - s and
  * loses energy, which is added to a reserve. The reserve pays for later rises first, so that

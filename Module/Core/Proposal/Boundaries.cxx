@@ -12,14 +12,16 @@ namespace
 {
 constexpr int Bins = 128;
 constexpr int Cells = Bins * Bins;
-constexpr double BlurBins = 3.0; // standard deviation of the histogram's blur (bins)
-/** Two peaks are one if the saddle between them is higher than this fraction of the lower peak. */
+constexpr double BlurBins = 3.0; // standard deviation (bins) of the blur of the histogram
+/**
+ * Two peaks become one if the saddle between them is higher than this fraction of the lower peak.
+ */
 constexpr double SaddleFraction = 0.6;
 constexpr double LeastFraction = 0.02;
 constexpr std::size_t LeastLines = 8;
-/** The axis is logarithmic from this fraction of the largest value on. */
+/** Fraction of the largest value from which the axis is logarithmic. */
 constexpr double LinearFraction = 0.05;
-constexpr double NoiseReach = 4.0; // how far noise reaches, in standard deviations
+constexpr double NoiseReach = 4.0; // reach of noise in standard deviations
 
 using Histogram = std::vector<double>;
 
@@ -29,7 +31,7 @@ struct Weighted
   double Weight;
 };
 
-/** Returns the value below which this fraction of the weight lies. */
+/** Returns the value below which a fraction of the total weight lies. */
 double Quantile(std::vector<Weighted> values, double fraction)
 {
   std::sort(values.begin(), values.end(),
@@ -50,7 +52,7 @@ double Quantile(std::vector<Weighted> values, double fraction)
   return values.back().Value;
 }
 
-/** Blurs along an axis; weight that would leave the histogram stays in its last bin. */
+/** Blurs a histogram along an axis. Weight that would leave the histogram stays in its last bin. */
 Histogram BlurAlong(const Histogram& histogram, int stride)
 {
   constexpr int reach = 9;
@@ -95,7 +97,7 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
     {
       break;
     }
-    // Collects the higher neighbours. If two peaks meet here, the lower one is dropped unless it
+    // Find the peaks of the higher neighbours. If two peaks meet here, drop the lower one unless it
     // stands out enough.
     int best = -1;
     for (int neighbour = 0; neighbour < 9; ++neighbour)
@@ -131,7 +133,7 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
   return parent;
 }
 
-/** Returns the extreme of a parabola through a sample and its neighbours. */
+/** Returns the extreme value of the parabola through a sample and its two neighbours. */
 double Extreme(const std::vector<double>& curve, std::size_t at)
 {
   if (at == 0 || at + 1 == curve.size())
@@ -144,12 +146,13 @@ double Extreme(const std::vector<double>& curve, std::size_t at)
 }
 
 /**
- * Returns Kindlmann and Durkin's width of an edge, g_max / (sqrt(e) h_max), from the lines' mean
- * slope g and mean curvature h.
+ * Returns the width of an edge after Kindlmann and Durkin, g_max / (sqrt(e) h_max), from the lines'
+ * mean slope g and mean curvature h.
  */
 double MeasureWidth(const std::vector<const EdgeLine*>& lines)
 {
-  // Layers that are too thin make an edge look sharper than it is.
+  // Use only lines with wide layers if there are enough, because a thin layer makes an edge look
+  // sharper than it is.
   const auto wide = static_cast<std::size_t>(
     std::count_if(lines.begin(), lines.end(), [](const EdgeLine* line) { return line->IsWide; }));
   const bool onlyWide = wide >= LeastLines;
@@ -163,7 +166,7 @@ double MeasureWidth(const std::vector<const EdgeLine*>& lines)
     }
     for (int k = 0; k < EdgeLine::Fractions; ++k)
     {
-      // The edge falls in the same way as it has risen.
+      // An edge is symmetric: it falls as it has risen. So add the mirrored half.
       const int mirrored = EdgeLine::Fractions - 1 - k;
       slope[k] += line->Slope[k] + line->Slope[mirrored];
       bend[k] += line->Curvature[k] - line->Curvature[mirrored];
@@ -232,7 +235,7 @@ double ValueAxis::operator()(double value) const noexcept
 //------------------------------------------------------------------------------
 std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis)
 {
-  // The histogram is somewhat larger than the values, so that its blur stays inside.
+  // The histogram covers more than the range of values, so that its blur stays inside.
   const double origin = axis.First - 0.1 * axis.Span();
   const double width = 1.2 * axis.Span() / Bins;
   const auto bin = [&](double value)

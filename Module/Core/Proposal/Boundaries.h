@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The boundaries between materials, from many edges: clusters of their LH histogram.
+ * Finds the boundaries between materials from many edges, as clusters in their LH histogram.
  */
 #ifndef Boundaries_h
 #define Boundaries_h
@@ -14,35 +14,35 @@
 namespace VolumeHaptics
 {
 
-/** The lines that cross from one material to another. */
+/** A boundary: all lines that lead from one material to another one. */
 struct Boundary
 {
   /** The values of the materials on both sides. */
   double Low = 0.0;
   double High = 0.0;
-  /** The first quartile of the lines' rises: smaller than High - Low under a bias. */
+  /** First quartile of the lines' rises. A bias makes it smaller than High - Low. */
   double LeastRise = 0.0;
-  /** The standard deviation s of the blurred step (world units): V = Low + (High - Low) Phi(x/s).
-   */
+  /** Standard deviation s (world units) of the blurred step V = Low + (High - Low) Phi(x/s). */
   double Width = 0.0;
-  /** Variance of the estimator's own blur (world units squared), which Width does not include. */
+  /** Variance (world units squared) of the estimator's own blur, which Width does not include. */
   double Blur = 0.0;
-  double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
-  /** The boundary's fraction of the area of all boundaries. */
+  double Voxel = 0.0; ///< mean length (world units) of a voxel along the lines
+  /** Area of this boundary as a fraction of the area of all boundaries. */
   double Fraction = 0.0;
-  /** The fraction of the lines that are brighter towards the middle of all edges. */
+  /** Fraction of the lines that get brighter towards the middle of all edges. */
   double Inward = 0.0;
 };
 
 /**
- * The values of materials as the histogram sees them. A multiplicative bias, such as that of a coil
- * in MRI, moves all values of a logarithmic axis by the same amount; close to zero it is linear.
+ * Maps the values of materials to the axis of the histogram. A multiplicative bias, such as that of
+ * a coil in MRI, shifts all values of a logarithmic axis by the same amount. Near zero such an axis
+ * is linear.
  */
 class ValueAxis
 {
 public:
   /**
-   * Makes a logarithmic axis if the lines have no value below 0 other than noise, else a linear
+   * Makes a linear axis if lines have values below 0 that are not noise, otherwise a logarithmic
    * one.
    */
   ValueAxis(const std::vector<EdgeLine>& lines, double noise);
@@ -53,12 +53,12 @@ public:
   double Last = 1.0;
 
 private:
-  double Scale = 0.0; ///< the axis is logarithmic from this value on; 0: linear
+  double Scale = 0.0; ///< value from which the axis is logarithmic; 0 if it is linear
 };
 
 /**
- * Returns the boundaries in descending order of their fractions; leaves out boundaries with hardly
- * any lines.
+ * Returns the boundaries, that with the largest fraction first. Leaves out boundaries with very few
+ * lines.
  */
 std::vector<Boundary> DetectBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
 

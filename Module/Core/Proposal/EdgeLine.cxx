@@ -13,23 +13,25 @@ namespace VolumeHaptics
 namespace
 {
 constexpr double StepsPerVoxel = 4.0;
-constexpr int Reach = 48; // the most steps to either side
-/** The number of steps of a plateau over which its value is averaged. */
+constexpr int Reach = 48; // limit of the steps to either side
+/** Number of a plateau's steps over which its value is averaged. */
 constexpr int PlateauSteps = 8;
-/** A plateau begins where the slope is this fraction of the largest one, or noise. */
+/**
+ * A plateau begins where the slope is below this fraction of the largest slope, or below the noise.
+ */
 constexpr double PlateauFraction = 0.03;
 /**
- * Recognizes a plateau that drifts, for example because of a bias field: its slope is below
- * DriftFraction of the largest slope, and still more than DriftFall of the slope DriftSteps earlier
- * (one voxel).
+ * A plateau may drift, for example because of a bias field. It is recognized if its slope is below
+ * DriftFraction of the largest slope, and still more than DriftFall of the slope that was measured
+ * DriftSteps (one voxel) before.
  */
 constexpr double DriftFraction = 0.15;
 constexpr double DriftFall = 0.9;
 constexpr int DriftSteps = 4;
-/** Another edge begins where the slope rises again by this fraction of the largest one. */
+/** Another edge begins where the slope rises again by this fraction of the largest slope. */
 constexpr double RiseFraction = 0.25;
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr int MostClimbs = 16; // the most steps from the slope of an edge to its steepest place
+constexpr int MostClimbs = 16; // limit of the steps from any place on an edge to its steepest place
 
 struct LinePoint
 {
@@ -41,10 +43,10 @@ struct LinePoint
 
 struct EdgeTracer::Ray
 {
-  Vector3 Centre;    ///< the index of the line's centre
-  Vector3 Step;      ///< the step along the line (index)
+  Vector3 Centre;    ///< index of the line's centre
+  Vector3 Step;      ///< step along the line, in indices
   double StepLength; ///< length of a step in world units
-  double Slope;      ///< the slope at the centre, per world unit
+  double Slope;      ///< slope at the centre, per world unit
 };
 
 struct EdgeTracer::Profile
@@ -58,7 +60,7 @@ struct EdgeTracer::Profile
   }
 
   std::array<LinePoint, 2 * Reach + 1> Points;
-  int End[2] = { 0, 0 }; ///< the last step to either side, from -End[0] to End[1]
+  int End[2] = { 0, 0 }; ///< number of steps to either side: from -End[0] to End[1]
   double Plateau[2] = { 0.0, 0.0 };
   bool IsWide[2] = { true, true };
 };
@@ -122,7 +124,7 @@ bool EdgeTracer::Climb(Ray& ray) const noexcept
     best = slope;
     ray.Centre = next;
   }
-  return false; // no edge: it gets steeper and steeper
+  return false; // no edge within reach: the slope only increases
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +156,8 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
     }
     if (slope < -flat)
     {
-      // A thin layer: its middle is the plateau.
+      // The slope is negative behind a thin layer, so the middle of the layer counts as the
+      // plateau.
       profile.IsWide[side] = false;
       profile.Plateau[side] = profile.At(sign * (i - 1)).Value;
       return true;
@@ -197,10 +200,7 @@ bool EdgeTracer::WalkSide(const Ray& ray, int side, Profile& profile) const noex
 namespace
 {
 
-/**
- * Returns the derivative of the slope at a step, from the step's neighbours as far as they are
- * known.
- */
+/** Returns the derivative of the slope at a step, from the neighbours that the profile has. */
 template <typename Profile>
 double Curvature(const Profile& profile, int step, double length)
 {
@@ -217,7 +217,10 @@ double Curvature(const Profile& profile, int step, double length)
   return to > from ? (profile.At(to).Slope - profile.At(from).Slope) / ((to - from) * length) : 0.0;
 }
 
-/** Computes slope and curvature of a profile against the fraction of its rise. */
+/**
+ * Stores slope and curvature of a profile at the fractions of its rise. Returns false if the
+ * profile does not reach a fraction.
+ */
 template <typename Profile>
 bool KeepFractions(const Profile& profile, double length, EdgeLine& line)
 {
@@ -262,7 +265,7 @@ bool EdgeTracer::Trace(const Vector3& index, EdgeLine& line) const noexcept
     return false;
   }
   const double found = ray.Slope;
-  // Climbs twice, because the gradient is most exact where it is largest.
+  // Climbs twice, because the gradient's direction is most exact where the gradient is largest.
   if (!this->Climb(ray) || !this->Aim(ray) || !this->Climb(ray) || !this->Aim(ray) ||
     ray.Slope * ray.StepLength * StepsPerVoxel < this->Thresholds.Least)
   {

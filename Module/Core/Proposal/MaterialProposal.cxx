@@ -11,34 +11,42 @@ namespace VolumeHaptics
 {
 namespace
 {
-constexpr double LeastSalience = 0.03; // The least area times rise of a boundary that matters, as a
-                                       // fraction of the sum over all boundaries.
-constexpr double Salient = 0.1;
-/** Values closer than this fraction of the axis are one material. */
-constexpr double MergeFraction = 0.06;
-// Distinctness is 0 up to this fraction of the slope of the weakest boundary.
-constexpr double StartFraction = 0.2;
-constexpr double FullFraction = 0.5; // distinctness is 1 from this fraction on
 /**
- * The strength rises over this fraction of the gap from the end of a noisy background to the next
- * material.
+ * Least area times rise of a boundary that matters, as a fraction of the sum over all boundaries.
+ */
+constexpr double LeastSalience = 0.03;
+constexpr double Salient = 0.1;
+/** Values that are closer than this fraction of the axis belong to one material. */
+constexpr double MergeFraction = 0.06;
+// Fraction of the weakest boundary's slope up to which distinctness is 0.
+constexpr double StartFraction = 0.2;
+constexpr double FullFraction = 0.5; // fraction of the same slope from which distinctness is 1
+/**
+ * Fraction of the gap between the end of a noisy background and the next material over which the
+ * strength rises.
  */
 constexpr double EmptyFraction = 0.15;
-/** Boundaries are felt if the noise lies below this fraction of their slope. */
+/** A boundary is felt if the noise is below this fraction of its slope. */
 constexpr double NoiseFraction = 0.4;
-/** The fraction of the gap to the next material over which a material is constant. */
+/** Fraction of the gap to the next material over which a material's functions are constant. */
 constexpr double ConstantFraction = 0.2;
-/** V has reached 97.7 % of a material two widths behind the middle of its boundary. */
+/**
+ * Kernel radius per width of a boundary: two widths behind the middle of its boundary, V has
+ * reached 97.7 % of a material.
+ */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;
-constexpr int LargestRadius = 5; // a larger radius smears thin parts, and takes long
+constexpr int LargestRadius = 5; // a larger radius smears thin parts and takes long
 /**
- * Fractions of inward lines below (above) which the darker (brighter) side lies inside: a search
- * from the other side alone would not find such a boundary.
+ * Limits of the fraction of lines that get brighter inward. Below DarkInside the darker side lies
+ * inside, above BrightInside the brighter side. A search from the other side alone would miss such
+ * a boundary.
  */
 constexpr double DarkInside = 1.0 / 3.0;
 constexpr double BrightInside = 2.0 / 3.0;
-/** The scale of an uncut Gaussian that blurs like the kernel (GradientKernel.h). */
+/**
+ * Standard deviation per radius of an uncut Gaussian that blurs like the kernel (GradientKernel.h).
+ */
 constexpr double BlurPerRadius = 0.5;
 constexpr double Friction[2] = { 0.1, 0.4 };
 constexpr double Viscosity[2] = { 0.1, 0.4 }; // N
@@ -49,7 +57,7 @@ double Salience(const Boundary& boundary)
 }
 
 /**
- * Returns the largest slope (per world unit) of a boundary, as the estimate of a kernel shows it.
+ * Returns the largest slope (per world unit) of a boundary as a kernel of a radius estimates it.
  */
 double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
 {
@@ -81,8 +89,8 @@ std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 }
 
 /**
- * Returns the values of the materials: both ends of all boundaries. Close values are one material,
- * and so are all values in the background.
+ * Returns the values of the materials, which are the values on both sides of all boundaries. Close
+ * values become one material, and so do all values in the background.
  */
 std::vector<double> MergeEnds(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
@@ -140,7 +148,7 @@ std::size_t FindNearest(const std::vector<double>& values, const ValueAxis& axis
   return static_cast<std::size_t>(nearest - values.begin());
 }
 
-/** The numbers of the materials on both sides of a boundary. */
+/** The indices of the materials on both sides of a boundary. */
 struct Sides
 {
   std::size_t Low;
@@ -184,10 +192,10 @@ std::vector<double> ChooseStrengths(
 {
   const std::size_t count = proposal.Materials.size();
   const bool down = proposal.Side == ProposedSide::Lower;
-  std::vector<double> rise(count, 0.0); // the largest rise of the boundaries that lead into a
-                                        // material
-  // Whether no other material lies behind; if there are more than two, a material that is met
-  // directly from outside may hide others.
+  std::vector<double> rise(count, 0.0); // largest rise of the boundaries into a material
+  // isLast: whether no other material lies behind this one. isBehind: whether a material other than
+  // the background lies in front of it; with only two materials, it counts as true. Only a material
+  // with both gets the Ceiling, because one that is met directly from outside may hide others.
   std::vector<bool> isLast(count, proposal.Side != ProposedSide::Both);
   std::vector<bool> isBehind(count, count == 2);
   double largest = 0.0;
@@ -225,7 +233,7 @@ std::vector<double> ChooseStrengths(
   return strength;
 }
 
-/** Returns the polyline of the negative argument. */
+/** Returns the polyline f(-x) of a polyline f(x). */
 Polyline Mirror(const Polyline& line)
 {
   Polyline mirrored;
@@ -237,7 +245,7 @@ Polyline Mirror(const Polyline& line)
 }
 
 /**
- * Removes strength, friction and drag from a noisy background: blended values there would be felt.
+ * Removes strength, friction and drag from a noisy background, where blended values would be felt.
  */
 void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
 {
@@ -252,13 +260,13 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   const double next = isDark ? values[1] : values[values.size() - 2];
   const double rise = EmptyFraction * (next - end);
   const double full = end + rise;
-  const double constant = next - ConstantFraction * (next - outside); // where the next material
-                                                                      // begins
+  const double constant = next - ConstantFraction * (next - outside); // begin of the next material
   const auto empty = [&](Polyline& line, double from, double to)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
   empty(proposal.SurfaceStrength, end, full);
   empty(proposal.Friction, end, full);
-  // Without this, a small, dim material would drag a hand as much as a large one does.
+  // Move the drag's rise, too. Otherwise a small, dim material would drag a hand as much as a large
+  // one.
   empty(proposal.Viscosity, full,
     isDark ? std::max(constant, full + rise) : std::min(constant, full + rise));
 }
@@ -287,7 +295,7 @@ int ChooseRadius(const std::vector<Boundary>& boundaries, const ProposalFacts& f
   {
     total += Salience(boundary);
   }
-  double width = 0.0; // the width in voxels along the lines
+  double width = 0.0; // width of the widest salient boundary, in voxels along its lines
   for (const Boundary& boundary : boundaries)
   {
     const double voxels = boundary.Width / boundary.Voxel;

@@ -42,33 +42,38 @@ enum class ProposedSide : std::uint8_t
   Both
 };
 
-/** Facts about the volume that its edges do not show. */
+/** Facts about a volume that its edges do not show. */
 struct ProposalFacts
 {
-  double Outside = 0.0; ///< the value at the volume's border
-  /** Values on this side of it are one material, whatever noise and streaks it has. */
-  std::optional<double> BackgroundEnd;
-  double SearchVariance = 1.0; ///< variance of the kernel that found the edges (voxels squared)
-  int MostRadius = 2;          ///< the largest kernel that the volume allows (voxels)
+  double Outside = 0.0; ///< value at the volume's border
   /**
-   * Returns 3.4 times the noise of a gradient (scalar units per world unit) for a kernel radius.
+   * Value at which the background ends. All values on the background's side of it are one material,
+   * however noisy they are.
+   */
+  std::optional<double> BackgroundEnd;
+  double SearchVariance = 1.0; ///< variance (voxels squared) of the kernel that found the edges
+  int MostRadius = 2;          ///< largest kernel radius (voxels) that the volume allows
+  /**
+   * Returns 3.4 times the standard deviation of a gradient's noise (scalar units per world unit)
+   * for a kernel radius.
    */
   std::function<double(int)> NoiseGradient;
 
-  /** Returns whether a value belongs to a noisy background. */
+  /** Returns whether a value belongs to the noisy background. */
   bool Covers(double value) const noexcept;
 };
 
 struct MaterialProposal
 {
   static constexpr double Stiffness = 500.0; // N/m
-  static constexpr double Strongest = 3.0;   // N: any device can break through
-  static constexpr double Ceiling = 12.0;    // N: more than most devices exert
+  static constexpr double Strongest = 3.0;   // N; any device can break through
+  static constexpr double Ceiling = 12.0;    // N; more than most devices exert
 
-  std::vector<Boundary> Boundaries; ///< felt boundaries, in descending order of area times rise
-  std::vector<double> Slopes;       ///< largest slopes of Boundaries, as the kernel estimates
-  std::vector<double> Materials;    ///< values of the materials, in ascending order
-  std::size_t Background = 0;       ///< the index of the outside material
+  /** Boundaries that are felt, in descending order of area times rise. */
+  std::vector<Boundary> Boundaries;
+  std::vector<double> Slopes; ///< for each boundary, its largest slope as the kernel estimates it
+  std::vector<double> Materials; ///< values of the materials, in ascending order
+  std::size_t Background = 0;    ///< index of the material outside
   ProposedSide Side = ProposedSide::Higher;
   int KernelRadius = 2; ///< voxels
   Polyline SurfaceStrength;
@@ -77,7 +82,9 @@ struct MaterialProposal
   Polyline Distinctness;
 };
 
-/** Proposes material functions. The proposal has no boundaries if none stands out of the noise. */
+/**
+ * Proposes material functions. The proposal has no boundaries if all of them are hidden by noise.
+ */
 MaterialProposal ProposeMaterials(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts);
 

@@ -17,33 +17,36 @@ namespace VolumeHaptics
 
 struct BurrState
 {
-  bool IsCarving = false; ///< whether carving goes on from Carved
+  bool IsCarving = false; ///< whether the next step of carving begins at Carved
   bool IsRemoved = false; ///< whether the sphere at Carved was removed
-  Vector3 Carved;         ///< m, the centre of the removed sphere
-  double Unspent = 0.0;   ///< J
+  Vector3 Carved;         ///< centre (m) of the last removed sphere
+  double Unspent = 0.0;   ///< energy (J) that the hand has put in and that carving has not used yet
   ///@{
   /** The cost (J) and the length (m) of the last steps. */
   double LastCost = 0.0;
   double LastWay = 0.0;
   ///@}
-  double Idle = 0.0;  ///< s, since the burr last removed tissue
+  double Idle = 0.0;  ///< time (s) since the burr last removed tissue
   double Phase = 0.0; ///< phase of the vibration, 0 to 1
-  double Lost = 0.0;  ///< J, the energy that the hand has lost, which the vibration may give back
-  Vector3 Vibration;  ///< N, in the last tick
+  double Lost = 0.0;  ///< energy (J) that the hand has lost, which the vibration may give back
+  Vector3 Vibration;  ///< force (N) of the vibration in the last tick
   ///@{
   /**
-   * A sphere that takes more than a tick: its centre (m), and the part that comes next; 0: no such
-   * sphere.
+   * A sphere whose removal takes more than a tick: its centre (m), and the part to remove next.
+   * Part is 0 if there is no such sphere.
    */
   Vector3 Next;
   std::uint32_t Part = 0;
   ///@}
   /**
-   * The longest next step (m), set when a later part of a step met tissue that can't be removed; 0:
-   * no limit.
+   * Limit (m) of the next step's length, set when a later part of a step met tissue that can't be
+   * removed; 0 if there is no limit.
    */
   double Shorter = 0.0;
-  /** How much larger (m) the sphere at Carved is, because tissue still held the head. */
+  /**
+   * Length (m) by which the sphere at Carved is larger than the head, because tissue still held the
+   * head.
+   */
   double Room = 0.0;
 };
 

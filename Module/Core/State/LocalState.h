@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of HapticMethod::LocalSurface from tick to tick. In world units.
+ * The state of HapticMethod::LocalSurface from tick to tick, in world units.
  */
 #ifndef LocalState_h
 #define LocalState_h
@@ -21,13 +21,12 @@ struct LocalSurface
   Quadric Shape;
 };
 
-/** The next search of the slow loop, see LocalSurfaceFit.h. */
+/** A request to the slow loop for its next search (LocalSurfaceFit.h). */
 struct LocalSurfaceRequest
 {
-  Vector3 Position;      ///< the proxy's position
-  Vector3 Ahead;         ///< the farthest motion of the tip until the result is replaced
-  Vector3 Normal;        ///< the normal of the known surface, into the structure; 0 if there is
-                         ///< none
+  Vector3 Position; ///< position of the proxy
+  Vector3 Ahead;    ///< the farthest that the tip may move until the result replaces the surface
+  Vector3 Normal;   ///< normal of the known surface, into the structure; 0 if there is no surface
   double DataTime = 0.0; ///< data time, if the volume moves
 };
 
@@ -35,12 +34,13 @@ struct LocalSurfaceRequest
 struct LocalState
 {
   LocalSurface Surface;
-  Vector3 Position;         ///< the position of the proxy, on the surface
-  bool IsHeld = false;      ///< whether the surface holds the proxy, and Position is valid
-  Vector3 Tip;              ///< the tip after the last tick
-  Vector3 Fading;           ///< the felt lag is Position - Tip + Fading; fades to 0
-  double Fall = 0.0;        ///< the amount by which Fading gets shorter in a tick
-  std::uint32_t Age = 0;    ///< ticks since the request
+  Vector3 Position;    ///< position of the proxy on the surface
+  bool IsHeld = false; ///< whether the surface holds the proxy, so that Position is valid
+  Vector3 Tip;         ///< the tip after the last tick
+  /** Remainder of the lag before a change; fades to 0 (the felt lag is Position - Tip + Fading). */
+  Vector3 Fading;
+  double Fall = 0.0;        ///< length by which Fading gets shorter in a tick
+  std::uint32_t Age = 0;    ///< number of ticks since the request
   std::uint32_t Number = 0; ///< number of the request
   LocalSurfaceRequest Request;
 };

@@ -11,11 +11,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Friction that differs by less than this fraction continues the same stretch. */
+/** Frictions that differ by less than this fraction belong to one stretch. */
 constexpr double SameShaft = 0.005;
-/** N per metre, larger than in any tissue */
+/** A friction (N per metre) larger than in any tissue. */
 constexpr float MostShaft = 1e12F;
-/** m; no needle is longer. */
+/** A length (m) longer than any needle. */
 constexpr float MostLength = 1e9F;
 
 } // namespace
@@ -98,7 +98,7 @@ bool NeedleTrack::IsPossible() const noexcept
   for (int i = 0; i < Most; ++i)
   {
     const NeedleStretch& stretch = (*this)[i];
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     const bool isGood = stretch.Begin >= 0.0F && stretch.Begin < MostLength &&
       stretch.Shaft >= 0.0F && stretch.Shaft <= MostShaft;
     if (!isGood || (i < this->Size && stretch.Begin < last))

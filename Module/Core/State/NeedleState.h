@@ -16,17 +16,17 @@
 namespace VolumeHaptics
 {
 
-/** A stretch of the track in one tissue. The stretch ends where the next one begins. */
+/** A stretch of the needle's track through one tissue. It ends where the next stretch begins. */
 struct NeedleStretch
 {
-  float Begin = 0.0F; ///< m, from the entry along the needle
-  float Shaft = 0.0F; ///< tau, N per metre
+  float Begin = 0.0F; ///< distance (m) from the entry along the needle
+  float Shaft = 0.0F; ///< friction tau (N per metre of the shaft)
   std::int64_t Label = NoLabel;
 };
 
 /**
- * The tissues along the inserted shaft, from entry to tip. The size is fixed: if there are more
- * tissues, the two neighbours that differ least are merged, without changing the friction.
+ * The tissues along the inserted shaft, from entry to tip. At most `Most` stretches are kept. If
+ * there are more, the two neighbours that differ least become one, with the same friction in total.
  */
 class NeedleTrack
 {
@@ -41,15 +41,18 @@ public:
   NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
 
   /**
-   * Adds the tissue that begins at a depth (m), below all earlier tissues; ignored if the tissue
-   * continues the last stretch.
+   * Adds the tissue that begins at a depth (m). The depth must be below all earlier tissues. Adds
+   * nothing if the tissue is the same as in the last stretch.
    */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
-  /** Returns the integral (N) of the friction from the entry to a depth in the last stretch. */
+  /** Returns the friction (N) between the entry and a depth in the last stretch. */
   double Sum(double depth) const noexcept;
   /** Returns the last stretch. */
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
-  /** Returns whether depths ascend and friction is possible, for states from files. */
+  /**
+   * Returns whether depths ascend and frictions are possible. Checks states that were read from
+   * files.
+   */
   bool IsPossible() const noexcept;
   void SetSize(int size) noexcept { this->Size = size < 0 ? 0 : (size > Most ? Most : size); }
 
@@ -60,25 +63,26 @@ private:
   int Size = 0;
 };
 
-/** The state that a tick passes to the next one. Device space: metres, newtons. */
+/** State of a needle from tick to tick, in device space: metres and newtons. */
 struct NeedleState
 {
   bool IsInserted = false;
-  bool IsOutside = false;   ///< whether a free needle has met no resistance, and may be inserted
-  Vector3 Axis;             ///< unit, from handle to tip; frozen if it is not measured
-  Vector3 Normal;           ///< unit, into the tissue, at the entry; 0 if there was no surface
-  Vector3 Entry;            ///< where the insertion began
-  double Depth = 0.0;       ///< m, depth of the tip along its insertion
-  double Deepest = 0.0;     ///< m, the largest depth of the insertion
-  double Stiffness = 0.0;   ///< N/m, the stiffness of the spring, from the puncture to the end of
-                            ///< the insertion
-  double Puncture = 0.0;    ///< N; if more than 0, the strength of a boundary in front of the tip
-  double PuncturedAt = 0.0; ///< m; the depth of the last puncture
-  std::int64_t PuncturedLabel = NoLabel; ///< the punctured label
-  Vector3 Motion;            ///< m: recent motion of a free needle's tip; older steps count less
-  double Pushed = 0.0;       ///< m, how far a free needle was pushed through a surface that still
-                             ///< holds
-  std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
+  /** Whether a free needle has met no resistance, so that it may be inserted. */
+  bool IsOutside = false;
+  Vector3 Axis;   ///< unit vector from handle to tip; constant if the device does not measure it
+  Vector3 Normal; ///< unit vector into the tissue at the entry; 0 if there was no surface
+  Vector3 Entry;  ///< position at which the insertion began
+  double Depth = 0.0;   ///< depth (m) of the tip along the insertion
+  double Deepest = 0.0; ///< largest depth (m) of the insertion
+  /** Stiffness (N/m) of the spring from the puncture to the end of the insertion. */
+  double Stiffness = 0.0;
+  double Puncture = 0.0; ///< strength (N) of the boundary in front of the tip; 0 if there is none
+  double PuncturedAt = 0.0;              ///< depth (m) of the last puncture
+  std::int64_t PuncturedLabel = NoLabel; ///< label of the tissue that was punctured last
+  Vector3 Motion; ///< recent motion (m) of a free needle's tip; older steps weigh less
+  /** How far (m) a free needle was pushed through a surface that still holds it. */
+  double Pushed = 0.0;
+  std::uint32_t Touches = 0; ///< number of times that a forbidden label stopped this insertion
   bool IsTouching = false;   ///< whether a forbidden label stops the insertion now
   NeedleTrack Track;
 };

@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The values at the ends of a walk along the normal (FarSide.h). */
+/** The values at both ends of a walk along the normal (FarSide.h). */
 struct FarValues
 {
   double Ahead = 0.0;
@@ -27,15 +27,15 @@ struct FarValues
   double Evenness = 0.0;
 };
 
-/** A material point with the estimator's own value and its slope. */
+/** A material point with the estimator's value and its slope. */
 struct PrecisePoint : MaterialPoint
 {
   double Value = 0.0; ///< the estimator's own value
   double Slope = 0.0; ///< derivative of Value along the normal, per metre; 0 without a gradient
   FarValues Far;      ///< values from the last walk
   /**
-   * Voxels of the proxy's path for which Far stays valid; 0 if the values do not depend on the
-   * path.
+   * Length (voxels) of the proxy's path over which Far stays valid; 0 if the values do not depend
+   * on the path.
    */
   double FarLasts = 0.0;
 };
@@ -45,14 +45,17 @@ struct PreciseState
 {
   static constexpr double Unknown = std::numeric_limits<double>::max();
 
-  Vector3 ReachedTip;  ///< the tip; if the budget was spent, the tip that was reached
+  /** Tip of the last tick, or the position that the tick reached if it spent its budget. */
+  Vector3 ReachedTip;
   double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
-  bool IsHeld = false; ///< whether a surface holds the proxy, and Level is valid
+  bool IsHeld = false; ///< whether a surface holds the proxy, so that Level is valid
   PassiveSpring Spring;
-  /** The factor on the first step of a tick, learned from the last ticks; 1 changes nothing. */
+  /**
+   * Factor on the first step of a tick, learned from the last ticks; 1 leaves the step unchanged.
+   */
   double StepPrediction = 1.0;
   PrecisePoint Here; ///< the last sampled material point
-  /** An upper bound of the proxy's distance (voxels) from Here. */
+  /** Upper bound of the distance (voxels) between the proxy and the position of Here. */
   double CachedSampleDistance = Unknown;
 };
 

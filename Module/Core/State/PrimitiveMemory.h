@@ -14,18 +14,18 @@
 namespace VolumeHaptics
 {
 
-/** The most primitives in a tick. */
+/** Limit of the primitives in a tick. */
 constexpr int MostPrimitives = 8;
 
 /** The force (N) of each primitive on the hand. */
 using PrimitiveForces = std::array<Vector3, MostPrimitives>;
 
-/** The state that a tick passes to the next one. */
+/** State of the primitives from tick to tick. */
 struct PrimitiveMemory
 {
   PrimitiveForces Forces{}; ///< forces of the primitives, in the order in which the field adds them
-  double Rate = 1.0;        ///< the rate r of the steps
-  /** The direction of the proxy's last motion, of any length; 0 if it has not moved. */
+  double Rate = 1.0;        ///< rate r at which steps lower the field, learned from the last steps
+  /** Direction of the proxy's last motion, not of unit length; 0 if the proxy has not moved. */
   Vector3 Towards;
 };
 

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A smaller remainder (N) ends at once. */
+/** A remainder smaller than this force (N) is dropped. */
 constexpr double LeastRemainder = 1e-3;
 
 /** Returns the remainder after a tick. */
@@ -23,8 +23,8 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 }
 
 /**
- * Computes the largest part s of the way from the force `held` that the saved energy pays for: a
- * s^2 + b s <= 2 k Saved, which holds for s = 0.
+ * Computes the largest fraction s of `way`, the change of the force `held`, that the saved energy
+ * pays for: a s^2 + b s <= 2 k Saved, which holds for s = 0.
  */
 double ComputePaidFraction(
   const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state that a tick of the servo passes to the next one.
- *
- * Everything is in device space (metres, newtons) except LocalState.
+ * The state that a tick of the servo passes to the next one. All of it is in device space (metres,
+ * newtons) except LocalState.
  */
 #ifndef ServoState_h
 #define ServoState_h
@@ -21,7 +20,7 @@
 namespace VolumeHaptics
 {
 
-/** The farthest tip (m) of any hand; squares of smaller distances do not overflow. */
+/** Limit of a tip's coordinates (m), so that their squares do not overflow. No hand reaches it. */
 constexpr double FarthestTip = 1e9;
 
 /** The state from which the next tick goes on. */
@@ -29,28 +28,30 @@ struct ServoState : ToolStates
 {
   Vector3 Proxy;
   Vector3 PreviousTip;
-  bool Enabled = false; ///< if false, the next tick puts the proxy on the tip with no force
+  bool Enabled = false; ///< false: the next tick puts the proxy on the tip, without a force
   PreciseState Precise;
-  ReleaseState Release; ///< felt in addition to the law, which determines the proxy
+  /** Remainder of the force, felt in addition to the law's force; the law alone moves the proxy. */
+  ReleaseState Release;
   LocalState Local;
   PrimitiveMemory Primitives;
-  LabelMemory Labels; ///< memory of label lookups, for speed only
-  /** The data time of the tick: the caller advances it, if the volume moves. */
+  /** Results of the last label lookups, which only make the next lookups faster. */
+  LabelMemory Labels;
+  /** Data time of the tick. If the volume moves, the caller advances it before each tick. */
   double DataTime = 0.0;
   ///@{
   /**
-   * The stylus's orientation in this tick, for tools: a unit quaternion if valid. The caller sets
-   * it.
+   * Orientation of the stylus in this tick, for tools: a unit quaternion if HasOrientation is true.
+   * The caller sets both.
    */
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
   bool IsSpinning = false; ///< whether the tool spins in this tick; the caller sets it
   ///@{
-  /** The last tick sets these for CarriedProxy.h. */
+  /** Results of the last tick that CarriedProxy.h needs. */
   double CarriedTo = 0.0;       ///< data time of the last tick
-  double Stiffness = 0.0;       ///< N/m
-  double SurfaceStrength = 0.0; ///< T_N W_d, N
+  double Stiffness = 0.0;       ///< stiffness k in N/m
+  double SurfaceStrength = 0.0; ///< surface strength T_N W_d in N
   ///@}
 };
 

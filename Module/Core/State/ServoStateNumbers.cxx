@@ -71,7 +71,9 @@ void VisitLocal(State& local, Function&& visit)
   VisitVector(local.Request.Normal, visit);
 }
 
-/** Returns false if the type can't hold the number; the value is then harmless. */
+/**
+ * Reads a number. Returns false if the type can't hold it; the value is then one that does no harm.
+ */
 bool Read(double number, double& value)
 {
   value = number;
@@ -99,8 +101,7 @@ bool Read(double number, float& value)
 }
 
 /**
- * Reads a label. Labels are whole numbers that a double holds exactly, or NoLabel, which a double
- * also holds.
+ * Reads a label: a whole number that a double holds exactly, or NoLabel, which a double holds, too.
  */
 bool Read(double number, std::int64_t& value)
 {
@@ -136,7 +137,7 @@ void VisitNeedle(Needle& needle, Function&& visit)
   visit(needle.Pushed);
   visit(needle.Touches);
   visit(needle.IsTouching);
-  // Sets the size that was read on the visited copy.
+  // When the numbers are read, the visit changes the copy `size`, which is therefore stored.
   int size = needle.Track.GetSize();
   visit(size);
   if constexpr (!std::is_const_v<Needle>)
@@ -203,7 +204,8 @@ void VisitBurr(Burr& burr, Function&& visit)
 }
 
 /**
- * Visits every number of a state. Numbers that were added later come last: older files lack them.
+ * Visits all numbers of a state. Numbers that were added later are visited later, because older
+ * files lack them.
  */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
@@ -243,20 +245,20 @@ void VisitState(State& state, Function&& visit)
   ToolStates::VisitLast(state, visit);
 }
 
-/** World units, farther than FarthestTip even in micrometres. */
+/** Limit of a place (world units): farther than FarthestTip, even in micrometres. */
 constexpr double FarthestPlace = 1e15;
-/** Tolerance of a unit length, for rounding. */
+/** Tolerance for the rounding of a unit vector's length. */
 constexpr double DirectionTolerance = 1e-6;
 /**
- * The largest number in newtons, newtons per metre and joules: products of two such numbers are far
- * below overflow.
+ * Limit of a number in newtons, newtons per metre or joules. Products of two such numbers do not
+ * overflow.
  */
 constexpr double MostOfMaterial = 1e100;
-/** A force (N) at least twice as large as the force of any primitive. */
+/** Limit (N) of a primitive's force: at least twice the largest force of a primitive. */
 constexpr double MostOfForce = 2e6;
-/** The largest length of a sum of unit vectors that a state may have. */
+/** Limit of the length of PrimitiveMemory::Towards. */
 constexpr double MostOfDirection = 10.0;
-/** A learned prediction stays within half of 1. */
+/** Limit of a learned prediction, above all predictions that PRECISE learns. */
 constexpr double MostStatePrediction = 2.0;
 
 /** Returns whether a vector is of unit length, or 0 for an unknown direction. */
@@ -327,7 +329,7 @@ bool IsPossible(const ShellState& shell)
   { return IsNear(pose.Position, FarthestTip) && IsPossible(pose.Orientation, true); };
   const auto isNumber = [](double number) { return std::abs(number) <= MostOfMaterial; };
   const ShellSum& sum = shell.Sum;
-  // Files from before shells have zeros, and a state that is not enabled does not matter.
+  // Files from before shells have zeros here, which are accepted because the state is not enabled.
   return !shell.Enabled ||
     (isPose(shell.Tool) && isPose(shell.Hand) && IsAmount(shell.Budget) && IsAmount(sum.Energy) &&
       std::all_of(std::begin(sum.Gradient), std::end(sum.Gradient), isNumber) &&

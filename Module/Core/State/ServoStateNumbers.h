@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * States of the servo as plain numbers, for files.
+ * Converts states of the servo to plain numbers for files, and back.
  */
 #ifndef ServoStateNumbers_h
 #define ServoStateNumbers_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Counts the numbers of ToolStates::VisitLast. */
+/** Returns the number of numbers that ToolStates::VisitLast visits. */
 constexpr int CountLastToolNumbers()
 {
   int count = 0;
@@ -23,14 +23,14 @@ constexpr int CountLastToolNumbers()
   return count;
 }
 
-/** The size of a state without the numbers of ToolStates::VisitLast. */
+/** Size of a state without the numbers that ToolStates::VisitLast visits. */
 constexpr int FirstServoStateSize = 299;
 constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
 /**
- * The sizes of states in old recordings, from before the following were added, in this order:
- * MaterialPlacement, volumes that move, primitives, their directions, tools, tools with a shape,
- * burrs, burr steps that take more than a tick, releases, and the room of burrs. The missing
- * numbers are 0.
+ * Sizes of the states in old recordings. Each size is that before one of these was added:
+ * MaterialPlacement, volumes that move, primitives, directions of primitives, tools, tools with a
+ * shape, burrs, burr steps that take more than a tick, releases, and BurrState::Room. Missing
+ * numbers are read as 0.
  */
 constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
   298 };
@@ -50,7 +50,7 @@ constexpr bool IsOldServoStateSize(int size)
 /** Returns all numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
-/** Returns false for numbers that a file may contain but no tick produces. */
+/** Returns whether a tick may have produced these numbers; false for a damaged file. */
 bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 } // namespace VolumeHaptics

@@ -15,35 +15,34 @@
 namespace VolumeHaptics
 {
 
-/** The pose of a tool: its frame in the device's space. */
+/** The pose of a tool: where its frame is in the device's space. */
 struct ShellPose
 {
-  Vector3 Position;       ///< m, the frame's origin
+  Vector3 Position;       ///< origin of the frame (m)
   Quaternion Orientation; ///< a unit quaternion
 };
 
 /**
- * The sum over all contacts at a pose. The six directions: along the device's axes, then about
- * them.
+ * The sum over all contacts at a pose. Its six directions are the translations along the device's
+ * axes, then the rotations about them.
  */
 struct ShellSum
 {
-  double Energy = 0.0;       ///< J
+  double Energy = 0.0;       ///< energy of all contacts (J)
   double Gradient[6] = {};   ///< the gradient of the energy, in N and N m
-  double Curvature[21] = {}; ///< the second derivatives of the energy: the lower triangle, row by
-                             ///< row
+  double Curvature[21] = {}; ///< second derivatives of the energy: the lower triangle, row by row
   std::uint32_t Contacts = 0;
-  std::uint32_t Yielding = 0; ///< number of contacts at the limit of their material
+  std::uint32_t Yielding = 0; ///< number of contacts that have reached the limit of their material
 };
 
 /** The state from which the next tick goes on, together with ShellMemory. */
 struct ShellState
 {
-  bool Enabled = false;   ///< if false, the next tick puts the tool into the hand with no force
-  bool IsCarried = false; ///< whether the model has changed, so that Sum does not belong to Tool
+  bool Enabled = false;   ///< false: the next tick puts the tool into the hand, without a force
+  bool IsCarried = false; ///< whether the model has changed, so that Sum is not the sum at Tool
   ShellPose Tool;
   ShellPose Hand;      ///< pose of the hand in the last tick
-  double Budget = 0.0; ///< S, J
+  double Budget = 0.0; ///< energy budget S (J)
   ShellSum Sum;        ///< sum over the contacts at Tool
 };
 

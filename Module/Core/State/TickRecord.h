@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The results of one tick. In device space: metres, newtons.
+ * The results of one tick, in device space: metres and newtons.
  */
 #ifndef TickRecord_h
 #define TickRecord_h
@@ -28,42 +28,49 @@ enum class ContactState : std::uint8_t
 /** The record of one tick, with the material that it used. */
 struct TickRecord : MaterialPoint
 {
-  double DataTime = 0.0; ///< data time, if the volume moves
+  double DataTime = 0.0; ///< data time of the tick if the volume moves
   Vector3 Tip;
   Vector3 Proxy;  ///< the proxy after the tick
-  Vector3 Force;  ///< N, on the hand
-  Vector3 Torque; ///< N m, on the hand about the tip; for a tool with a shape
-  /// The rotation of a tool with a shape, whose origin is the proxy, to the device's axes; else
-  /// NoOrientation.
+  Vector3 Force;  ///< force on the hand in N
+  Vector3 Torque; ///< torque on the hand about the tip in N m, for a tool with a shape
+  /// The rotation from the frame of a tool with a shape, whose origin is the proxy, to the device's
+  /// axes. NoOrientation for any other tool.
   Quaternion ToolOrientation = NoOrientation;
-  /// The rotation of the hand that holds the tool, to the device's axes; else NoOrientation.
+  /// The rotation from the frame of the hand that holds the tool to the device's axes.
+  /// NoOrientation if the tool has no shape.
   Quaternion HandOrientation = NoOrientation;
-  double NormalForce = 0.0;   ///< N, magnitude before the drag step
-  double FrictionForce = 0.0; ///< N, magnitude before the drag step
-  /// N, stiffness times the distance by which the drag step moved the proxy back
+  double NormalForce = 0.0;   ///< magnitude in N before the drag step
+  double FrictionForce = 0.0; ///< magnitude in N before the drag step
+  /// Stiffness times the distance by which the drag step moved the proxy back, in N.
   double DragForce = 0.0;
   ///@{
-  /** PRECISE sets these members for ProxyRelease.h. */
-  bool MayLeap = false;       ///< whether leaps in this tick take time
-  Vector3 ForceBefore;        ///< N, the law's force in the last tick
-  Vector3 Leap;               ///< N, the change of Force by a leap of the proxy
-  double LeapStiffness = 0.0; ///< N/m, the stiffer of the springs before and after the leap
+  /** Members for ProxyRelease.h, which PRECISE sets. */
+  bool MayLeap = false; ///< whether the force of a leap in this tick is spread over time
+  Vector3 ForceBefore;  ///< the law's force in the last tick in N
+  Vector3 Leap;         ///< change of Force by a leap of the proxy in N
+  /** Stiffness in N/m of the stiffer one of the springs before and after the leap. */
+  double LeapStiffness = 0.0;
   ///@}
-  double Depth = 0.0;         ///< m, insertion of a needle; 0: not inserted
-  double ShaftForce = 0.0;    ///< N, the most that the tissue along the needle's shaft holds
-  double RemovedVolume = 0.0; ///< mm^3 in the hand's space that a burr removed in this tick
-  /** The tool's own numbers, which its columns read (BakedTool::GetColumns); else 0. */
+  double Depth = 0.0;      ///< depth of a needle's insertion in m; 0 if it is not inserted
+  double ShaftForce = 0.0; ///< the most force (N) that the tissue along the needle's shaft holds
+  /** Volume (mm^3 in the hand's space) that a burr removed in this tick. */
+  double RemovedVolume = 0.0;
+  /**
+   * Numbers whose meaning the tool defines: BakedTool::GetColumns reads them for its columns. 0
+   * without a tool.
+   */
   std::array<double, 4> ToolNumbers{};
-  double Value = 0.0; ///< V at the proxy, only if the volume's tissue may be removed
+  double Value = 0.0; ///< V at the proxy; set only if tissue of the volume may be removed
   ContactState Contact = ContactState::Free;
-  /// J, in this tick: the work of a moving surface on the spring that pulls the hand
+  /// Work in J of a moving surface, in this tick, on the spring that pulls the hand.
   double WallWork = 0.0;
-  bool IsUnfinished = false; ///< PRECISE spent its budget: the force belongs to an earlier tip
-  bool IsRenewed = false;    ///< whether LOCAL_SURFACE got a surface from the slow loop
+  /** Whether PRECISE spent its budget, so that the force belongs to an earlier tip. */
+  bool IsUnfinished = false;
+  bool IsRenewed = false; ///< whether LOCAL_SURFACE received a surface from the slow loop
   ///@{
   /**
-   * Whether the tick carried out a request to the removal instead of feeling; and the request that
-   * it began.
+   * Whether the tick served a request to the removal, and so computed no force. Request is the
+   * request that the tick began, or None.
    */
   bool IsServed = false;
   RemovalRequest Request = RemovalRequest::None;

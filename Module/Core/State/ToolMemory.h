@@ -4,9 +4,10 @@
  * @file
  * Data that a tool passes from tick to tick in addition to ServoState.
  *
- * The state of a servo has a fixed size, and is copied with each snapshot. Data that grow with the
- * tool are here: allocated outside the servo, together with the model that has the tool, and used
- * by one thread that ticks. A model with the same tool continues with the same memory.
+ * ServoState has a fixed size and is copied with each snapshot. Data whose size depends on the tool
+ * are here instead. They are allocated outside the servo, together with the model that has the
+ * tool, and one ticking thread uses them. A new model with the same tool uses the same memory
+ * again.
  */
 #ifndef ToolMemory_h
 #define ToolMemory_h
@@ -25,8 +26,8 @@ public:
   virtual ~ToolMemory() = default;
 
   /**
-   * Returns the memory for a model: `last` if it belongs to the same tool; null if the tool needs
-   * none. Allocates.
+   * Returns the memory for a model: `last` if it belongs to the same tool, otherwise new memory;
+   * null if the tool needs none. Allocates.
    */
   static std::shared_ptr<ToolMemory> Provide(
     const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last)
@@ -35,12 +36,12 @@ public:
   }
 
   /**
-   * Copies the part of the memory that belongs to the state before the next tick, on the thread
-   * that ticks. Called once for each recording; another thread then reads the copy.
+   * Copies the part of the memory that belongs to the state before the next tick. The ticking
+   * thread calls it once for each recording; another thread then reads the copy.
    */
   virtual void Keep() noexcept = 0;
 
-  /** Returns the memory that a tick writes. */
+  /** Returns the ranges of memory that a tick writes. */
   virtual std::vector<MemoryRange> GetTables() const = 0;
 };
 

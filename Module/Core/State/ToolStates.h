@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The states that tools pass from tick to tick, one line a tool that has one.
+ * The states that tools pass from tick to tick: one member for each tool that has a state.
  */
 #ifndef ToolStates_h
 #define ToolStates_h
@@ -17,10 +17,10 @@ namespace VolumeHaptics
 struct ToolStates
 {
   NeedleState Needle;
-  ShellState Shell; ///< state of a shell, used together with ToolMemory
+  ShellState Shell; ///< state of a shell; ToolMemory has the rest of it
   BurrState Burr;
 
-  /** Drops the states that hold the hand: the next tick begins without a force. */
+  /** Drops the states that hold the hand, so that the next tick begins without a force. */
   void LetGo() noexcept
   {
     this->Needle = NeedleState{};
@@ -28,8 +28,9 @@ struct ToolStates
   }
 
   /**
-   * Calls a function with each number of the tools whose numbers come last in files; add the
-   * numbers of a new tool at the end. ServoStateNumbers.cxx visits the numbers of the other tools.
+   * Calls a function with each number of the tools whose numbers come last in files. The numbers of
+   * a new tool must be added at the end. ServoStateNumbers.cxx visits the numbers of all other
+   * tools.
    */
   template <typename States, typename Function>
   static constexpr void VisitLast(States& /*states*/, Function&& /*visit*/)
