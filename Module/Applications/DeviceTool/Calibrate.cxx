@@ -107,7 +107,7 @@ public:
     }
     return isOn;
   }
-  /// Reads the next sample; false, after an error, if the device gives no more force.
+  /// Reads the next sample. Returns false and reports an error if the device gives no more force.
   bool Look(HeldSample& sample)
   {
     std::this_thread::sleep_for(LookPeriod);

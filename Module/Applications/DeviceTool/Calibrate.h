@@ -14,8 +14,8 @@
 /**
  * Uses a weight that the user hangs on the handle (HungWeight.h), or a kitchen scale under it
  * (ScalePress.h, ScaleFit.h). Confirms the device's signs first, if they never were.
- * vtkHapticDevice::CalibrateForce stores the factor. False after an error; the first and the last
- * force are zero.
+ * vtkHapticDevice::CalibrateForce stores the factor. Returns false after an error; the first and
+ * the last force are zero.
  */
 bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams streams);
 

@@ -89,7 +89,7 @@ int List(std::ostream& out)
   return 0;
 }
 
-/// Shows the requests to the hand until the device is ready; false if it won't be.
+/// Shows the requests to the hand until the device is ready. Returns false if it won't be.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
   // These kinds ask for their rest pose whenever they are opened.
@@ -139,8 +139,8 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   return true;
 }
 
-/// Shows the live state for some seconds (0: until interrupted); false if the device is lost
-/// meanwhile.
+/// Shows the live state for some seconds (0: until interrupted). Returns false if the device is
+/// lost meanwhile.
 bool Watch(ToolDevice& device, double seconds, ToolStreams streams)
 {
   using Clock = std::chrono::steady_clock;

@@ -27,8 +27,8 @@ struct ScaleFit
   double Doubt = 0.0;    ///< standard error of the factor
 };
 
-/// Fits the line to at least three readings of different forces. False, with the fault and the
-/// cure, if the readings are not on a rising line.
+/// Fits the line to at least three readings of different forces. Returns false, with the fault and
+/// the cure, if the readings are not on a rising line.
 bool FitScale(const std::vector<ScaleReading>& readings, ScaleFit& fit, std::string& error);
 
 #endif

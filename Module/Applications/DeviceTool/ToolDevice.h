@@ -19,7 +19,7 @@ struct ToolStreams
   std::ostream& Out;
   std::ostream& Errors;
 
-  /// Shows a wish and waits for Enter. False, with an error, if the input ends before.
+  /// Shows a wish and waits for Enter. Returns false and reports an error if the input ends before.
   bool AskForEnter(const char* wish);
 };
 

@@ -43,11 +43,11 @@ struct ToolOptions
 /// The usage of the program, for --help.
 extern const char* const ToolUsage;
 
-/// Reads the command line. False, with the fault and the cure, for wrong usage.
+/// Reads the command line. Returns false, with the fault and the cure, for wrong usage.
 bool ReadToolOptions(
   const std::vector<std::string>& arguments, ToolOptions& options, std::string& error);
 
-/// Reads a number within a range (both ends included). False if the text is anything else.
+/// Reads a number within a range (both ends included). Returns false if the text is anything else.
 bool ReadNumberInRange(const std::string& text, double least, double most, double& number);
 
 #endif

@@ -95,7 +95,8 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-/// Opens a window that shows the progress until the scene is there. Null if no scene follows.
+/// Opens a window that shows the progress until the scene is there. Returns null if no scene
+/// follows.
 vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 {
   if (options.Pictures || options.Live || !Explore::HasDisplay())

@@ -35,8 +35,8 @@ struct HapticCut
   vtkMTimeType GetMTime() const;
 
   /**
-   * Makes the cut for a model of an image, whose points and cells may be blanked. Null if nothing
-   * is cut away, or after a fault, which `error` then reports with the cure.
+   * Makes the cut for a model of an image, whose points and cells may be blanked. Returns null if
+   * nothing is cut away, or after a fault, which `error` then reports with the cure.
    * @param extent the model's extent in the image's structured coordinates; index 0 of the model is
    * its lower corner
    */

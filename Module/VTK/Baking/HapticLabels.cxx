@@ -50,8 +50,8 @@ double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, doub
 /**
  * The materials of a segmentation that is touched itself: a property's functions map its numbers to
  * materials. Fills a table with a material for each whole number between the least and the largest
- * sample, including the background. False, with the table empty, if the samples can't be labels:
- * several components, values that are not finite, or a span of more than MostScalarLabels.
+ * sample, including the background. Returns false, with the table empty, if the samples can't be
+ * labels: several components, values that are not finite, or a span of more than MostScalarLabels.
  */
 bool FillScalarLabels(
   vtkDataArray* scalars, vtkHapticProperty* property, vtkHapticLabelTable* table)
@@ -79,7 +79,10 @@ bool FillScalarLabels(
 
 constexpr const char* LabelImage = "label image on input port 3";
 
-/** Whether a value is a whole number of at most 2^53, which a double represents. False for NaN. */
+/**
+ * Whether a value is a whole number of at most 2^53, which a double represents. Returns false for
+ * NaN.
+ */
 template <typename T>
 bool IsWhole(T value)
 {
@@ -256,7 +259,10 @@ constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
 /** Largest number of fine voxels that are made at once: takes about ten milliseconds. */
 constexpr double MostRefinedAtOnce = 1 << 20;
 
-/** Makes the forbidden zone. False, with an error, if the stand-off reaches too many voxels. */
+/**
+ * Makes the forbidden zone. Returns false and reports an error if the stand-off reaches too many
+ * voxels.
+ */
 bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 {
   try

@@ -55,7 +55,7 @@ public:
 
   /**
    * Prepares a quick Get() in the background. Returns in words what is under way: the distances to
-   * forbidden labels, or the finer grid of thick slices. Null if nothing is.
+   * forbidden labels, or the finer grid of thick slices. Returns null if nothing is.
    */
   const char* Prepare(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, bool isFine);

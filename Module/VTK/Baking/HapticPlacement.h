@@ -17,8 +17,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the map from the device (m) to the world. False, with an error, unless the matrix is a
- * rotation, a translation and one uniform, positive scale.
+ * Reads the map from the device (m) to the world. Returns false and reports an error unless the
+ * matrix is a rotation, a translation and one uniform, positive scale.
  */
 bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 

@@ -62,24 +62,25 @@ inline constexpr double ShortMeshing = 40e-3;
 double EstimateMeshTime(const IsoSurface& iso);
 
 /**
- * Meshes an isosurface in the samples of an extent, whose indices count as in indexToWorld; null if
- * there are no triangles. Any thread may call it: the array must have VTK's standard memory layout.
+ * Meshes an isosurface in the samples of an extent, whose indices count as in indexToWorld. Returns
+ * null if there are no triangles. Any thread may call it: the array must have VTK's standard memory
+ * layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld);
 
 /**
  * Meshes the isosurface in a time step of a volume that moves, with its motion to the next time
- * step; null if there is no isosurface. The time steps keep vtkDataArrays alive. Any thread may
- * call it: the arrays must have VTK's standard memory layout.
+ * step. Returns null if there is no isosurface. The time steps keep vtkDataArrays alive. Any thread
+ * may call it: the arrays must have VTK's standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
   const VolumeTimeStep& next, int component, double value, const Affine3& indexToWorld);
 
 /**
- * Makes a mesh of a surface in the world. Null if it has no triangles, a point is not finite, or a
- * cell has a point that does not exist; `error` then names the surface. `cure` is used if there are
- * no triangles.
+ * Makes a mesh of a surface in the world. Returns null if it has no triangles, a point is not
+ * finite, or a cell has a point that does not exist; `error` then names the surface. `cure` is used
+ * if there are no triangles.
  */
 std::shared_ptr<const SurfaceMesh> MeshSurface(
   vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error);
@@ -93,7 +94,8 @@ public:
 
   /**
    * Returns the triangles of a surface in the world or, if that is null, of the isosurface
-   * (vtkFlyingEdges3D). Null, with the cure in `error`, if there are none or a point is not finite.
+   * (vtkFlyingEdges3D). Returns null, with the cure in `error`, if there are none or a point is not
+   * finite.
    */
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);

@@ -69,7 +69,7 @@ struct TimeStepReading
 /**
  * Requests a time step from the source of a filter's input port 0, and copies the array that is
  * touched, because a source may write each step to the same memory. The array of a
- * vtkHapticTimeStepSource is not copied. False if the source fails.
+ * vtkHapticTimeStepSource is not copied. Returns false if the source fails.
  */
 bool ReadTimeStep(
   vtkAlgorithm* filter, double step, const TimeStepReading& reading, ImageTimeStep& timeStep);
@@ -90,8 +90,8 @@ std::vector<ImageTimeStep> MakeComponentTimeSteps(
   vtkImageData* image, vtkDataArray* array, double spacing);
 
 /**
- * Sets the displacements of a model's time step from a time step. False, with the reason and the
- * cure in `error`, if they are missing or do not fit the time step's points.
+ * Sets the displacements of a model's time step from a time step. Returns false, with the reason
+ * and the cure in `error`, if they are missing or do not fit the time step's points.
  * @param name name of the array
  */
 bool ReadDisplacements(

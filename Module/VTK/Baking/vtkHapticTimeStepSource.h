@@ -47,7 +47,7 @@ public:
   /**
    * Add an image at a time (finite, in any unit); the order of the calls does not matter. The
    * source keeps a reference to the image. An image at the time of an earlier one replaces it.
-   * False, with an error, if there is no image or the time is not finite.
+   * Returns false and reports an error if there is no image or the time is not finite.
    */
   bool AddTimeStep(vtkImageData* image, double time);
   void RemoveAllTimeSteps();

@@ -3,7 +3,7 @@
 /**
  * @file
  * Memory for arrays whose size comes from data. These functions throw std::bad_alloc where VTK's
- * own arrays would end the program. VTK's arrays do so except in builds with NDEBUG; the VTK in
+ * own arrays would end the program, which they do unless VTK is built with NDEBUG. The VTK in
  * Debian's ParaView is built without it.
  */
 #ifndef ArrayMemory_h
@@ -56,8 +56,8 @@ inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdTyp
 ///@{
 /**
  * Copies an array as VTK's DeepCopy() does, but with the tuples one after another in memory. The
- * copy has the class of the array if that class has this layout, or else the default class of the
- * type.
+ * copy has the class of the array if that class has this layout. Otherwise it has the default class
+ * of the type.
  */
 inline vtkSmartPointer<vtkDataArray> CopyArray(
   vtkDataArray* from, vtkSmartPointer<vtkDataArray> copy)
@@ -80,8 +80,8 @@ inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
 ///@}
 
 /**
- * Calls VTK's DeepCopy() on a data object only if there is memory for `copies` copies at once:
- * whoever processes the copy next lets VTK allocate memory, too.
+ * Calls VTK's DeepCopy() on a data object, or throws std::bad_alloc unless there is memory for
+ * `copies` copies at once. More than one is needed if the next step lets VTK allocate memory, too.
  */
 inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies = 1)
 {

@@ -21,7 +21,7 @@ namespace
 void LowerPriority() noexcept
 {
 #if defined(__linux__)
-  // This lowers the calling thread only, unlike in POSIX.
+  // On Linux this lowers only the calling thread; in POSIX it would lower the whole process.
   constexpr int nice = 10;
   (void)setpriority(PRIO_PROCESS, 0, nice);
 #endif
@@ -29,13 +29,13 @@ void LowerPriority() noexcept
 
 } // namespace
 
-/** The runs that a thread has begun and no longer wants. */
+/** Runs that a thread has begun and does not need any more. */
 class BackgroundWork::Leavings
 {
 public:
   /**
-   * Returns the unwanted runs of the calling thread; null at the thread's end, when static objects
-   * may still end their work.
+   * Returns the unneeded runs of the calling thread. Returns null at the thread's end, when static
+   * objects may still end their work.
    */
   static Leavings* OfThread()
   {
@@ -46,7 +46,7 @@ public:
   /** Waits for the runs that the ending thread has begun; nothing else waits for them. */
   ~Leavings()
   {
-    // Releasing a task may end other work that the task holds.
+    // Releasing a task may end other work that the task owns.
     while (!this->Runs.empty())
     {
       for (std::unique_ptr<Run>& run : std::exchange(this->Runs, {}))
@@ -83,7 +83,7 @@ public:
 
   void Own(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
 
-  /** Releases what returned tasks hold. */
+  /** Releases the objects of the tasks that have returned. */
   void Release()
   {
     const auto over = std::partition(this->Runs.begin(), this->Runs.end(),
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  /** Returns the threads that only have to end, so that another thread can wait for their end. */
+  /** Returns the threads whose tasks are done, so that another thread can wait for their end. */
   std::vector<std::thread> DrainThreads()
   {
     std::vector<std::thread> threads;
@@ -128,7 +128,7 @@ private:
   };
   std::vector<std::unique_ptr<Run>> Runs;
   std::vector<Spent> Threads;
-  // Has no destructor, so that it can be read until the thread ends.
+  // Has no destructor, so that it can be read until the thread has ended.
   static thread_local bool IsGone;
 };
 
@@ -147,7 +147,7 @@ void BackgroundWork::Run::Do() noexcept
       this->Work(this->Monitor);
     }
   }
-  catch (const std::bad_alloc&) // there is no result
+  catch (const std::bad_alloc&) // the work has no result
   {
   }
   this->HasReturned->store(true, std::memory_order_release);
@@ -158,7 +158,7 @@ void BackgroundWork::Begin(Task task)
   this->End();
   auto run = std::make_unique<Run>();
   run->Work = std::move(task);
-  // A forked process can't end the work that its parent has begun.
+  // In a forked process, the work of the parent never ends: do not wait for it.
   run->Before = this->LastProcess == ServoClock::GetProcess() ? std::move(this->Last) : nullptr;
   this->Current = std::move(run);
   Run* const current = this->Current.get();

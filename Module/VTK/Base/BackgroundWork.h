@@ -40,18 +40,20 @@
 namespace VolumeHaptics
 {
 
-/** Passes progress from a task to its owner, and cancellation from the owner to the task. */
+/** Reports progress from a task to its owner, and cancellation from the owner to the task. */
 class WorkMonitor
 {
 public:
   ///@{
-  /** Whether the owner has cancelled the task. The task asks this. */
+  /** Whether the owner has cancelled the task. The task calls this. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
   void SetProgress(double fraction) noexcept
   {
     this->Fraction.store(fraction, std::memory_order_relaxed);
   }
-  /** Reports the task's progress (0 to 1). The task calls this; false if it is cancelled. */
+  /**
+   * Reports the task's progress (0 to 1). The task calls this. Returns false if it is cancelled.
+   */
   bool GoesOn(double fraction) noexcept
   {
     this->SetProgress(fraction);
@@ -87,7 +89,7 @@ public:
    * within this call.
    */
   void Begin(Task task);
-  /** Cancels the task without waiting for it, and releases what it holds if it has returned. */
+  /** Cancels the task without waiting for it. Releases its objects if it has returned. */
   void End() noexcept;
 
   /**
@@ -101,7 +103,9 @@ public:
   bool IsOurs() const { return this->Current && this->Current->IsOurs(); }
   /** Whether the task has returned; its results can be read then. */
   bool HasReturned() const;
-  /** Waits until the task has returned, at most this many seconds; returns whether it has. */
+  /**
+   * Waits until the task has returned, at most this many seconds. Returns whether it has returned.
+   */
   bool WaitFor(double seconds) const;
   /** Returns the progress of the task, 0 to 1; 0 without a task. */
   double GetProgress() const;
@@ -113,7 +117,7 @@ private:
     Task Work;
     WorkMonitor Monitor;
     const std::shared_ptr<Flag> HasReturned = std::make_shared<Flag>(false);
-    /** End of the run that has to end first; null if there is none. */
+    /** Flag of the earlier run that has to end before this one; null if there is none. */
     std::shared_ptr<const Flag> Before;
     std::thread Thread;
     const std::int64_t Process = ServoClock::GetProcess();
@@ -125,19 +129,19 @@ private:
   class Leavings;
 
   std::unique_ptr<Run> Current;
-  std::shared_ptr<const Flag> Last; ///< end of the run that was ended last; null if there is none
-  std::int64_t LastProcess = 0;     ///< process that began that run
+  std::shared_ptr<const Flag> Last; ///< flag of the run that was ended last; null if there is none
+  std::int64_t LastProcess = 0;     ///< process that began this last run
 };
 
 /**
- * Computes a result in the background for the data that a key names, such as an array and the time
- * of its last change.
+ * Computes a result in the background from data that a key identifies, such as an array and the
+ * time of its last change.
  */
 template <typename Key, typename Result>
 class KeyedWork
 {
 public:
-  /** Computes a result; nothing if the work is cancelled. */
+  /** Computes a result. Returns nothing if the work is cancelled. */
   using Maker = std::function<std::optional<Result>(WorkMonitor&)>;
 
   /**
@@ -167,7 +171,7 @@ public:
     return this->IsOf(key) && !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
   }
 
-  /** Whether the result that is under way, or was computed last, belongs to a key. */
+  /** Whether the result that is under way or was computed last belongs to a key. */
   bool IsOf(const Key& key) const { return this->Of && *this->Of == key; }
 
   /** Cancels the work and discards its result. */
@@ -194,15 +198,15 @@ public:
   }
 
   /**
-   * Whether a result is being computed, or abandoned work has not ended yet. False for work of the
-   * process that this one was forked from: such work never ends here.
+   * Whether a result is being computed, or abandoned work has not ended yet. Returns false for work
+   * of the process that this one was forked from: such work never ends here.
    */
   bool IsUnderWay() const
   {
     return this->Work.IsBegun() && this->Work.IsOurs() && !this->Work.HasReturned();
   }
   /**
-   * Waits until no result is being computed, at most this many seconds; returns whether none is.
+   * Waits until no result is being computed, at most this many seconds. Returns whether none is.
    */
   bool WaitFor(double seconds) const
   {

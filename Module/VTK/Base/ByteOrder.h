@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The order of the bytes of a number.
+ * Compares byte orders of numbers.
  */
 #ifndef ByteOrder_h
 #define ByteOrder_h
@@ -12,7 +12,10 @@
 namespace VolumeHaptics
 {
 
-/** Whether a byte order (`isBig`: most significant byte first) differs from this computer's. */
+/**
+ * Whether a byte order differs from this computer's. `isBig`: the most significant byte comes
+ * first.
+ */
 inline bool IsOtherByteOrder(bool isBig)
 {
   const std::uint16_t probe = 1;

@@ -122,7 +122,7 @@ bool FileReplacement::Finish(std::string& error)
   if (this->Descriptor >= 0)
   {
     this->Flush();
-    // A full disk may be reported only here.
+    // A full disk may not be reported before this call.
     if (this->Failure == 0)
     {
       this->Failure = SyncFile(this->Descriptor);

@@ -31,7 +31,7 @@ public:
 
   bool Open(const std::string& file, std::string& error);
   ///@{
-  /** Appends bytes. Errors are kept for Commit(). */
+  /** Appends bytes. Commit() reports errors. */
   void Write(const void* data, std::size_t size);
   void Write(const std::string& text) { this->Write(text.data(), text.size()); }
   /** Overwrites bytes that were written before. */
@@ -40,22 +40,22 @@ public:
   std::uint64_t GetSize() const { return this->Size; }
   bool HasFailed() const { return this->Failure != 0; }
   /**
-   * Writes all bytes to the disk, without renaming the file. Fails as Commit() does; Commit() calls
-   * it if needed.
+   * Writes all bytes to the disk, without renaming the file. Returns false, with an error, as
+   * Commit() does, which calls this function if needed.
    */
   bool Finish(std::string& error);
   /**
    * Replaces the file: renames the temporary file, or copies it over the existing file if the
-   * file's group could not be kept. False, with the reason and the cure, on failure. The existing
-   * file is then unchanged, except after a failed copy: the existing file may be incomplete then,
-   * and the temporary file, which the error names, is kept.
+   * file's group could not be kept. On failure, returns false, with the reason and the cure in
+   * `error`. The existing file is then unchanged, except after a failed copy: then it may be
+   * incomplete, and the temporary file, which the error names, is kept.
    */
   bool Commit(std::string& error);
 
 private:
   void Flush();
   void Discard();
-  /** Copies the temporary file into the existing file. Returns 0, or the errno. */
+  /** Copies the temporary file into the existing file. Returns 0, or the errno of the failure. */
   int CopyInPlace();
 
   std::string Target;

@@ -19,8 +19,8 @@ namespace
 constexpr std::size_t ChunkSize = 1 << 16;
 
 /**
- * Size of the UTF-8 character that begins here (bytes); 0 if none begins (RFC 3629, table in
- * section 4).
+ * Returns the size (bytes) of the UTF-8 character that begins here, or 0 if none begins (RFC 3629,
+ * table in section 4).
  */
 std::size_t CharacterSize(const unsigned char* text, std::size_t left)
 {
@@ -97,7 +97,7 @@ int SyncFolder(const std::string& file)
   const int descriptor = OpenFile(GetFolder(file), O_RDONLY | O_DIRECTORY);
   if (descriptor < 0)
   {
-    // A folder that may not be read can still allow new files.
+    // A folder that can't be read can still allow new files.
     return errno == EACCES ? 0 : errno;
   }
   const int failure = SyncFile(descriptor);
@@ -108,7 +108,7 @@ int SyncFolder(const std::string& file)
 std::string ResolveLinks(const std::string& file)
 {
   std::string name = file;
-  constexpr int most = 40; // as many links as the system follows
+  constexpr int most = 40; // limit of Linux on the number of links
   for (int i = 0; i < most; ++i)
   {
     const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);
@@ -143,7 +143,7 @@ bool CopyPermissions(int descriptor, const struct stat& other)
   const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
     fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
     (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
-  // Set-user-ID and similar bits must not pass to another owner.
+  // Set-user-ID and similar bits must not be copied to a file with another owner.
   (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
   return isKept;
 }
@@ -263,7 +263,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   }
   struct stat status;
   int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
-  // The file may have been replaced since.
+  // The file may have been replaced after the check.
   bool isGood = failure == 0 && S_ISREG(status.st_mode);
   char buffer[ChunkSize];
   while (isGood && text.size() <= most)

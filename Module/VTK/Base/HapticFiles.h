@@ -16,12 +16,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes a text fit for a message. File names may hold any bytes; bytes that are not UTF-8 become
+ * Makes a text fit for a message. File names may contain any bytes. Bytes that are not UTF-8 become
  * \xNN, because Python drops a message that is not UTF-8.
  */
 std::string Printable(const std::string& text);
 
-/** Returns a file name that stays valid when the program changes its folder. */
+/** Returns an absolute file name, which stays valid when the program changes its working folder. */
 std::string MakeAbsolute(const std::string& file);
 
 /** Returns the folder of a file, "." if its name has none. */
@@ -31,8 +31,8 @@ std::string GetFolder(const std::string& file);
 std::string ExplainWriteError(int number, const std::string& file);
 
 /**
- * Checks, without writing, whether a file can be written, as far as that is possible. If not,
- * returns false with the reason and the cure.
+ * Checks whether a file can be written, as far as that is possible without writing. If not, returns
+ * false, with the reason and the cure in `error`.
  */
 bool CheckWritable(const std::string& file, std::string& error);
 
@@ -41,39 +41,43 @@ std::string DescribeError(int number);
 
 ///@{
 /**
- * Call open(2) and fsync(2), again if a signal interrupts them. A file system without fsync counts
- * as success.
+ * Call open(2) and fsync(2), and repeat the call if a signal interrupts it. On a file system
+ * without fsync, SyncFile succeeds.
  */
 int OpenFile(const std::string& file, int flags, mode_t mode = 0);
 int SyncFile(int descriptor);
 ///@}
 /**
- * Opens a file for reading; does not wait for a FIFO's writer. Below zero, with errno, on failure.
+ * Opens a file for reading, without waiting for the writer of a FIFO. Returns a negative number,
+ * with errno, on failure.
  */
 int OpenToRead(const std::string& file);
-/** Writes the names in the folder of a file to the disk. Returns 0, or the errno. */
+/**
+ * Writes the folder of a file, with its names, to the disk. Returns 0, or the errno of the failure.
+ */
 int SyncFolder(const std::string& file);
 
-/** Returns the file that links lead to, even if it does not exist yet. */
+/** Returns the file to which symbolic links lead, even if it does not exist yet. */
 std::string ResolveLinks(const std::string& file);
 
-/** Whether a name belongs to the open file. */
+/** Whether `file` names the open file. */
 bool IsSameFile(int descriptor, const std::string& file);
 
 /**
  * Copies the owner, the group and the permissions of an existing file to a new one, as far as the
- * system allows. False if the groups differ; the new file's group then gets no permissions.
+ * system allows. Returns false if the groups differ; the new file's group then gets no permissions.
  */
 bool CopyPermissions(int descriptor, const struct stat& other);
 
 /**
- * Accepts regular files only. False, with what the file is instead: reading a FIFO or a terminal
- * may block for ever.
+ * Accepts regular files only, because reading a FIFO or a terminal may block for ever. Returns
+ * false, with the kind of the file in `error`, otherwise.
  */
 bool CheckRegular(const std::string& file, std::string& error);
 
 /**
- * Reads a regular file of limited size (bytes). False, with the reason and the cure, if that fails.
+ * Reads a regular file of at most `most` bytes. Returns false, with the reason and the cure in
+ * `error`, on failure.
  */
 bool ReadSmallFile(
   const std::string& file, std::size_t most, std::string& text, std::string& error);

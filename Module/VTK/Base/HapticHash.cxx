@@ -15,7 +15,8 @@ namespace
 {
 
 /**
- * Measured on a desktop computer of 2023; for other memory layouts, the values are copied first.
+ * Times on a desktop computer of 2023. SecondsPerByte: arrays that store one tuple after another.
+ * SecondsPerValue: other memory layouts, whose values are copied first.
  */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
@@ -59,7 +60,7 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3], const HashPr
   }
   else
   {
-    // Hashes the same bytes as above, one block of tuples at a time.
+    // Hash the same bytes as above, one block of tuples at a time.
     constexpr vtkIdType block = 4096;
     const auto tuples =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));

@@ -19,13 +19,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Called between pieces of some milliseconds with the fraction that is done; false ends the work.
+ * Called every few milliseconds with the fraction that is done. Returns false to end the work.
  */
 using HashProgress = std::function<bool(double)>;
 
 /**
- * Computes the MD5 of an array's shape and of its values, tuple by tuple in any memory layout;
- * empty if the work was ended. Any thread may call it, not only that of the array's owner.
+ * Computes the MD5 of an array's shape and of its values, tuple by tuple in any memory layout.
+ * Returns an empty text if `progress` ended the work. Any thread may call it, not only the thread
+ * of the array's owner.
  */
 std::string HashArray(
   vtkDataArray* array, const int dimensions[3], const HashProgress& progress = nullptr);
@@ -40,13 +41,14 @@ class ArrayHash
 {
 public:
   /**
-   * Returns the hash of an array, empty without one; computes it in this call if it is not known.
+   * Returns the hash of an array; empty if there is no array. Computes it in this call if it is not
+   * known.
    */
   std::string Get(const TouchedArray& array);
   /**
    * Returns the hash of an array, computed in the background. Until it is known, calls `goesOn`
-   * several times a second with the fraction that is done; if that returns false, ends the work and
-   * returns an empty text.
+   * several times a second with the fraction that is done. If `goesOn` returns false, ends the work
+   * and returns an empty text.
    */
   std::string Await(const TouchedArray& array, const std::function<bool(double)>& goesOn);
 

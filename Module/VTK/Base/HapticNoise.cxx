@@ -23,8 +23,8 @@ namespace
 
 /**
  * Identifies the noise of an array: the array, the address of its values, their number along each
- * axis, the component, and the last change. The time of change is unique to an object, so an object
- * that has the address of a deleted one still gets another key.
+ * axis, the component, and the modification time. Modification times are unique among all objects,
+ * so an object at the address of a deleted one still has another key.
  */
 using NoiseKey =
   std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
@@ -36,14 +36,14 @@ NoiseKey MakeNoiseKey(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const std::int64_t* const n = view.Dimensions;
-  // Programs that write into an array often call only the image's Modified().
+  // Use both times: programs that write into an array often call only the image's Modified().
   return { scalars, view.Data, { n[0], n[1], n[2] }, component,
     std::max(image->GetMTime(), scalars->GetMTime()) };
 }
 
 /**
- * Reduces the range of all samples to the finite samples that stand for no missing value. The
- * samples are read again only if an end of the range may stand for a missing value.
+ * Reduces the range of all samples to the range of the finite samples that do not stand for a
+ * missing value. Reads the samples again only if an end of the range may stand for a missing value.
  */
 void ComputeInsideRange(vtkDataArray* scalars, int component, double range[2])
 {
@@ -66,8 +66,7 @@ void ComputeInsideRange(vtkDataArray* scalars, int component, double range[2])
 }
 
 /**
- * Returns what was found before for an array; if there is nothing, calls `find` and stores its
- * result.
+ * Returns the stored result for an array. If there is none, calls `find` and stores its result.
  */
 template <typename Found, typename Find>
 Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component,
@@ -88,8 +87,8 @@ Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view,
     return at->What;
   }
   const Found found = find();
-  // Arrays of other layouts store their range in themselves, which may advance their time of
-  // change.
+  // Make the key again: arrays of other layouts store their range in themselves, which may advance
+  // their modification time.
   known[next] = { MakeNoiseKey(image, scalars, view, component), found };
   next = (next + 1) % MostKnown;
   return found;

@@ -32,27 +32,27 @@ struct FoundNoise
 {
   double Noise = 0.0; ///< standard deviation of the noise (scalar units)
   /**
-   * Range of all values, or of the noise samples (HasRangeOfAll). If there are no values, the first
-   * number is the larger one.
+   * Range of all values (if HasRangeOfAll) or of the noise samples. If there are no values, the
+   * first number is the larger one.
    */
   double Range[2] = { 1.0, 0.0 };
 };
 
 /**
- * Estimates the noise of a component. The results for the latest arrays are remembered, for all
- * filters of a thread, until the image or the array is modified.
+ * Estimates the noise of a component. Results for the latest arrays are stored, for all filters of
+ * a thread, until the image or the array is modified.
  */
 FoundNoise EstimateImageNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
-/** Finds where the background ends; remembers the result as EstimateImageNoise() does. */
+/** Finds where the background ends. Stores the result as EstimateImageNoise() does. */
 BackgroundLevel EstimateSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 ///@{
 /**
- * Finds how Hounsfield units are stored; with a view, remembers the result as EstimateImageNoise()
- * does.
+ * Finds how Hounsfield units are stored. The function with a view stores the result as
+ * EstimateImageNoise() does.
  */
 StoredShift EstimateStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);

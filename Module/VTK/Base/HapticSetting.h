@@ -28,7 +28,7 @@
 namespace VolumeHaptics
 {
 
-/** One value of a setting that is a choice; the value is its place in the list. */
+/** One value of a setting that is a choice. The value is the index of the choice in the list. */
 struct SettingChoice
 {
   const char* Name; ///< name in files
@@ -43,7 +43,7 @@ enum class SettingKind
   Choice
 };
 
-/** The members that do not depend on the class that has the setting. */
+/** Facts that do not depend on the class that has the setting. */
 struct SettingFacts
 {
   SettingKind Kind;
@@ -61,27 +61,28 @@ struct SettingFacts
 };
 
 /**
- * Returns the nearest value that a setting may have; for NaN the minimum, which is the safe one.
+ * Returns the nearest value that a setting may have. For NaN returns the minimum, because it is the
+ * safe one.
  */
 inline double Clamp(const SettingFacts& setting, double value)
 {
   return value > setting.Minimum ? std::min(value, setting.Maximum) : setting.Minimum;
 }
 
-/** A setting of the class Owner. Every value that a setting can have fits into a double. */
+/** A setting of the class Owner. Every value that a setting can have can be stored as a double. */
 template <typename Owner>
 struct HapticSetting : SettingFacts
 {
   double (*Get)(Owner*);
   void (*Set)(Owner*, double);
   ///@{
-  /** copies the setting to a model's description; null if a model does not keep it unchanged */
+  /** Copies the setting to a model's description; null if a model does not store it unchanged. */
   void (*Bake)(Owner*, HapticModelDescription&);
   bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
   ///@}
 };
 
-/** The most numbers that a vector setting has: those of a direction matrix. */
+/** Largest size of a vector setting: that of a direction matrix. */
 constexpr int LongestVector = 9;
 using SettingVector = std::array<double, LongestVector>;
 
@@ -92,11 +93,11 @@ struct HapticVectorSetting
   const char* Name; ///< name as in Get... and Set...
   int Size;
   ///@{
-  /** the limits of each number */
+  /** Range of each number. */
   double Minimum;
   double Maximum;
   ///@}
-  SettingVector Default; ///< its first `Size` numbers count, here and below
+  SettingVector Default; ///< only the first `Size` numbers count, here and in Get and Set
   const char* Unit;      ///< empty for a setting that has none
   const char* Documentation;
   SettingVector (*Get)(Owner*);
@@ -112,7 +113,7 @@ struct HapticTextSetting
   const char* Documentation;
   std::string (*Get)(Owner*);
   void (*Set)(Owner*, const std::string&);
-  std::string (*Check)(const std::string&); ///< the fault in a text; empty if there is none
+  std::string (*Check)(const std::string&); ///< returns the fault in a text; empty if there is none
 };
 
 /** A transfer function of the class Owner. Its values are 0 or more. */
@@ -128,10 +129,13 @@ struct HapticFunctionSetting
   const char* Documentation;
 };
 
-/** Stands for the member of a model that does not keep a setting as it is. */
+/** Stands for the model's member of a setting that a model does not store unchanged. */
 constexpr std::nullptr_t NotBaked = nullptr;
 
-/** Makes the functions of a setting from the members of its class and of a model. */
+/**
+ * Makes the access functions of a setting from its class's getter and setter and the model's
+ * member.
+ */
 template <auto Getter, auto Setter, auto Baked>
 struct SettingAccess;
 
@@ -142,7 +146,7 @@ struct SettingAccess<Getter, Setter, Baked>
   static double Get(Owner* owner) { return static_cast<double>((owner->*Getter)()); }
   static void Set(Owner* owner, double value) { (owner->*Setter)(static_cast<Value>(value)); }
 
-  /** Returns the member of a model's description, or of the settings in the description. */
+  /** Returns the member of a model's description, or of the description's settings. */
   template <typename Description>
   static auto& Get(Description& description)
   {
@@ -178,7 +182,7 @@ struct SettingAccess<Getter, Setter, Baked>
   }
 };
 
-/** Makes the functions of a vector from the members of its class. */
+/** Makes the access functions of a vector setting from its class's getter and setter. */
 template <typename Owner, typename Value, int Size, Value* (Owner::*Getter)(),
   void (Owner::*Setter)(const Value*)>
 struct VectorAccess
@@ -207,8 +211,8 @@ struct VectorAccess
   }
 };
 
-// One row each, for the class `Owner`. `baked` is the member of HapticSettings or of
-// HapticModelDescription that keeps the setting, or NotBaked.
+// Each macro makes one row for the class `Owner`. `baked` is the member of HapticSettings or of
+// HapticModelDescription that stores the setting, or NotBaked.
 #define HapticRowMacro(name, baked, ...) \
   SettingAccess<&Owner::Get##name, &Owner::Set##name, baked>::Make({ __VA_ARGS__ })
 #define HapticNumberMacro(name, minimum, maximum, standard, unit, baked, text) \
@@ -219,25 +223,25 @@ struct VectorAccess
     name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
 #define HapticFlagMacro(name, standard, baked, text) \
   HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
-// Makes the row of a choice, whose names are in an array NAMENames.
+// Makes the row of a choice. The names of its values are in an array that is called NAMENames.
 #define HapticChoiceMacro(name, standard, baked, text)         \
   HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
     static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
-// Makes the row of a vector. `type` is the type of its numbers; the default's numbers come last.
+// Makes the row of a vector. `type` is the type of its numbers; the last arguments are its default.
 #define HapticVectorMacro(name, type, size, minimum, maximum, unit, text, ...)                   \
   VectorAccess<Owner, type, size, static_cast<type* (Owner::*)()>(&Owner::Get##name),            \
     static_cast<void (Owner::*)(const type*)>(&Owner::Set##name)>::Make(#name, minimum, maximum, \
     unit, text, { __VA_ARGS__ })
 
 /**
- * The limits of settings that are not limited. Numbers that VTK's macros clamp to be at least 0
- * have the upper limit VTK_DOUBLE_MAX (1e299) instead.
+ * Limits of settings that have no limit of their own. Numbers that VTK's macros clamp to be at
+ * least 0 have the upper limit VTK_DOUBLE_MAX (1e299) instead.
  */
 inline constexpr double LargestNumber = std::numeric_limits<double>::max();
 inline constexpr double LargestInteger = std::numeric_limits<int>::max();
 
 ///@{
-/** Prints settings for PrintSelf, one a line. */
+/** Prints settings for PrintSelf, one on each line. */
 template <typename Owner, std::size_t Size>
 void PrintSettings(
   std::ostream& os, vtkIndent indent, Owner* owner, const HapticSetting<Owner> (&settings)[Size])

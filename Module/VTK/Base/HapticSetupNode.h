@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads the settings of a setup with one list.
+ * Writes and reads the settings of a setup with the same code.
  */
 #ifndef HapticSetupNode_h
 #define HapticSetupNode_h
@@ -25,20 +25,26 @@ namespace VolumeHaptics
 struct SetupFileKind
 {
   const char* Format; ///< the value of the key "Format"
-  int Version;        ///< the version to write; files of this version and earlier ones can be read
+  int Version;        ///< the version that is written; this version and earlier ones can be read
   const char* Noun;   ///< such as "setup"
-  const char* Cure;   ///< where such files come from: "that vtkHapticSetup saved"
-  const char* Again;  ///< what else helps: "save the setup again"
+  const char* Cure;   ///< origin of such files, for errors: "that vtkHapticSetup saved"
+  const char* Again;  ///< another cure, for errors: "save the setup again"
 };
 
 /** Begins a file of a kind. */
 Json::Value NewSetupFile(const SetupFileKind& kind);
 
-/** Parses a file. False, with the fault and the cure, if the text is no file of the kind. */
+/**
+ * Parses a file. Returns false, with the fault and the cure in `error`, if the text is no file of
+ * the kind.
+ */
 bool ParseSetupFile(
   const std::string& text, const SetupFileKind& kind, Json::Value& root, std::string& error);
 
-/** The result of a pass over the settings: the changes to make, unless there is an error. */
+/**
+ * State of one pass over the settings. When reading, collects the changes, which are made unless
+ * there is an error.
+ */
 struct SetupPass
 {
   bool Writing = false;
@@ -57,12 +63,13 @@ struct NumberRange
 NumberRange AnyNumber();
 NumberRange NotNegative();
 
-/** The numbers of a function's node or of a vector. */
+/** Numbers of a row of a function, or of a vector. */
 using NumberRow = std::vector<double>;
 
 /**
- * A JSON object and its place in the file. Writing stores the results of the getters in it. Reading
- * checks the values and leaves a change for each setter. Missing keys are left alone.
+ * A JSON object and its path in the file. Writing stores the results of the getters in it. Reading
+ * checks the values and adds a change for each setter. A setting whose key is missing stays
+ * unchanged.
  */
 class SetupNode
 {
@@ -80,36 +87,38 @@ public:
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
   /**
-   * Reads or writes a text. `check` returns the fault of a text, with the cure; empty if it is
+   * Reads or writes a text. `check` returns the fault in a text, with the cure; empty if it is
    * valid.
    */
   void Text(const char* key, const std::function<std::string()>& get,
     const std::function<void(const std::string&)>& set,
     const std::function<std::string(const std::string&)>& check = {});
   /**
-   * Reads or writes a choice by name; its value is the index of the name. Returns the index read,
-   * or -1.
+   * Reads or writes a choice by its name. Its value is the index of the name. Returns the index
+   * that was read, or -1 if there is none.
    */
   int Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);
-  /** Reads or writes a fixed number of numbers. Returns the numbers read, or nothing. */
+  /** Reads or writes a fixed number of numbers. Returns the numbers that were read, or none. */
   NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,
     const std::function<void(const NumberRow&)>& set);
   /**
-   * Reads or writes rows whose columns have these ranges, with the first column in ascending order.
+   * Reads or writes rows of numbers. `columns` has the range of each column. The first column must
+   * ascend.
    */
   void Table(const char* key, const std::vector<NumberRange>& columns,
     const std::function<std::vector<NumberRow>()>& get,
     const std::function<void(const std::vector<NumberRow>&)>& set);
 
-  /** Checks a condition on all values read; the error names the key. */
+  /** Reports an error about a key unless a condition on all values read holds. */
   void Require(const char* key, bool holds, const std::string& wanted);
-  /** Adds a change to make after the values read so far; does nothing when writing. */
+  /**
+   * Adds a change that is made after those of the values read so far. Does nothing when writing.
+   */
   void Then(std::function<void()> change);
 
   /**
-   * Returns the node of an object in this one. If the object is missing, nothing can be read from
-   * it.
+   * Returns the node of an object in this one. If the object is missing, the node reads nothing.
    */
   SetupNode Child(const std::string& key);
 
@@ -128,7 +137,7 @@ private:
   std::string Path;
 };
 
-/** Passes a setting of an owner, which must live until the changes are made. */
+/** Reads or writes a setting of an owner, which must live until the changes are made. */
 template <typename Owner>
 void PassSetting(SetupNode& node, Owner* owner, const HapticSetting<Owner>& setting)
 {
@@ -161,7 +170,9 @@ void PassSetting(SetupNode& node, Owner* owner, const HapticSetting<Owner>& sett
 }
 
 ///@{
-/** Passes one key for each setting of an owner, which must live until the changes are made. */
+/**
+ * Reads or writes one key for each setting of an owner, which must live until the changes are made.
+ */
 template <typename Owner, std::size_t Size>
 void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
 {

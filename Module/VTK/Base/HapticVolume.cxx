@@ -45,7 +45,8 @@ constexpr ScalarType ScalarTypeOf()
 }
 
 /**
- * Finds the address of a component and the step between its tuples; false for other memory layouts.
+ * Finds the address of a component and the step between its tuples. Returns false for other memory
+ * layouts.
  */
 template <typename T>
 bool LocateComponent(
@@ -56,14 +57,15 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // Rendering may convert the array's memory to another layout at any time. The holder shares the
-    // memory and keeps it for the servo.
+    // Rendering may convert the array's memory to another layout at any time. The holder is an
+    // array of its own that shares the memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);
     if (isSeparate)
     {
-      // VTK 9.6 copies nothing into an array whose components are not yet in one memory block.
+      // VTK 9.6 copies nothing into a new array, because its components are in one block: separate
+      // them first.
       soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
       soa->SetArray(0, nullptr, 0, false, true);
     }
@@ -104,8 +106,8 @@ double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView&
 }
 
 /**
- * Views the scalars; the error's cure states the kernel radius (voxels). `holder` has to live as
- * long as the view: it is the array, or an array that shares its memory.
+ * Views the scalars. `kernelRadius` (voxels) is stated in the cure of an error. `holder` has to
+ * live as long as the view: it is the array, or an array that shares its memory.
  */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)
@@ -173,7 +175,7 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
-/** Makes a view of a region count its indices as the whole volume does. */
+/** Changes the view of a region so that its indices count as those of the whole volume. */
 void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
 {
   const int* const extent = image->GetExtent();

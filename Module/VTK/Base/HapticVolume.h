@@ -25,42 +25,42 @@ namespace VolumeHaptics
 /** One component of an image. */
 struct HapticVolume
 {
-  VolumeView View;                      ///< indices count as those of the whole volume
+  VolumeView View;                      ///< its indices count as those of the whole volume
   vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory of View alive
   Affine3 IndexToWorld;                 ///< maps View's indices to the world
   WholeFacts Whole;
 };
 
 /**
- * Reads a component of an image without a copy. False, with the reason and the cure in `error`, if
- * the array can't be viewed, or the geometry or the field arrays are invalid. The error's cure
- * states the kernel's radius (voxels).
+ * Reads a component of an image without a copy. Returns false, with the reason and the cure in
+ * `error`, if the array can't be viewed, or the geometry or the field arrays are invalid.
+ * `kernelRadius` (voxels) is stated in the cure.
  */
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error);
 
 /**
- * Views the samples of a component without a copy; false if the type or the memory layout of the
- * array is unsupported. `holder` has to live as long as the view: it is the array, or an array that
- * shares its memory. The view's Data is null if the component has no memory.
+ * Views the samples of a component without a copy. Returns false if the type or the memory layout
+ * of the array is unsupported. `holder` has to live as long as the view: it is the array, or an
+ * array that shares its memory. The view's Data is null if the component has no memory.
  */
 bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3], VolumeView& view,
   vtkSmartPointer<vtkDataArray>& holder);
 
 /**
- * Maps an index that counts from the beginning of an extent to the world. False, with an error
- * about the image of that name, if there is no such map.
+ * Computes the map to the world from indices that count from the beginning of an extent. Returns
+ * false if there is no such map; `error` then calls the image `name`.
  */
 bool MakeIndexToWorld(
   vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error);
 
-/** Describes an array for errors: array "Density". */
+/** Returns the name of an array for errors, such as: array "Density". */
 std::string DescribeArray(vtkDataArray* scalars);
 
 /** Returns the smallest spacing of an image (world units). */
 double SmallestSpacing(vtkImageData* image);
 
-/** Returns the number of points that an image needs along every axis. */
+/** Returns the smallest number of points along each axis that an image must have. */
 constexpr int PointsNeeded(int kernelRadius)
 {
   return 2 * kernelRadius + 1;

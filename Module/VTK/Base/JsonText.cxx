@@ -12,8 +12,9 @@ namespace
 {
 
 /**
- * Reads numbers as JSON writes them while it lives. jsoncpp reads numbers in the application's
- * locale, where 0.5 may be written 0,5. Changes nothing if the locale already reads them so.
+ * While this lives, numbers are read as JSON writes them. jsoncpp reads numbers in the
+ * application's locale, where 0.5 may be written 0,5. Changes nothing if the locale already has the
+ * decimal point.
  */
 class PlainNumbers
 {
@@ -24,7 +25,7 @@ public:
     this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
     if (this->Changed)
     {
-      // The locale has no name, so that the locale of C stays unchanged.
+      // A locale without a name leaves the locale of C unchanged.
       std::locale::global(std::locale(this->Before, new std::numpunct<char>));
     }
   }
@@ -69,7 +70,7 @@ bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
       std::to_string(DeepestBrackets) + " deep.";
     return false;
   }
-  catch (const std::exception& e) // out of memory
+  catch (const std::exception& e) // jsoncpp ran out of memory
   {
     error = std::string("it is not JSON: ") + e.what();
     return false;

@@ -18,7 +18,8 @@ constexpr double Centi = 10.0;
 constexpr double Metre = 1000.0;
 constexpr double Inch = 25.4;
 
-// The micro sign and the Greek letter, in UTF-8 and in Latin 1; ImageJ escapes the micro sign.
+// The micro sign and the Greek letter, in UTF-8 and in Latin 1. ImageJ writes the micro sign as an
+// escape.
 const std::map<std::string, double> Units = { { "pm", Pico }, { "picometer", Pico },
   { "angstrom", Angstrom }, { "\xc3\x85", Angstrom }, { "nm", Nano }, { "nanometer", Nano },
   { "nanometre", Nano }, { "um", Micro }, { "\xc2\xb5m", Micro }, { "\xce\xbcm", Micro },

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The order of files by their names.
+ * Orders files by their names.
  */
 #ifndef NameOrder_h
 #define NameOrder_h
@@ -19,7 +19,10 @@ inline bool IsDigit(char letter)
   return letter >= '0' && letter <= '9';
 }
 
-/** Returns the digits of a number from `at` on without leading zeros, and moves `at` behind it. */
+/**
+ * Returns the digits at `at` without leading zeros, and moves `at` to the first character after
+ * them.
+ */
 inline std::string ReadDigits(const std::string& name, std::size_t& at)
 {
   const std::size_t first = std::min(name.find_first_not_of('0', at), name.size());
@@ -30,8 +33,8 @@ inline std::string ReadDigits(const std::string& name, std::size_t& at)
 }
 
 /**
- * Whether a name comes before another one if the numbers in names count as numbers: "T2" comes
- * before "T10". Numbers come before all else.
+ * Whether a name comes before another name if digits in names are compared as numbers: "T2" comes
+ * before "T10". Digits come before all other characters.
  */
 inline bool IsNamedBefore(const std::string& a, const std::string& b)
 {

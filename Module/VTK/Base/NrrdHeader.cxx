@@ -18,7 +18,10 @@ namespace
 {
 
 constexpr std::string_view NrrdMagic = "NRRD000";
-/** Limit on the size of a header that is read from a file; segmentations have some kilobytes. */
+/**
+ * Largest size (bytes) of a header that is read from a file. Headers of segmentations have some
+ * kilobytes.
+ */
 constexpr std::size_t LongestNrrdHeader = std::size_t{ 1 } << 24;
 
 struct NamedType
@@ -51,7 +54,7 @@ std::string_view TrimLine(std::string_view text)
     : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-/** Converts a text to lower case, without blanks. */
+/** Converts a text to lower case and removes blanks. */
 std::string MakePlain(std::string_view text)
 {
   std::string plain;
@@ -85,7 +88,7 @@ std::string Unescape(std::string_view text)
   return result;
 }
 
-/** Adds a line without blanks around it. */
+/** Adds the field or the key of a line to the header. The line has no blanks around it. */
 void AddLine(std::string_view line, NrrdHeader& header)
 {
   const std::size_t equals = line.find(":=");
@@ -107,8 +110,8 @@ void AddLine(std::string_view line, NrrdHeader& header)
 }
 
 /**
- * Reads numbers in parentheses, "(x,y,z)" without blanks, and multiplies each by a factor. Of four
- * numbers the last one, which is a time, is left out.
+ * Reads numbers in parentheses, "(x,y,z)" without blanks, and multiplies each by a factor. Leaves
+ * out the last of four numbers, which is a time.
  */
 std::optional<NrrdVector> ParseNrrdVector(
   std::string_view text, const NrrdVector& factors, std::size_t count = 3)
@@ -137,7 +140,7 @@ std::optional<NrrdVector> ParseNrrdVector(
   return vector;
 }
 
-/** Splits a list of texts, in quotation marks or between blanks. */
+/** Splits a list of texts that are in quotation marks or separated by blanks. */
 std::vector<std::string> SplitNrrdTexts(const std::string& list)
 {
   std::vector<std::string> texts;
@@ -161,20 +164,20 @@ std::vector<std::string> SplitNrrdTexts(const std::string& list)
   return texts;
 }
 
-/** Returns the units of a field, one an axis. */
+/** Returns the units of a field, one for each axis. */
 std::vector<std::string> ReadNrrdUnits(const NrrdHeader& header, const char* field)
 {
   return SplitNrrdTexts(header.GetField(field));
 }
 
-/** Returns the length (mm) of one of several units; 1 if it is not given, or not known. */
+/** Returns the length (mm) of the unit of an axis. Returns 1 if it is not given or not known. */
 double UnitOf(const std::vector<std::string>& units, std::size_t axis)
 {
   const double unit = axis < units.size() ? MillimetresPerUnit(units[axis]) : 0.0;
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Returns what positions in the header's space are multiplied by. */
+/** Returns the factors that convert positions in the header's space. */
 NrrdVector ComputeSpaceFactors(const NrrdHeader& header)
 {
   NrrdVector factors = FindNrrdSpace(header).Signs;
@@ -192,7 +195,10 @@ std::vector<std::string> SplitNrrdWords(const std::string& text)
   return { std::istream_iterator<std::string>(words), {} };
 }
 
-/** Returns the finite number of an axis in a field with a number for each axis. */
+/**
+ * Returns the number of an axis in a field with one number for each axis; nothing unless it is
+ * finite.
+ */
 std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, std::size_t axis)
 {
   const std::vector<std::string> words = SplitNrrdWords(header.GetField(field));
@@ -201,7 +207,10 @@ std::optional<double> NumberOfAxis(const NrrdHeader& header, const char* field, 
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/** Whether samples fill their voxels, so that "axis mins" is half a voxel before the first one. */
+/**
+ * Whether samples are centres of cells, so that "axis mins" is half a voxel before the first
+ * sample.
+ */
 bool HasCells(const NrrdHeader& header, std::size_t axis)
 {
   const std::vector<std::string> centers = SplitNrrdWords(header.GetField("centers"));
@@ -363,7 +372,7 @@ std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header)
     const auto told = find([&](std::size_t axis)
       { return kinds[axis] == "domain" || kinds[axis] == "space" || kinds[axis] == "???"; });
     axes = told.size() >= 3 ? told : axes;
-    axes.resize(std::min<std::size_t>(axes.size(), 3)); // the fourth one of ITK is time
+    axes.resize(std::min<std::size_t>(axes.size(), 3)); // in ITK's files the fourth axis is time
   }
   return axes.size() == 3 ? std::optional<std::array<std::size_t, 3>>({ axes[0], axes[1], axes[2] })
                           : std::nullopt;

@@ -21,78 +21,83 @@ namespace VolumeHaptics
 /** The type of samples. */
 struct NrrdType
 {
-  std::size_t Size = 0; ///< bytes; 0 if the samples are no numbers of this computer
+  std::size_t Size = 0; ///< bytes; 0 if this computer has no such type
   bool IsInteger = true;
   bool IsSigned = true;
 };
 
 struct NrrdHeader
 {
-  /** "field: description"; names in lower case and without blanks, such as "spacedirections". */
+  /** Descriptions by field. Names are in lower case without blanks, such as "spacedirections". */
   std::map<std::string, std::string> Fields;
-  std::map<std::string, std::string> Values; ///< "key:=value", without escapes
-  std::vector<std::string> Files;            ///< files with the samples, from "data file: LIST"
-  std::size_t Size = 0;                      ///< bytes, including the empty line at the end
+  std::map<std::string, std::string> Values; ///< values of the lines "key:=value", without escapes
+  std::vector<std::string> Files;            ///< names of the files with the samples, from "data
+                                             ///< file: LIST"
+  std::size_t Size = 0;                      ///< size of the header in bytes, with the empty line
+                                             ///< at its end
   bool HasEnd = false;                       ///< whether the header ends with an empty line
 
   /** Returns the description of a field; empty if there is none. */
   std::string GetField(const std::string& name) const;
-  /** Returns the numbers of a field. Words that are no numbers are left out. */
+  /** Returns the numbers of a field. Leaves out words that are not numbers. */
   std::vector<double> GetNumbers(const std::string& name) const;
   NrrdType GetType() const;
   /** Whether the most significant byte of a sample comes first. */
   bool IsBig() const;
-  /** Returns the file with the samples, as the header names it; empty if they follow the header. */
+  /**
+   * Returns the file with the samples, as the header names it; empty if the samples follow the
+   * header.
+   */
   std::string GetDataFile() const { return this->GetField("data file"); }
 };
 
 /** A position or a step (mm), in left-posterior-superior coordinates as in ITK. */
 using NrrdVector = std::array<double, 3>;
 
-/** The space that the positions of a header belong to. */
+/** The coordinate system of the positions in a header. */
 struct NrrdSpace
 {
   bool IsPatient = false;    ///< whether its axes are those of a patient
   bool IsLeftHanded = false; ///< whether it is a mirror image of space
-  NrrdVector Signs;          ///< factors that turn positions to left-posterior-superior
+  NrrdVector Signs;          ///< whether its axes are left-handed
 };
 
 /** Whether bytes begin like a NRRD file. */
 bool IsNrrd(std::string_view bytes);
 
 ///@{
-/** Parse the header at the beginning of a file; it is empty if the file is no NRRD file. */
+/** Parse the header at the beginning of a file. The result is empty if the file is no NRRD file. */
 NrrdHeader ParseNrrdHeader(std::string_view bytes);
 NrrdHeader ReadNrrdHeader(const std::string& path);
 ///@}
 
 NrrdSpace FindNrrdSpace(const NrrdHeader& header);
 
-/** Splits a text at its blanks, except within parentheses, from which blanks are removed. */
+/** Splits a text at its blanks, but not within parentheses, where it removes the blanks. */
 std::vector<std::string> SplitNrrdVectors(const std::string& text);
 
 /**
- * Returns the numbers of the three axes of space, by their directions or kinds; else of the first
- * three. Nothing if space has not three axes.
+ * Returns the indices of the three axes of space, chosen by their directions or kinds; if neither
+ * is given, of the first three axes. Returns nothing unless there are three.
  */
 std::optional<std::array<std::size_t, 3>> ReadNrrdAxes(const NrrdHeader& header);
 
 /**
- * Returns the steps from a sample to the next one along the axes of space; nothing if they are not
- * given.
+ * Returns the vectors from a sample to its neighbours along the axes of space. Returns nothing if
+ * they are not given.
  */
 std::optional<std::array<NrrdVector, 3>> FindNrrdSteps(const NrrdHeader& header);
 
-/** Returns the distances (mm) of samples along the axes of space, where no steps are given. */
+/** Returns the spacings (mm) along the axes of space, for a header without such vectors. */
 NrrdVector FindNrrdSpacings(const NrrdHeader& header);
 
 /**
- * Returns the position of the first sample: "space origin", or "axis mins", else zeros; nothing if
- * it is malformed.
+ * Returns the position of the first sample: that of "space origin" or "axis mins", or zeros if
+ * neither is given. Returns nothing if it is malformed.
  */
 std::optional<NrrdVector> FindNrrdOrigin(const NrrdHeader& header);
 
-/** Returns a note on the unit of lengths; empty if it is the millimetre, or not given. */
+/** Returns a note on the unit of length; empty if it is the millimetre or not given. */
 std::string DescribeNrrdUnits(const NrrdHeader& header);
 
 } // namespace VolumeHaptics

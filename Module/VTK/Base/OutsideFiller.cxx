@@ -25,7 +25,7 @@ namespace
 /** Fraction of the examined samples above which holes are reported. */
 constexpr double MostHoles = 0.01;
 
-/** Whether samples at a corner may be outside, or samples may be NaN; if not, none are read. */
+/** Whether a corner sample may be outside, or samples may be NaN. If not, no samples are read. */
 bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
   const int type = scalars->GetDataType();
@@ -108,7 +108,7 @@ void FillOutside(const OutsideSamples& outside, vtkDataArray* scalars, int compo
 {
   VolumeView view;
   vtkSmartPointer<vtkDataArray> holder;
-  const int row[3] = { 1, 1, 1 }; // only the strides of the row matter
+  const int row[3] = { 1, 1, 1 }; // only the stride along the row is used
   if (outside.HasAny() && LocateSamples(scalars, component, row, view, holder) && view.Data)
   {
     Fill(outside, scalars->GetDataType(), const_cast<void*>(view.Data), view.Stride[0],

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fills the samples of arrays that are outside (OutsideSamples.h) with the value that is felt
- * there.
+ * Fills the outside samples of arrays (OutsideSamples.h) with the value that is felt there.
  */
 #ifndef OutsideFiller_h
 #define OutsideFiller_h
@@ -25,8 +24,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Finds what is outside in a component of an image. For a region of a larger volume, the image's
- * field arrays say so; in data that can't be touched, nothing is outside.
+ * Finds which samples are outside in a component of an image. For a region of a larger volume,
+ * reads this from the image's field arrays. In data that can't be touched, no sample is outside.
  */
 VTKVOLUMEHAPTICS_EXPORT OutsideSamples DetectOutside(
   vtkImageData* image, vtkDataArray* scalars, int component);
@@ -39,7 +38,8 @@ VTKVOLUMEHAPTICS_EXPORT void FillOutside(
 ///@}
 
 /**
- * Returns a filled copy of an array, with all components; the array itself if nothing is outside.
+ * Returns a filled copy of an array, with all components. Returns the array itself if nothing is
+ * outside.
  */
 VTKVOLUMEHAPTICS_EXPORT vtkSmartPointer<vtkDataArray> CopyFilled(
   const OutsideSamples& outside, vtkDataArray* scalars, int component);
@@ -53,7 +53,7 @@ VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
  */
 bool AreScalars(int components);
 
-/** Keeps the last filled copy, which all bakes of an array share. */
+/** Stores the last filled copy, which all bakes of an array share. */
 class OutsideFiller
 {
 public:
@@ -61,7 +61,9 @@ public:
   vtkSmartPointer<vtkDataArray> Fill(vtkImageData* image, vtkDataArray* scalars, int component);
   /** Returns which samples were outside in the last array. */
   const OutsideSamples& GetLast() const { return this->Last; }
-  /** Returns DescribeOutside() of the last array the first time, then an empty text. */
+  /**
+   * Returns DescribeOutside() of the last array at the first call, and an empty text after that.
+   */
   std::string DrainNotice();
 
 private:

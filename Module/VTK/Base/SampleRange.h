@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The range of a component of a vtkDataArray, found on any thread.
+ * Computes the range of a component of a vtkDataArray on any thread.
  */
 #ifndef SampleRange_h
 #define SampleRange_h
@@ -14,10 +14,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Computes the smallest and the largest finite value; the first is larger if there are none.
- * vtkDataArray::GetFiniteRange would keep the range in the array's information; this function uses
- * a view of the same memory, so that another thread may read the array meanwhile. Arrays that don't
- * keep tuple after tuple in memory have no such view.
+ * Computes the smallest and the largest finite value. If there are none, the first number is the
+ * larger one. vtkDataArray::GetFiniteRange would store the range in the array's information. This
+ * function uses a view of the same memory instead, so that another thread may read the array
+ * meanwhile. Arrays that do not store one tuple after another have no such view.
  */
 inline void ComputeFiniteRange(vtkDataArray* array, int component, double range[2])
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An array that a filter touches, with the facts that show whether it has changed.
+ * An array that a filter touches, with the facts that reveal whether it has changed.
  */
 #ifndef TouchedArray_h
 #define TouchedArray_h
@@ -23,7 +23,7 @@ struct TouchedArray
   std::array<int, 3> Dimensions{};     ///< dimensions of its image
   vtkMTimeType Time = 0;               ///< when image or array was last modified
 
-  /** Identifies this state of the array: no two objects ever have the same time of change. */
+  /** Identifies this state of the array. Modification times are unique among all objects. */
   using Key = std::tuple<const void*, std::array<int, 3>, vtkMTimeType>;
   Key GetKey() const { return { this->Array.Get(), this->Dimensions, this->Time }; }
 };

@@ -22,14 +22,19 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
-/** The numbers of BackgroundLevel for a component; the first two are equal if there is no level. */
+/**
+ * Size of BackgroundLevel for a component. Its first two numbers are equal if there is no level.
+ */
 constexpr vtkIdType NumbersOfSolid = 4;
 
-/** The shift, the value of air, whether the values can't be Hounsfield units, and the range. */
+/**
+ * Size of StoredShift: the shift, the value of air, whether the values can't be Hounsfield units,
+ * the range.
+ */
 constexpr int NumbersOfShift = 5;
 constexpr int NumbersOfOutside = 4;
 
-/** Reads one number of an array, counted through its tuples. */
+/** Returns a number of an array, counted through all components of one tuple after another. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
 {
   const int components = array->GetNumberOfComponents();
@@ -37,8 +42,8 @@ double NumberOf(vtkDataArray* array, vtkIdType i)
 }
 
 /**
- * Finds a numeric field array of at least `least` finite numbers; null, with an error, if it is
- * invalid.
+ * Returns a numeric field array of at least `least` finite numbers. If it is missing or invalid,
+ * returns null, with the reason in `error`.
  */
 vtkDataArray* FindNumbers(
   vtkFieldData* fields, const char* name, vtkIdType least, std::string& error)

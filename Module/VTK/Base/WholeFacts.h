@@ -41,13 +41,13 @@ struct WholeFacts
   double BorderValue = 0.0;
   BackgroundLevel Solid; ///< absent if the image does not carry it
   StoredShift Shift;     ///< 0 if the image does not carry it
-  double Time = 0.0;     ///< changes when the whole changes
-  /** The factor on the force; below 1 if the samples stand in for the whole volume's. */
+  double Time = 0.0;     ///< changes whenever the whole volume changes
+  /** Factor on the force. Below 1 if the samples only stand in for those of the whole volume. */
   double Share = 1.0;
-  OutsideSamples Outside; ///< which samples are still to be filled, and how many are holes
+  OutsideSamples Outside; ///< which samples have yet to be filled, and how many are holes
 };
 
-/** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
+/** Reads the field arrays. Returns false, with the cure in `error`, if they are malformed. */
 bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
 
 /** The facts for all components of an image. */

@@ -21,11 +21,13 @@ namespace
 {
 
 /**
- * Whether a file is complete. VTK's readers fill missing appended samples with arbitrary memory.
+ * Whether a file is complete. VTK's readers fill samples that are missing at its end with arbitrary
+ * memory.
  */
 bool HasEnd(const std::string& file)
 {
-  constexpr std::streamoff longest = 1024; // bytes that hold the last element
+  // size of the end of a file that contains its last element (bytes)
+  constexpr std::streamoff longest = 1024;
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = in.tellg();
   std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest)), ' ');
@@ -55,7 +57,7 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
     reader->Update();
     hasFailed = hasFailed || !HasEnd(file);
   }
-  // The reader may outlive hasFailed.
+  // Remove the observers, because the reader may outlive hasFailed.
   reader->SetReaderErrorObserver(nullptr);
   reader->SetParserErrorObserver(nullptr);
   reader->RemoveObserver(ofReader);

@@ -19,13 +19,16 @@ class vtkXMLWriter;
 namespace VolumeHaptics
 {
 
-/** Reads a file. Returns false after an error; the reader's output is then what could be read. */
+/** Reads a file. Returns false after an error; the reader's output then has what could be read. */
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
-/** Writes all of the file, or nothing. Returns false, with the reason and the cure. */
+/**
+ * Writes the file completely, or not at all. On failure, returns false, with the reason and the
+ * cure in `error`.
+ */
 bool WriteXmlFile(
   vtkXMLWriter* writer, vtkDataObject* data, const std::string& file, std::string& error);
 
-/** Reads what it can of the file; `failed` becomes true after an error. */
+/** Reads as much of the file as it can. `failed` becomes true after an error. */
 vtkSmartPointer<vtkPolyData> ReadXmlPolyData(const std::string& file, bool& failed);
 
 } // namespace VolumeHaptics

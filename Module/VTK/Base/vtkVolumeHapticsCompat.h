@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The differences between VTK 9.1 and 9.6, in one place.
+ * Hides the differences between VTK 9.1 and 9.6, in one place.
  */
 #ifndef vtkVolumeHapticsCompat_h
 #define vtkVolumeHapticsCompat_h
@@ -51,9 +51,9 @@ struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStora
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate now has each component in memory of its own. In VTK 9.6, all
- * components are in one block while the array is new, and again after the first GetVoidPointer(),
- * which a mapper calls; then there are no pointers to components.
+ * Whether a vtkSOADataArrayTemplate has each component in a memory block of its own now. In VTK
+ * 9.6, all components are in one block while the array is new, and again after the first
+ * GetVoidPointer(), which a mapper calls; then there are no pointers to components.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)

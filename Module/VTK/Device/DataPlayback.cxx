@@ -461,9 +461,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Poll(vtkVolumeHapticsFilter* fi
 }
 
 /**
- * Chooses the pair of steps that time needs. If the felt pair shares no step with it, chooses one
- * step only: the felt pair, which the servo needs until then, is released before the other step is
- * read.
+ * Chooses the pair of steps around `time`. If the felt pair has no step in common with it, chooses
+ * only one step, so that the felt pair can be released before the other step is read.
  */
 std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time) const
 {
@@ -472,14 +471,15 @@ std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time
   {
     return { need.First, second };
   }
-  // A mesh describes the way to the next step: it stays valid at the step itself.
+  // If there is a mesh, choose the first step: the mesh describes the way to the next step, and is
+  // valid at the first step itself.
   const std::vector<double>& times = this->Steps.Times;
   const bool isSecondNearer =
     std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Span->Mesh;
   return { isSecondNearer ? second : need.First };
 }
 
-/** Returns the time span, or null until it has its meshes. */
+/** Returns the model of the time span; null until its meshes are made. */
 std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
   vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeTimeStep>&& timeSteps)
 {

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plays the time steps of a volume that moves to the servo: time steps of a filter's image, or
- * components of it.
+ * Plays a moving volume to the servo. Its time steps come from a filter's image, or are components
+ * of this image.
  *
  * The servo has a time span of two or three time steps (TimeStepSeries.h), and its clock moves
- * through them (DataClock.h). This class, on the owner's thread, reads the next step ahead of the
- * servo's time and publishes a new time span with the tables of the last time span. At most three
- * steps are in memory, beside the one that their source writes to: a step that is no longer needed
- * is released first, and if only settings have changed, the next model keeps the time steps of the
- * last model. If SetTime jumps to a pair of two other steps, the servo feels the old pair until one
- * new step is there, and this step alone until the second one is there. A series of up to three
- * steps is published whole, as are components and the time steps of a vtkHapticTimeStepSource,
- * which are in memory anyway.
+ * through them (DataClock.h). This class runs on the owner's thread. It reads the next step before
+ * the servo's time reaches it, and publishes a new time span with the tables of the last time span.
+ * At most three steps are in memory, plus the one that their source writes to: a step that is no
+ * longer needed is released first, and if only settings have changed, the next model keeps the time
+ * steps of the last model. If SetTime jumps to a pair of two other steps, the servo feels the old
+ * pair until one new step is read, and only this step until the second one is read. A series of up
+ * to three steps is published whole. So are components and the time steps of a
+ * vtkHapticTimeStepSource, because they are in memory anyway.
  *
  * For SURFACE_PROXY, meshes are made in the background, and a time span is published when it has
  * its meshes. This holds for the first time span, too, unless its meshes are small.
@@ -67,18 +67,18 @@ public:
   ///@}
 
   /**
-   * Returns the data time of the latest state; after SetTime, the time set there until the servo
-   * has reached it.
+   * Returns the data time of the latest state. After SetTime, returns the ordered time until the
+   * servo has reached it.
    */
   double GetTime() const;
-  /** Whether time stands still because time steps have not come yet. */
+  /** Whether time stands still because the next time steps have not been read yet. */
   bool IsWaiting() const;
-  /** Describes in a sentence the time steps that are waited for; empty if there are none. */
+  /** Returns a sentence on the time steps that playback waits for; empty if it does not wait. */
   std::string Describe() const;
 
   /**
-   * Returns the time step nearest to the servo's time, without an image. Array is null if there is
-   * none.
+   * Returns the time step nearest to the servo's time. Its image is not set. Its Array is null if
+   * there is no time step.
    */
   ImageTimeStep GetShown(vtkVolumeHapticsFilter* filter) const;
 
@@ -93,7 +93,7 @@ public:
    */
   bool Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent);
   void EndPreparing() { this->Preparation.End(); }
-  /** Estimates how long Make() meshes if Prepare() leaves the meshing to it (s). */
+  /** Estimates the time (s) that Make() will need for the meshes that Prepare() has left to it. */
   double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
   ///@}
   /** Whether the source of a stream had further time steps when Make() was called. */
@@ -104,7 +104,7 @@ public:
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** Forgets the last time span, when the servo's model is no longer one of it. */
+  /** Forgets the last time span. Call this when the servo gets a model that was not made of it. */
   void Forget() { this->Span.reset(); }
 
   /** Makes a servo that has just been started continue at the time of the last servo. */
@@ -149,7 +149,7 @@ private:
   std::shared_ptr<const BakedVolume> Span;
   std::size_t First = 0; ///< number of the time span's first step
   double Rate = 0.0;     ///< rate for which the time span was baked (Hz)
-  /** Change time of the filter, without its image, before the time span was baked. */
+  /** Modification time of the filter, without its image, taken before the time span was baked. */
   vtkMTimeType MadeBeside = 0;
   TimeStepOrigin MadeOf; ///< origin of the time span's time steps
   PastTimeSpans Past;

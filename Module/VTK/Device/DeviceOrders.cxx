@@ -361,8 +361,8 @@ void DeviceOrders::Home()
 
 void DeviceOrders::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work no longer than a slow picture needs no notice. The margin allows for a machine that is
-  // eight times slower than expected.
+  // Work that takes no longer than a slow frame is not announced. The margin allows for a machine
+  // that is eight times slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double attention = this->Device->GetAttentionTime();

@@ -42,12 +42,13 @@ public:
   bool Start();
   bool Publish();
   /**
-   * Publishes the model that Publish() left to the background when it is ready; call this often.
+   * Publishes the model that Publish() has left to the background, once it is ready. Call this
+   * often.
    */
   void Poll();
   /** Ends the background work for that model. */
   void EndPreparing();
-  /** Publishes another region of the volume when it is there: see vtkHapticRegionSource. */
+  /** Publishes the next region of the volume once it has been read: see vtkHapticRegionSource. */
   void PollRegion();
   /** Publishes the next time steps of a volume that moves: see DataPlayback. */
   void PollTimeSteps();
@@ -72,14 +73,19 @@ private:
   bool StartServo();
   SafetyLimits MakeLimits() const;
   /**
-   * Executes an order that lets force through. False, after an error, if the device is not ready or
-   * the guard can't be set up.
+   * Executes an order that lets force through. Reports an error and returns false if the device is
+   * not ready or if the guard cannot be set up.
    */
   bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
-  /** Publishes the surface around the tip, if there is one while the whole is being meshed. */
+  /**
+   * While the whole surface is being meshed, publishes the mesh around the tip, if there is one.
+   */
   void PublishRegion(double rate);
-  /** Stores for the status what Publish() or Start() left to the background; null if nothing. */
+  /**
+   * Stores for the status which work Publish() or Start() has left to the background; null stands
+   * for none.
+   */
   void SetAwaited(const char* work);
 
   vtkHapticDevice* const Device;

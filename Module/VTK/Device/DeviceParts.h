@@ -22,7 +22,10 @@ class vtkHapticDevice;
 namespace VolumeHaptics
 {
 
-/** The public parts may outlive the others: they then have no device. */
+/**
+ * Owns the parts of a device. An application may keep the public parts longer than the device; they
+ * then have no device.
+ */
 struct DeviceParts
 {
   explicit DeviceParts(vtkHapticDevice* device)

@@ -60,8 +60,8 @@ public:
   ///@{
   /**
    * GetFacts() returns the facts of the device: those in the user's file (DeviceMemory.h), or, if
-   * the file does not remember the device, the facts since Open. The other function returns an
-   * error of that file since its last call; empty if there is none.
+   * the file does not remember the device, the facts since Open. DrainMemoryTrouble() returns an
+   * error of that file that occurred since its last call; empty if there was none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string DrainMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
@@ -79,7 +79,7 @@ public:
   /** Whether the device is open and needs no confirmation. */
   bool AreSignsConfirmed() const { return this->IsOpen() && !this->NeedsConfirmation(); }
   /**
-   * Requires the signs to be confirmed again from the next Start on. Call it while the servo does
+   * Makes the next Start require that the signs are confirmed again. Call it while the servo does
    * not run.
    */
   void ForgetConfirmation();
@@ -92,7 +92,10 @@ public:
     const Affine3& deviceToWorld);
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
-  /** Whether this process started the servo, or none runs; false in a fork of that process. */
+  /**
+   * Whether this process itself started the servo, or no servo runs; false in a fork of the process
+   * that started it.
+   */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
   /** Returns the loop of the servo; null if the servo does not run. */
@@ -103,7 +106,7 @@ public:
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{
-  /** Lets a burr spin or stops it: see vtkHapticVirtualHand::SetSpinning. */
+  /** Starts or stops the spinning of a burr: see vtkHapticVirtualHand::SetSpinning. */
   void Spin(bool on);
   bool IsSpinOrdered() const { return this->Spinning; }
   ///@}
@@ -137,7 +140,7 @@ public:
   /** See vtkHapticDevice::SetClutch. The clutch outlives the servo and the open device. */
   void SetClutched(bool on);
   bool IsClutched() const { return this->Clutched; }
-  /** Whether the orders so far make force return at the end of the clutch. */
+  /** Whether force returns when the clutch ends, as far as the orders so far decide. */
   bool ReturnsAfterClutch() const
   {
     return this->Servo ? this->Servo->GetLoop().ReturnsAfterClutch()
@@ -148,9 +151,9 @@ public:
   bool HasArmOrder() const { return this->IsArmOrdered() || this->ReturnsAfterClutch(); }
   ///@{
   /**
-   * Announces work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns
-   * true if the force ends because of the work, EndWork if the force may come back. Works nest and
-   * outlive the servo.
+   * Announce the beginning and the end of work of the owner: see vtkHapticDevice::BeginLongWork.
+   * BeginWork returns true if the force ends because of the work. EndWork returns true if the force
+   * may come back. Works nest and outlive the servo.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
@@ -158,16 +161,19 @@ public:
   ///@}
   /**
    * Stores for the status background work that nothing waits for, such as "the volume is hashed".
-   * `share` is the fraction that is done, or says that this is unknown or that the work has ended.
+   * `share` is the fraction that is done, or FractionUnknown, or WorkEnded.
    */
   void SetBackgroundWork(const std::string& what, double share);
   /**
-   * Stores for the status what a volume that is read by regions waits for; empty if for nothing.
+   * Stores for the status what data a volume that is read by regions waits for; empty if it does
+   * not wait.
    */
   void SetRegionStatus(const std::string& status) { this->RegionStatus = status; }
-  /** Stores for the status what time steps of a moving volume are waited for; empty if for none. */
+  /**
+   * Stores for the status which time steps a moving volume waits for; empty if it does not wait.
+   */
   void SetTimeStepsStatus(const std::string& status) { this->TimeStepsStatus = status; }
-  /** Whether the device is open and, as far as is known now, can be felt. */
+  /** Whether the device is open and its last reported condition is ready. */
   bool IsReady() const
   {
     return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;
@@ -182,8 +188,8 @@ public:
   }
 
   /**
-   * Reads the latest state from the servo; uses the placement if there is no model. False if there
-   * is no new state.
+   * Reads the latest state from the servo. Uses `deviceToWorld` if the state has no model. Returns
+   * false if there is no new state.
    */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
@@ -196,12 +202,12 @@ public:
   /** Writes all states since a reader's last call as rows of a table: see vtkHapticState::Drain. */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
-  /** Reserve a number for DrainStates(), and release it: see vtkHapticState::AddReader. */
+  /** Reserve and release a reader's number for DrainStates(): see vtkHapticState::AddReader. */
   int AddReader();
   void RemoveReader(int reader);
   ///@}
 
-  /** Returns the status as of the last Update. It refers to this object. */
+  /** Returns the status as of the last Update. The result points into this object. */
   DeviceStatus GetStatus() const;
 
   /** Returns the latest state as users of vtkHapticDevice see it. */
@@ -215,7 +221,7 @@ private:
   };
   /** Returns the outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
-  /** Copies numbers of the latest state that need no placement to GetLatest(). */
+  /** Copies to GetLatest() the numbers of the latest state that do not depend on the placement. */
   void ShowNumbers();
   /** Publishes the last model with other caps if the measured round trip requires them. */
   void PollRoundTrip();

@@ -19,8 +19,8 @@ std::string NameAxis(const SignVerdict& signs)
 }
 
 /**
- * Advises for a wheel, whose second axis has a pedal instead of a motor, whatever its descriptor
- * says.
+ * Returns advice for a wheel whose second axis is a pedal without a motor, although the descriptor
+ * lists two axes.
  */
 std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
 {

@@ -33,7 +33,8 @@ struct DeviceStatus
 
   std::uint32_t Orders = 0; ///< see ServoLoop::GetOrders
   /**
-   * The latest state; null while the servo does not run, and then the members below mean nothing.
+   * The latest state. While the servo does not run, it is null, and the members below are not
+   * valid.
    */
   const ServoSnapshot* State = nullptr;
   RealTimeGrant RealTimePriority = RealTimeGrant::Unknown;

@@ -44,7 +44,7 @@ public:
     return isThere;
   }
 
-  /** Moves a position onto the line; false if the line ends there. */
+  /** Moves a position onto the line. Returns false if the line ends there. */
   bool Return(double* x)
   {
     Vector3 place = this->ToPlace(x);
@@ -111,7 +111,7 @@ public:
 
 protected:
   LineIntegrator() = default;
-  /** vtkStreamTracer makes its own instance and integrates with it. */
+  /** Gives the line to the instance that vtkStreamTracer makes and integrates with. */
   vtkObjectBase* NewInstanceInternal() const override
   {
     LineIntegrator* const copy = LineIntegrator::New();

@@ -4,13 +4,14 @@
  * @file
  * Traces the line of a mode that the hand follows, with vtkStreamTracer.
  *
- * The tracer gets the directions that the servo reads: they are the function of its integrator,
- * vtkRungeKutta4, in steps of half a voxel. It does not interpolate an array of the volume, because
- * trilinear interpolation is not what is felt (after 24 voxels along a flow with waves of 12
- * voxels, such a line is up to 0.36 voxel off, this one 0.003), and because tensors have no
- * vectors, and ridges and guides have no array. So the tracer's data set is a single cell around
- * the position, in voxels from there, as large as lines may become, whatever the volume's size.
- * vtkHyperStreamline accepts no function, and makes tubes.
+ * The tracer's integrator, vtkRungeKutta4, calls a function that returns the directions that the
+ * servo reads, in steps of half a voxel. It does not interpolate an array of the volume, for two
+ * reasons. First, the hand does not feel trilinear interpolation: after 24 voxels along a flow with
+ * waves of 12 voxels, a line traced by it is up to 0.36 voxel off, this one 0.003. Second, tensors
+ * have no vectors, and ridges and guides have no array. The tracer's data set is therefore a single
+ * cell around the position, in voxels relative to it. It is as large as lines may become, whatever
+ * the volume's size. vtkHyperStreamline is not used, because it accepts no function and makes
+ * tubes.
  */
 #ifndef FollowedLine_h
 #define FollowedLine_h

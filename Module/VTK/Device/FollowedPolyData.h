@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the shapes that modes hold the hand on, as polydata in the world.
+ * Writes the shapes on which modes hold the hand, as polydata in world coordinates.
  */
 #ifndef FollowedPolyData_h
 #define FollowedPolyData_h

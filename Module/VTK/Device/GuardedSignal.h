@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A signal with a handler of this library in front of the handlers from before.
+ * A signal with a handler of this library, installed in front of the earlier handlers.
  *
- * Crash reporters also install handlers: one in front of this library's may restore this library's
- * handler and send the signal again. The earlier handlers are therefore kept as a list, and each
- * round removes one from it, so that each gets the signal, and the default action comes last.
+ * Crash reporters also install handlers. A reporter that is installed later may restore this
+ * library's handler and send the signal again. The earlier handlers are therefore kept as a list,
+ * and each round removes one from it, so that each gets the signal, and the default action comes
+ * last.
  */
 #ifndef GuardedSignal_h
 #define GuardedSignal_h

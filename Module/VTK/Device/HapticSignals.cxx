@@ -43,8 +43,8 @@ struct Guarded
 PerProcess<Guarded> GuardedOfProcess;
 
 /**
- * The process that owns the devices and the running watcher; a forked child gets copies of
- * everything but these. Set last.
+ * Id of the process that owns the devices and the running watcher. A forked child inherits copies
+ * of everything else, but has neither devices nor a watcher. Set last.
  */
 std::atomic<std::int64_t> Owner{ 0 };
 

@@ -35,7 +35,7 @@ public:
   ~ModelSource();
 
   ///@{
-  /** Sets the filter; false if it is unchanged. */
+  /** Sets the filter. Returns false if it is unchanged. */
   bool SetFilter(vtkVolumeHapticsFilter* filter);
   bool SetDeviceToWorld(vtkMatrix4x4* matrix);
   ///@}
@@ -43,20 +43,21 @@ public:
   vtkMatrix4x4* GetDeviceToWorld() const { return this->DeviceToWorld; }
 
   /**
-   * Makes a model of the filter for a rate (Hz); null without a filter. False, after an error of
-   * the filter, if the filter can't be touched. If the servo runs, meshing that Prepare() left to
-   * Make() counts as long work.
+   * Makes a model of the filter for a rate (Hz), or null if there is no filter, and writes it to
+   * `model`. Returns false, after an error of the filter, if the filter can't be touched. If the
+   * servo runs, meshing that Prepare() left to Make() counts as long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
-   * Returns null if Make would be quick now. If not, prepares the slow parts in the background: the
-   * servo keeps its model, and Make has to be called later. The text names the work for the status.
+   * Returns null if Make would be quick now. Otherwise prepares the slow parts in the background,
+   * and returns a text that names the work for the status. The servo keeps its model meanwhile, and
+   * Make has to be called later.
    * @param rate rate of the model, as for Make
    */
   const char* Prepare(double rate);
   /**
-   * Makes a model for a rate (Hz) of the surface around the tip, while Prepare() leaves the whole
-   * mesh to the background. Null if there is no new part of the surface.
+   * Makes a model of the surface around the tip, for a rate (Hz), while Prepare() leaves the whole
+   * mesh to the background. Returns null if there is no new part of the surface.
    */
   std::shared_ptr<const HapticModel> MakeRegion(double rate);
   /** Ends the work that Prepare() began. */
@@ -69,27 +70,29 @@ public:
 
   /**
    * Passes the latest tip to the source of a volume that is read region by region. Returns whether
-   * the source has a new region, which makes the model out of date. `status` says what the source
-   * waits for.
+   * the source has a new region, which makes the model out of date. Writes to `status` what the
+   * source waits for.
    */
   bool PollRegion(std::string& status);
 
   ///@{
   /**
-   * Play the time steps of a volume that moves. PollTimeSteps returns a model with the next time
-   * span, if there is one; LacksTimeSteps says whether the volume should move but the last model
+   * Play the time steps of a moving volume. PollTimeSteps returns a model with the next time span
+   * if there is one. LacksTimeSteps returns whether the volume should move although the last model
    * does not.
    */
   DataPlayback& GetPlayback() { return this->Playback; }
   std::shared_ptr<const HapticModel> PollTimeSteps();
   bool LacksTimeSteps() const;
-  /** Whether the last model was made of a stream's time steps while newer time steps had come. */
+  /**
+   * Whether a stream already had newer time steps when the last model was made of its time steps.
+   */
   bool IsBehind() const { return this->IsMadeOfTimeSteps && this->Playback.IsBehind(); }
   /** Whether the servo's model has time steps of a volume that moves. */
   bool HasTimeSteps() const;
   /**
-   * Return the image and the time of the time step nearest to the servo's time; null without a time
-   * step.
+   * Return the image and the time of the time step nearest to the servo's time. The image is null
+   * if there is no time step.
    */
   vtkImageData* GetTimeStepImage();
   double GetTimeStepValue() const { return this->Playback.GetShown(this->Filter).Time; }
@@ -107,13 +110,13 @@ public:
   /** Returns the felt method's name for users: see vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
-  /** DeviceToWorld of the servo's model; without a model, DeviceToWorld of the settings. */
+  /** Returns DeviceToWorld of the servo's model, or that of the settings if there is no model. */
   Affine3 GetPlacement() const;
 
 private:
   /**
-   * Reserves for this device what a model changes. False, after an error, if another device holds
-   * it.
+   * Reserves for this device the removal that a model changes. Returns false and reports an error
+   * if another device holds it.
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
   /** Reports to the source of regions how long it took to make a model of its last region. */
@@ -125,13 +128,17 @@ private:
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
   RegionMesher Regions;
-  /** Removals of the servo's models so far: an older model may still tick. */
+  /**
+   * Removals of all models that the servo has had. They stay reserved because an older model may
+   * still tick.
+   */
   std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
   TimeStepImage Shown;
-  std::int64_t RegionTime = 0;    ///< time when the region came that has no model yet (ServoClock)
-  bool IsMadeOfTimeSteps = false; ///< whether the last Make was of a volume that moves
-  vtkMTimeType MadeTime = 0;      ///< change time of the filter and its input when Make was called
+  std::int64_t RegionTime = 0;    ///< arrival time (ServoClock) of the region that has no model yet
+  bool IsMadeOfTimeSteps = false; ///< whether the last model was made of a moving volume
+  vtkMTimeType MadeTime = 0;      ///< modification time of the filter and its input at the last
+                                  ///< Make
 };
 
 } // namespace VolumeHaptics

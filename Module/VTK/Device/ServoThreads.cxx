@@ -10,8 +10,8 @@ namespace
 {
 
 /**
- * Pause of the keeper between two polls, and the longest silence of the loop before it is quenched
- * (ns).
+ * KeeperPeriod: pause of the keeper between two polls (ns). MostSilence: longest silence of the
+ * loop before the keeper quenches it (ns).
  */
 constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;

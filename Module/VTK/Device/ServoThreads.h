@@ -68,7 +68,7 @@ private:
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
-   * Whether the device has received the order of Quench, and no running tick may still write a
+   * Whether the device has received the order of Quench and no tick that still runs can write a
    * force. Call this after Quench has begun.
    */
   bool IsQuenched() noexcept;
@@ -88,8 +88,8 @@ private:
   std::atomic<bool> HasEnded{ false };
   ///@{
   /**
-   * For Quench, which only one thread at a time may call: the tick that sees the order, and whether
-   * that tick has come.
+   * State of Quench, which only one thread at a time may call. QuenchedTick: number of the first
+   * tick that is sure to see the order. HasSeenQuench: whether that tick has come.
    */
   std::uint64_t QuenchedTick = 0;
   bool HasSeenQuench = false;

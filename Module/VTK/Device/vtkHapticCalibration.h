@@ -62,8 +62,9 @@ public:
   ///@}
 
   /**
-   * Compute the matrix. False, with an error and no change, for fewer than three points, for points
-   * that are all at one position or on one line, and for numbers that are not finite.
+   * Compute the matrix. Reports an error, returns false and keeps the last matrix if there are
+   * fewer than three points, if all points are at one position or on one line, or if a number is
+   * not finite.
    */
   bool Compute();
 
@@ -72,9 +73,9 @@ public:
 
   ///@{
   /**
-   * Get the residuals of the last successful Compute, in world units: the root mean square of the
-   * distances between the world's points and the transformed ones, and the largest distance. 0
-   * before.
+   * Get the residuals of the last successful Compute (world units), 0 before it. Residual is the
+   * root mean square of the distances between the world's points and the transformed points,
+   * LargestResidual the largest of these distances.
    */
   vtkGetMacro(Residual, double);
   vtkGetMacro(LargestResidual, double);

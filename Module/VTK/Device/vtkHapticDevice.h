@@ -132,15 +132,15 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Register a kind of devices in this process: see DeviceKind.h, and Examples/Cxx/OwnDevice.cxx.
-   * False, with an error, if the name is taken.
+   * Returns false and reports an error if the name is taken.
    */
   static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
 #endif
 
   /**
-   * Open a device by its id, and close the device that was open. False, with an error that names
-   * the cure, if opening fails. The ids are "virtual", "vibration:xr", "replay:FILE", those of
-   * AddDeviceKind, and
+   * Open a device by its id, and close the device that was open. Returns false and reports an error
+   * that names the cure if opening fails. The ids are "virtual", "vibration:xr", "replay:FILE",
+   * those of AddDeviceKind, and
    *
    *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
    *                      FirmwareFile after it was plugged in, and is homed by hand.
@@ -204,7 +204,8 @@ public:
    * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
    * materials, settings, DeviceToWorld. The servo uses it from the next tick on; if the force
    * becomes larger, it grows at MaximumForceRate. If the servo does not run, Publish only checks.
-   * False, with an error, if the input can't be touched; the servo then keeps the last snapshot.
+   * Returns false and reports an error if the input can't be touched; the servo then keeps the last
+   * snapshot.
    *
    * Three kinds of work are done in the background first: measuring the distances to forbidden
    * labels of a large label image, meshing a large surface of SURFACE_PROXY, and sampling the
@@ -239,9 +240,9 @@ public:
   ///@{
   /**
    * Start the servo with the filter as it is now, and stop it with zero force. Without a filter,
-   * the tip just moves. Start is false, with an error, if no device is open, if the filter can't be
-   * touched, or if the system gives the program no more memory, threads or files: without them, a
-   * crash would leave the force on.
+   * the tip just moves. Start returns false and reports an error if no device is open, if the
+   * filter can't be touched, or if the system gives the program no more memory, threads or files:
+   * without them, a crash would leave the force on.
    */
   bool Start();
   void Stop();
@@ -325,9 +326,10 @@ public:
   ///@}
 
   /**
-   * Get whether that file remembers the open device. False for a device that reports neither a
-   * serial number nor its port, because it can't be distinguished from others: its confirmation and
-   * its calibration then hold until Close. Also false for a device that gives no force.
+   * Get whether that file remembers the open device. Returns false for a device that reports
+   * neither a serial number nor its port, because it can't be distinguished from others: its
+   * confirmation and its calibration then hold until Close. Also false for a device that gives no
+   * force.
    */
   bool IsRemembered();
 
@@ -336,9 +338,9 @@ public:
    * Get the newtons that the open device really gives for each newton that it is asked for, as
    * CalibrateForce has stored it (see IsRemembered): 1 if it was never calibrated. Forces and
    * limits of a calibrated device are true newtons; MaximumForce never exceeds what its driver
-   * allows. CalibrateForce takes 0.1 to 10, while the servo does not run; false, with an error, for
-   * anything else. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the
-   * device gives no force or none is open. None of this was tried on hardware.
+   * allows. CalibrateForce accepts 0.1 to 10 while the servo does not run; otherwise it returns
+   * false and reports an error. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or
+   * empty if the device gives no force or none is open. None of this was tried on hardware.
    */
   bool CalibrateForce(double scale);
   double GetForceScale();
@@ -347,15 +349,15 @@ public:
 
   ///@{
   /**
-   * Get the state of the device (StatusType), as of the last UpdateState; the text names the fault
-   * and the cure.
+   * GetStatus returns the StatusType of the device as of the last UpdateState. GetStatusText
+   * describes it in words, with the fault and its cure.
    */
   int GetStatus();
   std::string GetStatusText();
   ///@}
 
   /**
-   * Copy the latest state from the servo to GetState; true if it is a new one. Call this in each
+   * Copy the latest state from the servo to GetState. Returns true if it is new. Call this in each
    * tick of the GUI: it also publishes what was prepared in the background, reads regions and time
    * steps of the volume ahead, and reports faults.
    */
@@ -388,8 +390,8 @@ public:
 
   ///@{
   /**
-   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. No
-   * plug-in is loaded that other users may write; the libraries that it needs are not checked.
+   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. A
+   * plug-in that other users may write is not loaded; the libraries that it needs are not checked.
    * Default: empty, which stands for the environment variable VOLUMEHAPTICS_VENDOR_PATH.
    * EnumerateDevices and ListDevices look by the variable only. Takes effect with Open.
    */
@@ -412,9 +414,9 @@ public:
   ///@{
   /**
    * The force (N) of a force-feedback device at full scale, -100 to 100, along its axes x and y. A
-   * second number of 0 says that only the first axis has a motor, as that of a wheel: then the tip
-   * moves along x only, and pedals do not move it. Wheels often have a descriptor of two axes.
-   * No device reports its force: measure it with a spring scale. A negative number reverses the
+   * second number of 0 means that only the first axis has a motor, as on a wheel: then the tip
+   * moves along x only, and pedals do not move it. Wheels often have a descriptor of two axes. No
+   * device reports its force: measure it with a spring scale. A negative number reverses the
    * direction; a first number of 0 gives no force. Firmwares differ in the direction, so try it
    * gently first (volumehaptics-device test): if the wall pulls the hand in, give a negative
    * number. A number that is too small gives too much force. Default 100, more than nearly all
@@ -489,12 +491,13 @@ public:
 
   ///@{
   /**
-   * Get how well the servo keeps time, since Start or ResetStatistics: ticks per second; the
-   * duration (s) that a percentage p (0 to 100) of ticks, or of the delays of wake-ups, do not
-   * exceed, to 1/8 of it; ticks that were left out because the loop was late; ticks whose force was
-   * reduced because data around the tip were missing (vtkHapticState::GetResidency); and ticks that
-   * solver PRECISE could not finish (a tip that jumps by tens of voxels), which the next ticks
-   * finished.
+   * Get how well the servo has kept time since Start or ResetStatistics. GetTickRate: ticks per
+   * second. GetTickPercentile, GetWakePercentile: the time (s) that p percent (0 to 100) of the
+   * ticks, or of the delays of wake-ups, do not exceed, accurate to 1/8. GetMissedTicks: ticks that
+   * were left out because the loop was late. GetAbsentTicks: ticks whose force was reduced because
+   * data around the tip were missing (vtkHapticState::GetResidency). GetUnfinishedTicks: ticks that
+   * the solver PRECISE could not finish, because the tip jumped by tens of voxels, and that the
+   * next ticks finished.
    */
   double GetTickRate();
   double GetTickPercentile(double p);

@@ -112,7 +112,7 @@ private:
 #ifndef __VTK_WRAP__
   friend struct VolumeHaptics::DeviceParts;
 
-  /** Returns the parts of the device; null, after an error, without a device. */
+  /** Returns the parts of the device. Without a device, reports an error and returns null. */
   VolumeHaptics::DeviceParts* GetParts();
 
   VolumeHaptics::DeviceParts* Parts = nullptr; // null without a device

@@ -37,7 +37,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** Time to write a tick to a .vtp and to a .csv (s), as measured. */
+/** Measured time (s) to write one tick to a .vtp, and to a .csv. */
 constexpr double SecondsPerTick = 2e-6;
 constexpr double SecondsPerLine = 2e-5;
 
@@ -47,9 +47,9 @@ constexpr double SecondsPerLine = 2e-5;
 constexpr double BytesPerTick = 80;
 
 /**
- * If hashing is expected to take no longer than the first number (s), the start of a recording
- * waits for it, but at most the second number (s). So the journal of a small volume has the hash
- * from its beginning.
+ * ShortHashing: longest expected time of hashing (s) for which the start of a recording waits, so
+ * that the journal of a small volume has the hash from its beginning. ShortHashWait: longest
+ * duration of this wait (s).
  */
 constexpr double ShortHashing = 5e-3;
 constexpr double ShortHashWait = 20e-3;
@@ -165,8 +165,8 @@ private:
   /** Returns the hashes of what a filter touches now; null until they are known. */
   const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
-   * Hands over the hashes at the end of a recording. Waits for them, except while a hand would
-   * wait, too.
+   * Hands over the hashes at the end of a recording. Waits for them unless the device is armed,
+   * because a hand would then have to wait, too.
    */
   void AwaitHashes(HapticRecording& recording);
   void ReportTrouble();

@@ -42,12 +42,12 @@ public:
 
   ///@{
   /**
-   * Record every tick, with settings, units, device and a hash of the volume, until Stop
-   * writes it to a .vtp, or to a .csv with all data that do not belong to a tick in a .csv.json
-   * beside it. On port 1 of vtkVolumeHapticsFilter a .vtp gives the same forces to the bit, as long
-   * as only the placement of the device changed during the recording. Needs a running servo and a
-   * filter. A region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no
-   * single image could replay it.
+   * Record every tick, with settings, units, device and a hash of the volume, until Stop writes it
+   * to a .vtp, or to a .csv with all data that do not belong to a tick in a .csv.json beside it. On
+   * port 1 of vtkVolumeHapticsFilter a .vtp gives the same forces to the bit, as long as only the
+   * placement of the device changed during the recording. Needs a running servo and a filter. A
+   * region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no single
+   * image could replay it.
    *
    * The recording begins at once, however large the volume is. The hashes of volume and labels are
    * computed meanwhile, from the values at that time; vtkHapticDevice::UpdateState hands them to
@@ -65,15 +65,14 @@ public:
    *
    * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
    * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), 65 more while the stylus turns,
-   * and FILE.part up to about two thirds of that, beside the .vtp while it is written.
-   * Start is false, with an error, if the file can't be written. If writing fails later,
-   * for example because the disk is full, the next UpdateState gives an error, and GetStatusText
-   * says so from then on.
+   * and FILE.part up to about two thirds of that, beside the .vtp while it is written. Start
+   * returns false and reports an error if the file can't be written. If writing fails later, for
+   * example because the disk is full, the next UpdateState gives an error, and GetStatusText says
+   * so from then on.
    *
-   * Stop is false, with an error, unless the file holds all ticks that were collected. It
+   * Stop returns false and reports an error unless the file holds all ticks that were collected. It
    * replaces an existing file only with a complete one. If a busy machine or a slow disk kept ticks
-   * from being collected, Stop gives a warning, and the field array LostTicks has their
-   * number.
+   * from being collected, Stop gives a warning, and the field array LostTicks has their number.
    */
   bool Start(const char* file);
   bool Stop();
@@ -101,7 +100,7 @@ private:
   friend class vtkHapticDevice;
   friend struct VolumeHaptics::DeviceParts;
 
-  /** Returns the device; null, after an error, without one. */
+  /** Returns the device. Without one, reports an error and returns null. */
   vtkHapticDevice* FindDevice();
   void Attach(VolumeHaptics::DeviceParts& parts);
   void Detach();

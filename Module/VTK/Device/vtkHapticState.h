@@ -114,7 +114,7 @@ public:
   double* GetModeForce(int mode) VTK_SIZEHINT(3);
 
   /**
-   * Write the shapes that the felt modes hold the hand on, at the proxy of the latest state: lines
+   * Write the shapes on which the felt modes hold the hand, at the proxy of the latest state: lines
    * such as a flow line, up to `reach` voxels to either side, and fronts as polygons with a radius
    * of a quarter of `reach`, with point normals to the free side. A mode about tensors also gives a
    * vertex at the proxy with the tensor as point tensors, whose first eigenvalue is scaled to an
@@ -162,7 +162,7 @@ public:
   /**
    * Get the fraction of the force, 0 to 1, that is felt in the latest state. It falls where data
    * around the tip are missing (vtkHapticRegionFilter), after FadeOut or AttentionTime, and during
-   * long work, from 1 to 0 in 50 ms at the fastest, and rises as gradually. The ramp after Arm is
+   * long work. It needs at least 50 ms from 1 to 0, and rises as gradually. The ramp after Arm is
    * not part of it.
    */
   vtkGetMacro(Residency, double);

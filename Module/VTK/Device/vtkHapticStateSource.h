@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Whether the output shows the force that went to the device, or (default) what was computed,
+   * Whether the output shows the force that went to the device, or (default) the computed force,
    * armed or not.
    */
   vtkSetMacro(ShowCommandedForce, bool);
@@ -75,7 +75,7 @@ public:
   vtkBooleanMacro(ShowCommandedForce, bool);
   ///@}
 
-  /** Includes the device's latest state. */
+  /** Includes the modification time of the device's latest state. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -101,8 +101,8 @@ protected:
   };
 
   /**
-   * Read the device's state; false if there is none. Subclasses may read the state from another
-   * source.
+   * Read the device's state. Returns false if there is none. Subclasses may read the state from
+   * another source.
    */
   virtual bool ReadState(ShownState& state);
 #endif

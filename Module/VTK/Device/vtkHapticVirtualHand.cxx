@@ -27,7 +27,7 @@ namespace
  */
 constexpr double LeastNorm = 1e-100;
 
-/** Normalises a quaternion. False, and unchanged, if it has no usable norm. */
+/** Normalises a quaternion. If it has no usable norm, leaves it unchanged and returns false.  */
 bool Normalize(Quaternion& q)
 {
   const double norm = std::sqrt(SquaredNorm(q));

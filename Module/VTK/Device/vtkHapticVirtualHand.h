@@ -86,9 +86,10 @@ public:
 
   /**
    * Get how strongly the device "vibration:xr" should vibrate: the largest amplitude since the last
-   * call, 0 to 1. The program leads the tip like the virtual device's tip, and makes vibrate what
-   * the hand holds; call this in each frame. vtkHapticXRController does both for the controllers of
-   * a headset. 0 for other devices, and while the servo stands still.
+   * call, 0 to 1. The program leads the tip as it leads the virtual device's tip, and makes the
+   * controller in the hand vibrate; call this once for each rendered frame. vtkHapticXRController
+   * does both for the controllers of a headset. 0 for other devices, and while the servo stands
+   * still.
    */
   double TakeVibration();
 
@@ -119,9 +120,12 @@ private:
 #ifndef __VTK_WRAP__
   friend struct VolumeHaptics::DeviceParts;
 
-  /** Returns the parts of the device; null, after an error, without a device. */
+  /** Returns the parts of the device. Without a device, reports an error and returns null. */
   VolumeHaptics::DeviceParts* GetParts();
-  /** Returns the open device if the program leads its tip; null, after an error, otherwise. */
+  /**
+   * Returns the open device if the program leads its tip; otherwise reports an error and returns
+   * null.
+   */
   VolumeHaptics::VirtualDevice* FindLed(double x, double y, double z);
 
   VolumeHaptics::DeviceParts* Parts = nullptr; // null without a device

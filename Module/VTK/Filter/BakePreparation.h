@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slow parts of a bake.
+ * Prepares the slow parts of a bake in the background.
  */
 #ifndef BakePreparation_h
 #define BakePreparation_h
@@ -41,16 +41,16 @@ public:
   OutsideFiller& GetOutside() { return this->Outside; }
 
   /**
-   * Returns the array with values for its outside samples, or the array itself: vectors and labels
-   * stay unchanged.
+   * Returns a copy of the array whose outside samples are filled. Returns the array itself if
+   * nothing is outside, or if it contains vectors or labels.
    * @param areTimeSteps whether the components of the array are time steps
    */
   vtkSmartPointer<vtkDataArray> FillOutside(
     vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
 
   /**
-   * Whether a text on what was guessed about the values exists and differs from the one reported
-   * last.
+   * Records the text on what was guessed about the values. Returns whether there is one and it
+   * differs from the last one.
    */
   bool IsNewGuess(const std::string& guess)
   {
@@ -62,9 +62,11 @@ public:
   /** See HapticBaker::EndPreparing(). */
   void EndPreparing();
 
-  /** Whether baking needs no slow meshing; otherwise, begins to make the mesh in the background. */
+  /**
+   * Whether baking needs no slow meshing. If it does, begins to make the mesh in the background.
+   */
   bool IsSurfaceAtHand();
-  /** Waits for the mesh of IsSurfaceAtHand(); false if the user aborts the wait. */
+  /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts the wait. */
   bool AwaitSurface();
   /** See HapticBaker::EstimateTime(). */
   double EstimateTime();

@@ -16,7 +16,7 @@ namespace VolumeHaptics
 bool UpdateSources(vtkAlgorithm* filter)
 {
   bool hasRun = true;
-  for (const int port : { 0, 2, 3 }) // the servo ignores the path on port 1
+  for (const int port : { 0, 2, 3 }) // port 1, the path, is not needed
   {
     if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
     {

@@ -16,7 +16,7 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** Thrown if memory ran out in the source of an input port. */
+/** Thrown if memory ran out in the source of an input port, whose number is Port. */
 struct SourceLacksMemory : std::bad_alloc
 {
   explicit SourceLacksMemory(int port)
@@ -27,19 +27,20 @@ struct SourceLacksMemory : std::bad_alloc
 };
 
 /**
- * Runs the sources of the image, the surface and the labels; false if one of them failed. Throws
- * SourceLacksMemory.
+ * Runs the sources of the image, the surface and the labels. Returns false if one of them failed.
+ * Throws SourceLacksMemory.
  */
 bool UpdateSources(vtkAlgorithm* filter);
 
 /** Appended to a bake's error after UpdateSources() returned false. */
 inline constexpr char FailedSource[] =
-  // After a source threw, VTK's executive considers it to be still running.
+  // VTK's executive considers a source that threw to be still running, so it can't run again.
   " A source of this filter failed: see its errors. If memory ran out in it before, VTK can't run "
   "it again: connect a new source.";
 
 /**
- * Returns the error, with the cure, if there is no memory to bake an image (null if it is unknown).
+ * Returns the error, with the cure, for a lack of memory while an image is baked. `image` is null
+ * if it is unknown.
  */
 std::string DescribeLackOfMemory(vtkImageData* image);
 

@@ -21,7 +21,10 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Numbers of pairs of time steps whose edges are compared: at once, and in a series. */
+/**
+ * Limits on the pairs of time steps whose edges are compared. PairsAtOnce: in one call. MostPairs:
+ * in a series.
+ */
 constexpr std::size_t PairsAtOnce = 8;
 constexpr std::size_t MostPairs = 64;
 
@@ -31,8 +34,8 @@ double ComputeLastDataTime(const RecordedPath& recording)
 }
 
 /**
- * Repeats the first time step at the end if the recording continued from the last time step to the
- * first.
+ * Repeats the first time step at the end if the recording was made in a loop, from the last time
+ * step to the first.
  */
 void AddLoop(const RecordedPath& recording, std::vector<ImageTimeStep>& timeSteps)
 {

@@ -27,35 +27,37 @@ struct BakedVolume;
 bool AreTimeStepsFelt(vtkVolumeHapticsFilter* filter);
 
 /**
- * Makes time steps of the components of the touched array; none if the array is missing, an error
- * that baking reports. False, with the cure in `error`, if the components can't be time steps.
+ * Makes time steps of the components of the touched array. Makes none if the array is missing,
+ * which baking reports as an error. Returns false, with the cure in `error`, if the components
+ * can't be time steps.
  */
 bool CollectComponents(
   vtkVolumeHapticsFilter* filter, std::vector<ImageTimeStep>& timeSteps, std::string& error);
 
 /**
- * Reads the time steps that paths need; none if the volume does not move. False, with the cure in
- * `error`, if they can't be read.
+ * Reads the time steps that paths need, or none if the volume does not move. Returns false, with
+ * the cure in `error`, if they can't be read.
  */
 bool CollectTimeStepsOfPaths(vtkVolumeHapticsFilter* filter, const TipPaths& paths,
   ImageTimeSteps& timeSteps, std::string& error);
 
 /**
- * Warns once for each series of time steps if edges move too far between two time steps for a blend
- * to show the motion.
+ * Warns once for each series of time steps if edges move so far from one time step to the next that
+ * a blend does not show the motion.
  */
 class FastMotionWarning
 {
 public:
   /**
-   * Calls DescribeFastMotion() for new time steps, eight at most. Always empty after the first
-   * warning of a series, and if displacements describe the motion.
+   * Returns the text of DescribeFastMotion() for new time steps, of which it examines eight pairs
+   * at most. Returns an empty text after the first warning of a series, and if displacements
+   * describe the motion.
    * @param isLoop whether the first time step follows the last one
    */
   std::string Describe(vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop);
 
 private:
-  /** A source, and its change time unless it is a stream. */
+  /** Identifies a series: its source, and the source's modification time (0 for a stream). */
   using SeriesKey = std::pair<const void*, vtkMTimeType>;
 
   std::vector<std::size_t> ChoosePairs(const BakedVolume& volume, bool isLoop) const;

@@ -107,8 +107,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
       << this->Resampled.DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
     return nullptr;
   }
-  // The baked volume is shared if only the device has moved, as in every time step while it follows
-  // the camera, or if its caps have changed.
+  // Reuse the baked volume if only the device's caps have changed or the device has moved, which it
+  // does in every frame while it follows the camera.
   vtkDataArray* const scalars = this->GetArray(0, image);
   vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   vtkDataArray* const labelArray = labels ? this->GetArray(1, labels) : nullptr;
@@ -137,9 +137,10 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(
     vtkErrorWithObjectMacro(this->Filter, << Printable(error) << hint);
     return nullptr;
   }
-  // Keeps the volume, not the model: a model that is baked only once would take the volume with it.
+  // Keep the volume, not the model, because a model that is baked only once would take the volume
+  // with it.
   this->LastBaked = isMoving || !model ? nullptr : model->Baked;
-  // Read after the bake, because the first bake creates what the property lacks.
+  // Get the time after the bake, because the first bake creates what the property lacks.
   this->LastBakedTime = getTime();
   return model;
 }
@@ -153,7 +154,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   vtkDataArray* scalars = this->Filter->GetChosenArray(0, image, association);
   if (!scalars && this->Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES)
   {
-    // Modes need no scalars; only the array Value reads these.
+    // Modes need no scalars: only the array Value reads them.
     scalars = FindModeArray(this->Filter->GetModes(), image);
   }
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)

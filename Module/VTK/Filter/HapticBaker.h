@@ -28,7 +28,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes models from a filter and its inputs for the code that ticks on them: the device, and the
+ * Makes models from a filter and its inputs for the callers that compute ticks: the device, and the
  * search for a surface under the mouse. Belongs to the filter, and keeps what later bakes need.
  */
 class VTKVOLUMEHAPTICS_EXPORT HapticBaker
@@ -52,8 +52,8 @@ public:
   }
 
   /**
-   * Bakes like Bake(), with time steps of a volume that moves, whose source is at the first of
-   * these time steps.
+   * Bakes like Bake(), with time steps of a moving volume whose source is at the first of these
+   * time steps.
    */
   std::shared_ptr<const HapticModel> BakeTimeSteps(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, std::vector<ImageTimeStep>&& timeSteps,
@@ -83,7 +83,7 @@ public:
     return times;
   }
 
-  /** Says which arrays of a time step are read. */
+  /** Returns which arrays of a time step are read. */
   TimeStepReading GetReading()
   {
     const auto getArray = [filter = this->Filter](vtkImageData* step)
@@ -97,15 +97,15 @@ public:
   }
 
   /**
-   * Bakes like Bake() a part of the image with the isosurface in it. Nothing is updated. Null,
-   * without an error, if the part can't be touched.
+   * Bakes like Bake(), but only a part of the image, with the isosurface in it. Updates nothing.
+   * Returns null, without an error, if the part can't be touched.
    */
   std::shared_ptr<const HapticModel> BakeRegion(const SurfaceRegion& part, double rate,
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
 
   /**
-   * Bakes an image without changing it, for ticks of a period (s). Null, with the cure in `error`,
-   * if it can't be touched.
+   * Bakes an image without changing it, for ticks of a period (s). Returns null, with the cure in
+   * `error`, if it can't be touched.
    * @param recording the recording that is replayed, whose version decides where the material is
    * read; null if there is none
    */
@@ -122,9 +122,11 @@ public:
   const char* Prepare(bool isMoving = false) { return this->Preparation.Prepare(isMoving); }
   /** Ends the work that Prepare() began. */
   void EndPreparing() { this->Preparation.EndPreparing(); }
-  /** Whether walls between the labels on port 3 are felt, if there are labels. */
+  /** Whether walls between the labels on port 3 are felt. False if there are no labels. */
   bool HasLabelWalls();
-  /** Whether the scalars of an image on port 0 are felt as labels, if they can be labels. */
+  /**
+   * Whether the scalars of an image on port 0 are felt as labels. False if they can't be labels.
+   */
   bool AreLabels(vtkImageData* image);
 
   /**
@@ -133,12 +135,14 @@ public:
    */
   double EstimateTime() { return this->Preparation.EstimateTime(); }
 
-  /** Whether port 0 has a grid, which is resampled around the tip. */
+  /**
+   * Whether the data on port 0 are a grid that is not an image, and are resampled around the tip.
+   */
   bool IsResampled();
   /** Warns once that only the first time step of a grid is felt. */
   void WarnOfStillSteps();
   /**
-   * Warns, once for a series of time steps, if their edges are too fast for blending.
+   * Warns once for each series of time steps if edges move too fast for blending.
    * @param isLoop whether the first time step follows the last one
    */
   void WarnOfFastMotion(const BakedVolume& volume, bool isLoop);
@@ -146,7 +150,7 @@ public:
   BakePreparation& GetPreparation() { return this->Preparation; }
   ResampledInput& GetResampled() { return this->Resampled; }
 
-  /** Returns the arrays of HashScalars() and HashLabels(), each null if it is missing. */
+  /** Returns the arrays of HashScalars() and HashLabels(). An array that is missing is null. */
   std::array<TouchedArray, 2> GetTouched();
   /**
    * Returns the array of HashScalars() with its outside samples filled: see
@@ -157,7 +161,7 @@ public:
     return this->GetFilled(this->Filter->GetProperty()->GetComponent(), false);
   }
   TouchedArray GetFilled(int component, bool areTimeSteps);
-  /** Returns what was outside in the array that was filled last. */
+  /** Returns which samples were outside in the array that was filled last. */
   const OutsideSamples& GetOutside() { return this->Preparation.GetOutside().GetLast(); }
 
 private:
@@ -166,12 +170,15 @@ private:
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return this->Filter->GetChosenArray(index, data, association);
   }
-  /** Bakes like Bake(), and reports the filter's errors. */
+  /** Bakes like Bake(), and reports errors as the filter's. */
   std::shared_ptr<const HapticModel> BakeOrTell(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
   std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, ImageTimeSteps&& timeSteps);
-  /** Bakes the labels, if there are any, for a recording (or null); false after an error. */
+  /**
+   * Bakes the labels, if there are any, for `recording`, which may be null. Returns false after an
+   * error.
+   */
   bool BakeLabels(
     vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error);
   bool ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error);
@@ -181,7 +188,8 @@ private:
   ResampledInput Resampled;
   FastMotionWarning MotionWarning;
   RegionSeries Regions;
-  std::weak_ptr<const BakedVolume> LastBaked; ///< valid while anything uses the volume
+  std::weak_ptr<const BakedVolume> LastBaked; ///< last baked volume, reused as long as something
+                                              ///< else keeps it alive
   vtkMTimeType LastBakedTime = 0;
 };
 

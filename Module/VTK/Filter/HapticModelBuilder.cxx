@@ -31,7 +31,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Describes the allowed values of a function. */
+/** Describes the range of values that a function may have. */
 std::string DescribeRange(const PropertyFunction& function)
 {
   const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
@@ -39,8 +39,8 @@ std::string DescribeRange(const PropertyFunction& function)
 }
 
 /**
- * Converts a function of the property's gradient magnitudes to a function of the scalars' gradient
- * magnitudes.
+ * Converts a function of the property's gradient magnitude to a function of the scalars' gradient
+ * magnitude.
  */
 void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 {
@@ -51,7 +51,8 @@ void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 }
 
 /**
- * Sets what has to be added to the scalars, if the image shows it, and describes that in `notice`.
+ * Estimates from the image, if possible, the number that has to be added to the scalars, stores it
+ * in the property, and describes it in `notice`.
  */
 void EstimateShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   const HapticVolume& volume, int component, std::string& notice)
@@ -120,7 +121,7 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  // Getting a missing function would create one, and mappers would then draw with it.
+  // Don't get a missing function: that would create one, with which mappers would then draw.
   if (volume->HasGradientOpacity(component))
   {
     material.GradientVisibility =
@@ -130,7 +131,7 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 
 /**
  * Derives the distinctness from the noise if the user wants that and has set no Distinctness.
- * Otherwise converts a Distinctness per millimetre to world units.
+ * Otherwise converts a Distinctness that is given per millimetre to world units.
  */
 void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)
@@ -149,7 +150,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   }
   else if (property->GetDistinctnessPerMillimeter())
   {
-    // exactly 1 for a world in millimetres
+    // the factor is exactly 1 for a world in millimetres
     const double millimetersPerUnit = metersPerWorldUnit / 1e-3;
     for (Vertex& vertex : d.Material.Distinctness)
     {
@@ -159,7 +160,9 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
-/** Removes the surface strength of the background, if the image shows what is background. */
+/**
+ * Removes the surface strength of the background, if the image shows which values are background.
+ */
 void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, HapticModelDescription& d)
 {
@@ -190,8 +193,8 @@ void MeshTimeSteps(const std::vector<ImageTimeStep>& read, double value,
 }
 
 /**
- * Returns the mesh with the most triangles of all time steps; null, with an error, if no time step
- * has a triangle.
+ * Returns the mesh with the most triangles of all time steps. Returns null, with an error, if no
+ * time step has a triangle.
  */
 std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   const std::vector<VolumeTimeStep>& timeSteps, double value, std::string& error)
@@ -258,7 +261,10 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   return true;
 }
 
-/** Holds a reference to the array; created and released outside the servo thread. */
+/**
+ * Returns a pointer that holds a reference to the array. It must be created and released outside
+ * the servo's thread.
+ */
 std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 {
   array->Register(nullptr);
@@ -328,7 +334,7 @@ bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
     error = message.str();
     return false;
   }
-  // If the time steps are components, a copy would hold all components for each time step.
+  // If the time steps are components, copy only one: a copy of the array would hold all of them.
   const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
     read.Component >= read.Array->GetNumberOfComponents();
   const vtkSmartPointer<vtkDataArray> array =
@@ -351,7 +357,7 @@ bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
     error = message.str();
     return false;
   }
-  // Samples that are not numbers have the same value at all times.
+  // All time steps replace samples that are not numbers by the same value.
   volume.View.BorderValue = shape.View.BorderValue;
   timeStep = { read.Time, volume.View, ShareArray(volume.Holder) };
   timeStep.Mesh = read.Mesh;
@@ -388,7 +394,7 @@ std::shared_ptr<const BakedVolume> GoOnWithTimeSteps(const BakedVolume& last,
   {
     if (!isAlike || !MakeVolumeTimeStep(timeSteps[i], shape, made[i], error))
     {
-      return nullptr; // a new bake reports the reason
+      return nullptr; // baking again reports the reason
     }
   }
   if (last.Mesh)
@@ -477,7 +483,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   BakeSolid(property, image, scalars, component, whole, d);
   if (!d.TimeSteps.empty())
   {
-    // The source may write the next step to the image's memory.
+    // Use the copied first step, because the source may write the next step to the image's memory.
     d.View = d.TimeSteps.front().View;
     d.Samples = d.TimeSteps.front().Samples;
   }

@@ -32,8 +32,8 @@ class RegionSeries;
 struct HapticModelOptions
 {
   /**
-   * Kernel, settings and placement of the device; a radius of 0 stands for half a voxel. The
-   * builder fills in the volume, the material and the settings of the property.
+   * Kernel, settings and placement of the device. If the kernel's radius is 0, half a voxel is
+   * used. The builder fills in the volume, the material and the settings of the property.
    */
   HapticModelDescription Description;
   HapticSurface* Surfaces = nullptr; ///< meshes for HapticMethod::SurfaceProxy
@@ -42,7 +42,7 @@ struct HapticModelOptions
   /** Time steps of a volume that moves; the image is at its first step. */
   std::vector<ImageTimeStep> TimeSteps;
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
-  TimeStepSeries Series;         ///< the series of which TimeSteps are a part
+  TimeStepSeries Series;         ///< the whole series to which TimeSteps belong
   OutsideSamples Outside;        ///< outside samples of TimeSteps, to be filled
   HapticModes Modes;             ///< modes for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr; ///< null stands for a point
@@ -51,28 +51,28 @@ struct HapticModelOptions
   double MetersPerWorldUnit = 0.001;
 };
 
-/** What all time steps of a volume have in common. */
+/** The facts that all time steps of a volume have in common. */
 struct TimeStepShape
 {
-  VolumeView View; ///< only its layout counts, not the samples
+  VolumeView View; ///< only its layout is used, not its samples
   Affine3 IndexToWorld;
-  TimeStepSeries Series; ///< time steps before its end need displacements
+  TimeStepSeries Series; ///< all time steps but its last one need displacements
   int KernelRadius;
   std::string Displacements; ///< name of the displacements' array; empty if there is none
   OutsideSamples Outside;    ///< outside samples of each time step, to be filled
 };
 
 /**
- * Makes the time step of a model. False, with the reason and the cure in `error`, if the time step
- * has another shape or can't be touched.
+ * Makes the time step of a model. Returns false, with the reason and the cure in `error`, if the
+ * time step has another shape or can't be touched.
  */
 bool MakeVolumeTimeStep(const ImageTimeStep& read, const TimeStepShape& shape,
   VolumeTimeStep& timeStep, std::string& error);
 
 /**
- * Returns a baked volume with other time steps, which may be of another region. Bakes nothing again
- * except the meshes of SURFACE_PROXY that the time steps lack. Null if the time steps can't be
- * touched, or differ from the volume in their geometry or type of numbers.
+ * Returns a copy of a baked volume with other time steps, which may be of another region. Bakes
+ * nothing again except the meshes of SURFACE_PROXY that the time steps lack. Returns null if the
+ * time steps can't be touched, or differ from the volume in their geometry or type of numbers.
  * @param displacements name of the displacements' array; empty if there is none
  * @param outside outside samples of the time steps, to be filled
  */
@@ -82,8 +82,8 @@ std::shared_ptr<const BakedVolume> GoOnWithTimeSteps(const BakedVolume& volume,
 
 /**
  * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and
- * `error` names the input and the cure. `notice` says what was guessed about the values; it is
- * empty if nothing was guessed.
+ * `error` names the input and the cure. Writes to `notice` what was guessed about the values; empty
+ * if nothing was guessed.
  */
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& notice,

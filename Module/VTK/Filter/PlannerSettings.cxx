@@ -26,7 +26,9 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Longest stretch (m) of the spring by a hand if nothing limits the force. */
+/**
+ * Longest stretch (m) of the spring that a hand is expected to cause if nothing limits the force.
+ */
 constexpr double LongestSpring = 0.05;
 
 /** Returns the longest edge of a voxel (world units). */
@@ -44,8 +46,8 @@ double FindVoxelSize(vtkHapticRegionPlanner* planner)
 }
 
 /**
- * Computes the largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Its largest value lies at a point
- * of the functions.
+ * Computes the largest (T_N sqrt(1 + mu^2) + R) / k (m). It occurs at one of the points of the
+ * functions.
  */
 double ComputeSpring(vtkVolumeHapticsFilter* filter)
 {
@@ -83,7 +85,7 @@ double ComputeSpring(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Computes the longest spring of PRIMITIVES: all modes pull in the same direction with full
+ * Computes the longest spring (m) of PRIMITIVES, with all modes pulling in one direction at full
  * strength.
  */
 double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
@@ -136,13 +138,13 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
   double voxels = radius + ResidencySpare;
   if (hasModes)
   {
-    // See Residency.cxx: a derivative's step, and the way that a push may lead.
+    // Residency.cxx reads: the step of a derivative, and the way that a push may lead.
     voxels += 1.0 + ModeWay;
   }
   else if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
-    // See Residency.cxx: the corners of the cube in which a surface is searched for, and the reach
-    // of its curvature.
+    // Residency.cxx reads: the corners of the cube in which a surface is searched for, and the
+    // reach of its curvature.
     voxels += LocalCornerReach + radius;
   }
   else if (method == vtkVolumeHapticsFilter::PROXY &&
@@ -155,7 +157,7 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
   auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
   if (labels && method == vtkVolumeHapticsFilter::PROXY)
   {
-    // See Residency.cxx: x_s and x_v of walls between labels.
+    // Residency.cxx reads: x_s and x_v of walls between labels.
     const double* const spacing = labels->GetSpacing();
     const double coarsest =
       std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes for a planner of regions how far a filter reads around the tip.
+ * Computes how far a filter reads around the tip, for a planner of regions.
  */
 #ifndef PlannerSettings_h
 #define PlannerSettings_h

@@ -88,7 +88,8 @@ void RegionSeries::Record(const HapticModelDescription& d, const WholeFacts& fac
   }
   constexpr std::size_t most = 4;
   Entry entry{ d, facts, array, number };
-  // The comparison keeps only a surface alive that the user has connected.
+  // Release the samples: the entry is only compared, and must keep nothing alive but a surface that
+  // the user has connected.
   entry.Description.Samples.reset();
   entry.Description.View.Data = nullptr;
   for (ModeDescription& mode : entry.Description.Modes)

@@ -24,15 +24,15 @@ class ResampledInput
 {
 public:
   /**
-   * Returns the source that resamples these arrays of the data; null for an image, and for data
-   * without cells.
+   * Returns the source that resamples these arrays of the data. Returns null if the data are an
+   * image or have no cells.
    */
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
   /** Explains why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;
   /**
-   * Reports the first time that only the first time step is felt, with the cure; then returns an
-   * empty text.
+   * Returns a text on the fact that only the first time step is felt, with the cure. Returns an
+   * empty text if it has been reported before.
    */
   std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 

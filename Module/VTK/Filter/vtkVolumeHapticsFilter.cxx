@@ -51,7 +51,7 @@
 
 namespace
 {
-/** Whether this is a piece after the first one, which makes the whole trace. */
+/** Whether the requested piece is not the first one, which contains the whole trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
   vtkInformation* const output = outputs->GetInformationObject(0);
@@ -366,7 +366,7 @@ void vtkVolumeHapticsFilter::SetTraceArrayStatus(const char* name, int status)
       names.push_back(other);
     }
   }
-  if (status != 0 || !isKnown) // for an unknown name, ChooseTraceArrays reports the error
+  if (status != 0 || !isKnown) // ChooseTraceArrays reports an unknown name
   {
     names.push_back(changed);
   }
@@ -378,7 +378,7 @@ std::string vtkVolumeHapticsFilter::CheckSettings(double rate)
 {
   for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
   {
-    // The servo's rate replaces the filter's.
+    // The rate of the servo counts instead of the filter's.
     const bool isRate = std::string("ServoRate") == setting.Name;
     if (!std::isfinite(isRate ? rate : setting.Get(this)))
     {
@@ -654,7 +654,8 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 {
   if (port == 0)
   {
-    // Data sets are allowed, too, and composite ones as a whole: see GetTouchedImage().
+    // Other data sets are allowed, too; composite data are accepted as one object: see
+    // GetTouchedImage().
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
     return 1;
   }
@@ -684,7 +685,7 @@ int vtkVolumeHapticsFilter::RequestInformation(
   if (VolumeHaptics::AreTimeStepsFelt(this) &&
     !VolumeHaptics::ReadTimeSteps(inputs[0]->GetInformationObject(0)).empty())
   {
-    // The trace runs through all time steps, so it has none itself.
+    // The trace passes through all time steps, so it has no time steps itself.
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_STEPS());
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_RANGE());
   }
@@ -801,7 +802,7 @@ int vtkVolumeHapticsFilter::TouchPath(
     vtkErrorMacro(<< error);
     return 0;
   }
-  // Without a path, only the input is checked, and a slow mesh is left to the background.
+  // Without a path, only check the input, and leave a slow mesh to the background.
   if (readable && !source && timeSteps.TimeSteps.empty() &&
     !(path ? this->Baker->GetPreparation().AwaitSurface()
            : this->Baker->GetPreparation().IsSurfaceAtHand()))
@@ -870,7 +871,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   {
     AddTissueArrays(*shares, FinalTissueNames, output->GetFieldData());
   }
-  // Ticks of a recording are points of the path, one for one, unless the user aborted the run.
+  // Each tick of a recording is a point of the path, unless the user has aborted the run.
   vtkDataArray* const orientations =
     recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
   if (orientations && !output->GetPointData()->HasArray(RecordingNames::Orientation) &&

@@ -327,10 +327,10 @@ public:
   /**
    * Set the method to PRIMITIVES, and replace all modes by those of a named way to feel:
    *
-   * - "Follow the flow": held across vectors, free along them.
-   * - "Drift with the flow": held across vectors, and pushed along them with a quarter of the
-   *   strength.
-   * - "Feel wave fronts": held along vectors, free across them.
+   * - "Follow the flow": held perpendicular to vectors, free along them.
+   * - "Drift with the flow": held perpendicular to vectors, and pushed along them with a quarter of
+   *   the strength.
+   * - "Feel wave fronts": held along vectors, free perpendicular to them.
    * - "Find a vortex": held in around a vortex, and, more gently, along its axis.
    * - "Feel where a flow stretches": free along the direction that stretches most.
    * - "Slide along fibres", "Slide along fibres and sheets": tensors.
@@ -339,8 +339,8 @@ public:
    *
    * Strengths suit the image (vtkHapticMode::ProposeFromImage). Without active vectors or tensors,
    * the modes are about the first array that fits. If the image is nullptr, strengths are 2 N.
-   * Returns false, with an error and no change, for another name, or if the image has nothing to
-   * feel in this way.
+   * Reports an error, changes nothing and returns false if there is no such name, or if the image
+   * has nothing to feel in this way.
    */
   bool ApplyModePreset(const char* name, vtkImageData* image);
 
@@ -735,7 +735,10 @@ public:
    */
   static vtkStringArray* GetMethodNames();
 
-  /** Choose one of GetMethodNames(); false, with an error that lists them, for any other name. */
+  /**
+   * Choose one of GetMethodNames(). For any other name, reports an error that lists them and
+   * returns false.
+   */
   bool SetMethodByName(const char* name);
   std::string GetMethodName();
 
@@ -743,19 +746,19 @@ public:
   std::string GetMethodText();
 
   /**
-   * Choose the next of GetMethodNames(), after the last the first. "primitives" is left out if
-   * there are no modes.
+   * Choose the next of GetMethodNames(); the first one follows the last. "primitives" is left out
+   * if there are no modes.
    */
   void NextMethod();
 
 #ifndef __VTK_WRAP__
-  /** Get what is wrong with names for SetTraceArrays, with the cure; empty if nothing is. */
+  /** Get the fault in names for SetTraceArrays, with the cure; empty if there is none. */
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
   /**
-   * Includes the change times of the property, the modes, the tool and their functions, the label
-   * table, the clipping planes, and the settings of the removal.
+   * Returns the latest modification time of this filter, the property, the modes, the tool, their
+   * functions, the label table, the clipping planes, and the settings of the removal.
    */
   vtkMTimeType GetMTime() override;
 
@@ -783,17 +786,17 @@ public:
   vtkHapticRegionSource* GetRegionSource();
 
   /**
-   * Set SpringLength, Reach, Band and MetersPerWorldUnit of a planner by the settings and the
-   * property of this filter, and by Spacing and Direction of the planner. SpringLength is the
-   * largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05 m; with SameShape,
-   * k is the CouplingStiffness. The methods of surfaces hold without limit, so with them it is 0.05
-   * m.
+   * Set SpringLength, Reach, Band and MetersPerWorldUnit of a planner. They follow from the
+   * settings and the property of this filter, and from Spacing and Direction of the planner.
+   * SpringLength is the largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05
+   * m; with SameShape, k is the CouplingStiffness. The methods of surfaces hold without limit, so
+   * with them it is 0.05 m.
    */
   void ConfigurePlanner(vtkHapticRegionPlanner* planner);
 
   /**
-   * Set what planner and output of a source of regions need from this filter. The filter and
-   * vtkHapticDevice call this for the source on port 0.
+   * Set what the planner and the output of a source of regions need to know of this filter. The
+   * filter and vtkHapticDevice call this for the source on port 0.
    */
   void ConfigureSource(vtkHapticRegionSource* source);
 
@@ -808,7 +811,10 @@ public:
   {
     return this->Modes;
   }
-  /** Returns the array that SetInputArrayToProcess has chosen, and what it belongs to. */
+  /**
+   * Returns the array that SetInputArrayToProcess has chosen, and its association (points or
+   * cells).
+   */
   vtkDataArray* GetChosenArray(int index, vtkDataObject* data, int& association)
   {
     return this->GetInputArrayToProcess(index, data, association);
@@ -818,8 +824,8 @@ public:
     return this->Cut.get();
   }
   /**
-   * Returns what is wrong with the settings for a servo of a rate (Hz), with the cure; empty if
-   * nothing is.
+   * Returns the fault in the settings for a servo of a rate (Hz), with the cure; empty if there is
+   * none.
    */
   std::string CheckSettings(double rate);
   ///@}

@@ -38,7 +38,7 @@ struct SearchPart
 
 /**
  * Calls look(first, end) for all numbers below `count`: on all cores, or, with a monitor, in pieces
- * on this thread alone, which has a low priority. False if it was cancelled.
+ * on this thread alone, which has a low priority. Returns false if it was cancelled.
  */
 template <typename Look>
 bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Look&& look)

@@ -34,7 +34,7 @@ void RemoveDataKeys(Json::Value& root)
   }
 }
 
-/** Parses a preset. False, with the fault and the cure, if the text is not a preset. */
+/** Parses a preset. Returns false, with the fault and the cure, if the text is not a preset. */
 bool ParsePreset(const std::string& text, Json::Value& root, std::string& error)
 {
   if (!ParseSetupFile(text, PresetKind, root, error))

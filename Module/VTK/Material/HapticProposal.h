@@ -30,14 +30,15 @@ struct ProposalInput
 };
 
 /**
- * Reads the input. False, with the reason and the cure in `error`, if there is nothing to search.
+ * Reads the input. Returns false, with the reason and the cure in `error`, if there is nothing to
+ * search.
  */
 bool ReadProposalInput(
   vtkImageData* image, int component, ProposalInput& input, std::string& error);
 
 /**
- * Examines a bounded number of an image's voxels. False, with the reason and the cure in `error`,
- * if there is nothing to propose, or the search was cancelled.
+ * Examines a bounded number of an image's voxels. Returns false, with the reason and the cure in
+ * `error`, if there is nothing to propose, or the search was cancelled.
  */
 bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   MaterialProposal& proposal, std::string& error);

@@ -28,8 +28,8 @@ vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
  * Describes modes on the samples of an image; `view` is one component of it. Arrays are viewed
- * without a copy, unless they store their components separately. False, with the reason and the
- * cure in `error`, if an active mode can't be felt.
+ * without a copy, unless they store their components separately. Returns false, with the reason and
+ * the cure in `error`, if an active mode can't be felt.
  */
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);

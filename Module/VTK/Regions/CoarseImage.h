@@ -33,8 +33,8 @@ class CoarseLevel
 public:
   /**
    * Makes the level from the first component of an image's scalars, for a volume in the same world.
-   * Outside samples are filled, unless the scalars are labels. Null, with the cure in `error`, if
-   * there are no scalars.
+   * Outside samples are filled, unless the scalars are labels. Returns null, with the cure in
+   * `error`, if there are no scalars.
    */
   static std::shared_ptr<const CoarseLevel> Make(
     vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
@@ -74,8 +74,8 @@ vtkSmartPointer<vtkImageData> AverageVolume(
   const LargeVolume& volume, const VolumePlace& place, vtkIdType mostVoxels);
 
 /**
- * Reads the finest coarser level of a file that is no larger than wanted, with its geometry; null
- * if there is none. Throws like AverageVolume().
+ * Reads the finest coarser level of a file that is no larger than wanted, with its geometry.
+ * Returns null if there is none. Throws like AverageVolume().
  */
 vtkSmartPointer<vtkImageData> ReadCoarserLevel(const LargeFile& file, vtkIdType mostVoxels);
 

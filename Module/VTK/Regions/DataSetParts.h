@@ -43,7 +43,7 @@ double ComputeSampleSpacing(const vtkBoundingBox& box, double cells);
 
 /**
  * Places the grid in the middle of the box, so that the rest of its edges lies outside on both
- * sides. False if the box has no volume, or an edge would need more than a million samples.
+ * sides. Returns false if the box has no volume, or an edge would need more than a million samples.
  */
 bool PlaceGrid(const vtkBoundingBox& box, double spacing, SamplingGrid& grid);
 

@@ -52,7 +52,7 @@ std::string ListArrays(vtkDataSet* part)
   return list;
 }
 
-/** Adds an array that all parts have; false if a part lacks it. */
+/** Adds an array that all parts have. Returns false if a part lacks it. */
 bool AddSampled(
   const std::vector<vtkDataSet*>& parts, const std::string& name, std::vector<SampledArray>& arrays)
 {

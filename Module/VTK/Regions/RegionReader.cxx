@@ -56,7 +56,7 @@ struct RegionReader::Work
   /** Waits for the next order; none if the thread must end. */
   std::optional<BoxExtent> AwaitOrder();
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
-  /** Stores why a read failed, and waits a while. False if the thread must end. */
+  /** Stores why a read failed, and waits a while. Returns false if the thread must end. */
   bool RecordFailure(const std::string& error);
   /** Records that a reader ends the thread; called while the thread unwinds. */
   void RecordLoss() noexcept;

@@ -80,7 +80,7 @@ public:
   const LargeVolume* GetVolume() const { return this->Volume.get(); }
   /** Ends the thread, and discards the volume and the coarse level. */
   void Clear();
-  /** Sets the level that stands in for late samples; null for none. */
+  /** Sets the level that stands in for late samples; null stands for none. */
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 

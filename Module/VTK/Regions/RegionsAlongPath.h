@@ -40,7 +40,7 @@ struct RegionLost : std::runtime_error
 class RegionsAlongPath
 {
 public:
-  /** Bakes a region. Null, with an error, if it can't be touched. */
+  /** Bakes a region. Returns null and reports an error if it can't be touched. */
   using Baker = std::function<std::shared_ptr<const HapticModel>(vtkImageData*, std::string&)>;
 
   RegionsAlongPath(vtkHapticRegionSource* source, Baker bake);

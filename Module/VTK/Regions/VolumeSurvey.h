@@ -42,7 +42,7 @@ public:
   explicit VolumeSurvey(const LargeVolume& volume);
 
   bool IsDone() const { return this->Next == this->Boxes.size(); }
-  /** Reads a box. False, with an error, on failure; it may be tried again. */
+  /** Reads a box. Returns false, with an error, on failure; it may be tried again. */
   bool Advance(std::string& error);
   /** Returns the facts, once all boxes are read. */
   VolumeFacts GetFacts() const;

@@ -137,8 +137,8 @@ protected:
   /**
    * Writes the array of a region of the whole into an output with the region's geometry. `piece`
    * holds the part of this process; the array may be null if the piece is empty. Default: a copy,
-   * which needs the whole region in the piece. False, with the reason in `error`, if parts are
-   * missing.
+   * which needs the whole region in the piece. Returns false, with the reason in `error`, if parts
+   * are missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);

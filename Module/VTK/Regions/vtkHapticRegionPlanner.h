@@ -71,8 +71,8 @@ public:
 
   /**
    * Set all of the above from an image: the whole itself, or a region of it that
-   * vtkHapticRegionFilter has made. False, with an error, if it is null or its field arrays are
-   * malformed.
+   * vtkHapticRegionFilter has made. Returns false and reports an error if it is null or its field
+   * arrays are malformed.
    */
   bool SetWhole(vtkImageData* image);
 

@@ -158,7 +158,7 @@ public:
    * Make the CoarseImage from the samples, if there is no better one: means of cubes, at most as
    * many as wanted. Files in chunks are read chunk by chunk; in other files, one row in each square
    * of the cubes is read. This takes as long as the reading, so call it before the volume is felt.
-   * False, with an error, if a read fails.
+   * Returns false and reports an error if a read fails.
    */
   bool MakeCoarseImage(vtkIdType mostVoxels = 4194304);
 
@@ -193,9 +193,9 @@ public:
    * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
    * samples of Zarr by zlib, gzip, lz4, zstd or Blosc, and in shards, but samples of MetaImage and
    * NRRD must be uncompressed. A NRRD file in the space right-anterior-superior is converted to
-   * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
-   * read; nothing is changed then. If the file is written again, open it again.
-   * VTKHDF is opened by HDF5's library, which no other thread may use meanwhile.
+   * left-posterior-superior, as ITK does. Returns false and reports an error that names the cure if
+   * it can't be read; nothing is changed then. If the file is written again, open it again. VTKHDF
+   * is opened by HDF5's library, which no other thread may use meanwhile.
    *
    * Lengths are turned into millimetres where NRRD, TIFF or OME-Zarr name their unit. Of several
    * volumes or values a voxel in a file the first one is read.
@@ -258,8 +258,8 @@ public:
   ///@{
   /**
    * Wait until the samples of a region (an extent of any size, clipped to the whole) are read, and
-   * put them unchanged into an image, with the field arrays of a region. False, with an error, on
-   * failure.
+   * put them unchanged into an image, with the field arrays of a region. Returns false, with an
+   * error, on failure.
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__
@@ -282,8 +282,8 @@ public:
    * the edge of a cube as large as the average cell. Cell arrays are averaged to the points. The
    * active scalars, vectors and tensors are resampled, and the named arrays (separated by
    * semicolons). Outside of all cells, scalars have the value of the border, and other arrays are
-   * 0. The data are copied. False, with an error, if they have no cells, volume or arrays. A
-   * vtkVolumeHapticsFilter does this by itself with data on its port 0.
+   * 0. The data are copied. Returns false and reports an error if they have no cells, volume or
+   *    arrays. A vtkVolumeHapticsFilter does this by itself with data on its port 0.
    */
   bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
 #ifndef __VTK_WRAP__
@@ -371,7 +371,8 @@ private:
  * text of at most `room` bytes. It is not awaited, because it may need a lock that the waiting
  * thread holds. Follow therefore invokes vtkCommand::UserEvent while a region is read, so that an
  * observer can release this lock for a while, which VTK's event loop does not do. `release` is
- * called after the last call of `read`; null for `read` ends the reading. Both get `context`.
+ * called after the last call of `read`. A null `read` ends the reading. Both functions get
+ * `context`.
  */
 using vtkHapticRegionRead = int (*)(
   void* context, const int* extent, void* samples, char* why, int room);

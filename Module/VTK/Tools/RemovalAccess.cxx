@@ -59,8 +59,8 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
 }
 
 /**
- * Finds the index of a volume's first sample among the samples of another volume. False if the
- * samples lie between those, or elsewhere.
+ * Finds the index of a volume's first sample among the samples of another volume. Returns false if
+ * the samples lie between those, or elsewhere.
  */
 bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {

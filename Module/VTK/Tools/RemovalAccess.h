@@ -52,8 +52,8 @@ struct RemovalData
   /** Sets the AirValue that was found, without a change of the object's MTime. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /**
-   * Creates tissue with these fractions, for a volume with that geometry. False if there are too
-   * many fractions.
+   * Creates tissue with these fractions, for a volume with that geometry. Returns false if there
+   * are too many fractions.
    */
   bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
@@ -63,8 +63,8 @@ struct RemovalData
   /** Whether a volume with the extent of the last one is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
-   * Fits the file's contents to another part of the file's volume. False if the samples do not lie
-   * at the positions of that volume's samples, or there are too many fractions.
+   * Fits the file's contents to another part of the file's volume. Returns false if the samples do
+   * not lie at the positions of that volume's samples, or there are too many fractions.
    */
   bool FitRead(vtkImageData* geometry, const int extent[6]);
 };
@@ -74,8 +74,8 @@ std::shared_ptr<TissueRemoval> GetTissueRemoval(vtkHapticRemoval* removal);
 
 ///@{
 /**
- * Reserves a removal for one holder, whose servo alone may tick with it. False if there is another
- * holder. Until the holder releases it, its ticks carry out all requests.
+ * Reserves a removal for one holder, whose servo alone may tick with it. Returns false if there is
+ * another holder. Until the holder releases it, its ticks carry out all requests.
  */
 bool HoldRemoval(vtkHapticRemoval* removal, const void* holder);
 void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
@@ -84,8 +84,8 @@ void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
 /**
  * Adds to the description of a model the tissue that is removed from its volume, if its tool
  * removes tissue, or some was removed before. The description already has its tool, its time steps
- * and its view. False, with the reason and the cure in `error`, if the tissue belongs to another
- * volume.
+ * and its view. Returns false, with the reason and the cure in `error`, if the tissue belongs to
+ * another volume.
  * @param geometry origin, spacing and direction of the volume
  * @param extent extent of the whole volume; the scalars may be a region of it
  * @param isRegion whether the scalars are a region

@@ -26,7 +26,7 @@ void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
 void MakeTissueImage(
   const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* fractions);
 
-/** Writes a file. False, with the reason and the cure in `error`, on failure. */
+/** Writes a file. Returns false, with the reason and the cure in `error`, on failure. */
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
   const std::string& file, std::string& error);
 
@@ -38,7 +38,7 @@ struct RemovalContent
   double AirValue = 0.0;
 };
 
-/** Reads a file. False, with the fault and the cure in `error`, on failure. */
+/** Reads a file. Returns false, with the fault and the cure in `error`, on failure. */
 bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error);
 
 } // namespace VolumeHaptics

@@ -24,9 +24,9 @@ struct SolidLevel
 };
 
 /**
- * Finds the value at which the surface strength passes half of its maximum. False if it never does
- * so, or more than once; `error` then has the reason and the cure, and continues the name of the
- * tool.
+ * Finds the value at which the surface strength passes half of its maximum. Returns false if it
+ * never does so, or more than once; `error` then has the reason and the cure, and continues the
+ * name of the tool.
  */
 bool ComputeSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error);
 
@@ -37,12 +37,12 @@ struct ToolNumber
   double Value;
   const char* Unit;
 };
-/** Checks that a number is more than 0. False, with the cure, if it isn't. */
+/** Checks that a number is more than 0. Returns false, with the cure, if it isn't. */
 bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string& error);
 
 /**
- * Describes what all tools with a shape share. False, with an error in the plan, if the tool can't
- * be felt.
+ * Describes what all tools with a shape share. Returns false, with an error in the plan, if the
+ * tool can't be felt.
  * @param deed what the tool does that needs the method, such as "removes what is solid"
  */
 bool DescribeShapedTool(

@@ -58,7 +58,7 @@ SpreadShell Spread(vtkPolyData* mesh, int count, WorkMonitor* monitor)
 class ShellsInUse
 {
 public:
-  /** Finds the points of a mesh; false if they have to be made. */
+  /** Finds the points of a mesh. Returns false if they have to be made. */
   bool Find(const ShellKey& key, SpreadShell& found)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

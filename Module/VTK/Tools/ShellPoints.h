@@ -43,8 +43,8 @@ struct SpreadShell
 
 /**
  * Returns the points of a mesh, 1 to MostShellPoints of them. If the mesh has not changed, returns
- * the points that models still use, or that were made last. Null, with the reason and the cure in
- * `error`, if the mesh is not a closed surface.
+ * the points that models still use, or that were made last. Returns null, with the reason and the
+ * cure in `error`, if the mesh is not a closed surface.
  */
 std::shared_ptr<const PointShell> GetShellPoints(vtkPolyData* mesh, int count, std::string& error);
 

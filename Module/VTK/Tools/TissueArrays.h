@@ -49,8 +49,8 @@ void AddTissueArrays(
   const std::vector<BrickTissue>& bricks, const TissueArrayNames& names, vtkFieldData* data);
 
 /**
- * Reads the arrays; if both are missing, all tissue remains. False if they can't be read, with the
- * array and its fault in `flaw`, such as "its array "FinalShares" is missing".
+ * Reads the arrays; if both are missing, all tissue remains. Returns false if they can't be read,
+ * with the array and its fault in `flaw`, such as "its array "FinalShares" is missing".
  */
 bool ReadTissueArrays(vtkFieldData* data, const TissueArrayNames& names,
   std::vector<BrickTissue>& bricks, std::string& flaw);

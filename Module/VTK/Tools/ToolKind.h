@@ -68,7 +68,7 @@ public:
   virtual void Print(std::ostream& os, vtkIndent indent, vtkHapticTool* tool) const = 0;
   /** Writes or reads all settings of a setup. */
   virtual void Pass(SetupNode& node, vtkHapticTool* tool) const = 0;
-  /** Sets a number by its name, as in setups; false if the tool has no such number. */
+  /** Sets a number by its name, as in setups. Returns false if the tool has no such number. */
   virtual bool Set(vtkHapticTool* tool, const std::string& name, double value) const = 0;
   /** Copies from the earlier tool what setups do not hold, such as a mesh. */
   virtual void TakeOver(vtkHapticTool* /*tool*/, vtkHapticTool* /*before*/) const {}
@@ -112,7 +112,7 @@ protected:
   Polyline ReadFunction(const ToolFunction& function, vtkHapticTool* tool, ToolPlan& plan) const;
 };
 
-/** Sets the setting of this name; false if the list has no such setting. */
+/** Sets the setting of this name. Returns false if the list has no such setting. */
 template <typename Owner, std::size_t Size>
 bool SetSetting(
   Owner* owner, const HapticSetting<Owner> (&settings)[Size], const std::string& name, double value)
@@ -174,7 +174,7 @@ void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool);
 
 /**
  * Adds a tool to a model's description, which already has its settings and time steps. A null tool
- * stands for a point. False, with the reason and the cure in `error`, if it can't be felt.
+ * stands for a point. Returns false, with the reason and the cure in `error`, if it can't be felt.
  */
 bool DescribeTool(vtkHapticTool* tool, vtkHapticProperty* property,
   HapticModelDescription& description, std::string& error);

@@ -27,9 +27,9 @@ struct ToolTriangle
 
 /**
  * Reads the triangles of a mesh in their order, and divides its polygons and strips. Coinciding
- * corners are merged, as STL files need it; triangles without an area are left out. False, with the
- * reason and the cure in `error`, if the mesh is null, has no polygons, points that are not finite,
- * open edges, neighbours that face opposite sides, no area, or is inside out.
+ * corners are merged, as STL files need it; triangles without an area are left out. Returns false,
+ * with the reason and the cure in `error`, if the mesh is null, has no polygons, points that are
+ * not finite, open edges, neighbours that face opposite sides, no area, or is inside out.
  */
 bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
 

@@ -133,7 +133,8 @@ public:
 
   /**
    * Set the shares to those at the end of the only path of a trace of vtkVolumeHapticsFilter.
-   * False, after an error, if the trace has no shares, or no model of the volume was made yet.
+   * Returns false and reports an error if the trace has no shares, or no model of the volume was
+   * made yet.
    */
   bool ReadTrace(vtkPolyData* trace);
 

@@ -44,8 +44,8 @@ std::vector<std::string> NameKinds()
   return names;
 }
 
-/// Makes a mode by its name, such as "vector-follow"; null if there is no such mode. Guides have a
-/// flag of their own.
+/// Makes a mode by its name, such as "vector-follow". Returns null if there is no such mode. Guides
+/// have a flag of their own.
 ModePointer MakeMode(const std::string& name)
 {
   auto mode = ModePointer::New();

@@ -33,7 +33,7 @@ public:
   bool IsSaved() const;
 
 private:
-  /// Saves the list. False, with the reason, on failure.
+  /// Saves the list. Returns false, with the reason, on failure.
   bool Save(std::string& error);
   void Report(std::ostream& out) const;
 

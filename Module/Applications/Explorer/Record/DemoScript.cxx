@@ -22,7 +22,7 @@ namespace
 constexpr double LONGEST = 36000.0; // s
 constexpr int MOST_STEPS = 1000;
 
-/// Reads the next number of a line; false if there is none in the range.
+/// Reads the next number of a line. Returns false if there is none in the range.
 bool ReadNumber(std::istringstream& line, double least, double most, double& number)
 {
   return static_cast<bool>(line >> number) && number >= least && number <= most;

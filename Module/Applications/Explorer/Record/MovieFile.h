@@ -24,12 +24,12 @@ public:
   /// Whether this program can write movies.
   static bool IsAvailable();
 
-  /// Opens a file. Null, with the reason, if it can't be written.
+  /// Opens a file. Returns null, with the reason, if it can't be written.
   static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
 
-  /// Adds a picture that is shown for count / RATE seconds. False if the thread is behind: the
-  /// picture is dropped, and the next picture has to be shown longer. All pictures must have one
-  /// size.
+  /// Adds a picture that is shown for count / RATE seconds. Returns false if the thread is behind:
+  /// the picture is dropped, and the next picture has to be shown longer. All pictures must have
+  /// one size.
   virtual bool Add(vtkImageData* picture, int count) = 0;
 
   /// Ends the movie: the thread writes the remaining pictures, and ends.

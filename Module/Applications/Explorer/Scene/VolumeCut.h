@@ -50,7 +50,7 @@ public:
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
-  /// Sets the interactor whose mouse and keys move the cut; null for none.
+  /// Sets the interactor whose mouse and keys move the cut; null stands for none.
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /// Cuts away everything between the viewer and the middle of the body.

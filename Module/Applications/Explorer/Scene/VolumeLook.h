@@ -16,8 +16,8 @@ namespace Explore
 /// for a cut, is disabled here.
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
 
-/// Whether the inside has something to see and to feel. False for labels, each of which can be
-/// hidden, and for fields.
+/// Whether the inside has something to see and to feel. Returns false for labels, each of which can
+/// be hidden, and for fields.
 bool HasInside(const Analysis& analysis);
 
 /// Shows only the dense parts of the volume. vtkHapticProperty::SetVisibilityFrom makes the same

@@ -90,7 +90,7 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Reads decimal numbers between backslashes; false if there are too few.
+/// Reads decimal numbers between backslashes. Returns false if there are too few.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -342,8 +342,8 @@ void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const
   }
 }
 
-/// Calls `take` with the value of an element, unless it is longer, and continues after it. False if
-/// the file ends too early.
+/// Calls `take` with the value of an element, unless it is longer, and continues after it. Returns
+/// false if the file ends too early.
 template <typename Take>
 bool ReadAndSkip(
   DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
@@ -358,7 +358,7 @@ bool ReadAndSkip(
 }
 
 /// Calls `take` for each value in a sequence, with the number of its item in the outermost
-/// sequence; groups are entered, other sequences are not. False if the file ends too early.
+/// sequence; groups are entered, other sequences are not. Returns false if the file ends too early.
 template <typename Take>
 bool WalkItems(
   DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
@@ -413,7 +413,7 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
 }
 
 /// Reads the transfer syntax, which says how the data set is written, from the part before the data
-/// set. False if this is not a DICOM file.
+/// set. Returns false if this is not a DICOM file.
 bool ReadMeta(DicomStream& stream, DicomHeader& header)
 {
   constexpr std::uint64_t preamble = 128;
@@ -463,7 +463,7 @@ bool ArePixels(std::uint32_t tag)
   return tag == PIXELS || tag == FLOAT_PIXELS || tag == DOUBLE_PIXELS;
 }
 
-/// Reads everything up to the pixels; false if there are none.
+/// Reads everything up to the pixels. Returns false if there are none.
 bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
 {
   double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };

@@ -133,8 +133,8 @@ struct DicomObject
 };
 DicomObject FindDicomObject(const std::string& path);
 
-/// Reads a header. False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard,
-/// sections 7 and A.
+/// Reads a header. Returns false if a file is not a DICOM file with pixels. Follows PS3.5 of the
+/// standard, sections 7 and A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
 
 /// Reads a header for each frame of a file, with its own place and meaning of samples: from the

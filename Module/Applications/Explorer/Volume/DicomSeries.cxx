@@ -139,7 +139,7 @@ std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& n
   return parts.size() > 1 ? all : std::vector<DicomSeries>();
 }
 
-/// Parts the slices into phases by a fact. False if the fact does not rise at each place.
+/// Parts the slices into phases by a fact. Returns false if the fact does not rise at each place.
 bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact& fact)
 {
   std::vector<std::vector<DicomHeader>> phases(count);

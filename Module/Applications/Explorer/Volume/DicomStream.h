@@ -30,7 +30,7 @@ public:
   explicit DicomStream(const std::string& path);
 
   /// Unpacks what follows, which deflate packed, and continues there; places then count from its
-  /// beginning. False if it is damaged.
+  /// beginning. Returns false if it is damaged.
   bool Inflate();
 
   bool IsExplicit = true;
@@ -53,8 +53,8 @@ public:
   bool Next(Element& element);
   /// Skips the value of an element, whose items may have any length.
   bool Skip(const Element& element, int depth = 0);
-  /// Skips the items of compressed pixels; some writers omit the end. False if an item is not
-  /// complete.
+  /// Skips the items of compressed pixels; some writers omit the end. Returns false if an item is
+  /// not complete.
   bool SkipItems();
 
 private:

@@ -13,7 +13,7 @@ namespace Explore
 bool CanUnpackDicom();
 
 /// Unpacks the samples of all frames of a compressed file, least significant byte first. Changes
-/// the header to describe them. False if they can't be unpacked.
+/// the header to describe them. Returns false if they can't be unpacked.
 bool UnpackDicom(DicomHeader& slice, std::string& bytes);
 } // namespace Explore
 

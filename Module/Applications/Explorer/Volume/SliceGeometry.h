@@ -28,8 +28,8 @@ std::string StraightenIfSheared(vtkSmartPointer<vtkImageData>& image, bool areLa
 /// Resamples an image whose direction matrix is no rotation, such as a CT with a tilted gantry, to
 /// straight axes. The first axis and the plane of the slices stay. The new box contains the old
 /// one; samples outside of the slices have the least value. Samples are interpolated cubically, or
-/// taken from the nearest voxel if they are labels. Null if the box would have more than eight
-/// times the voxels.
+/// taken from the nearest voxel if they are labels. Returns null if the box would have more than
+/// eight times the voxels.
 vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels);
 } // namespace Explore
 

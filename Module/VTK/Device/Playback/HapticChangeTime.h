@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the time of the last change that concerns a servo.
+ * Computes the time of the last change that concerns a servo.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
@@ -18,7 +18,10 @@
 namespace VolumeHaptics
 {
 
-/** Finds when an algorithm, or one upstream of it, last changed; 0 without one. */
+/**
+ * Returns the time of the last change of an algorithm or of one upstream of it; 0 without an
+ * algorithm.
+ */
 inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
 {
   auto* const pipeline =
@@ -31,7 +34,10 @@ inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
   return pipeline->GetPipelineMTime();
 }
 
-/** Finds when a filter, or its surface or label image, last changed; 0 without a filter. */
+/**
+ * Returns the time of the last change of a filter or of its surface or label image; 0 without a
+ * filter.
+ */
 inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 {
   vtkMTimeType time = filter ? filter->GetMTime() : 0;
@@ -45,9 +51,10 @@ inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Finds when a filter, or its image, surface or label image, last changed; 0 without a filter. If
- * the time steps of a moving image are requested one after the other, the image's own changes don't
- * count, but the changes of the whole pipeline do.
+ * Returns the time of the last change of a filter or of its image, surface or label image; 0
+ * without a filter. If the time steps of a moving image are requested one after the other
+ * (`isMoving`), changes of the image itself don't count, because each request changes it; changes
+ * of the whole pipeline before it do.
  */
 inline vtkMTimeType ComputeChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {

@@ -29,8 +29,8 @@ namespace
 /** Number of samples that are meshed in about ten milliseconds. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
 /**
- * Smallest image that gets a part meshed first; a smaller image is meshed as a whole nearly as soon
- * as its part, and sooner if no part is meshed beside it.
+ * Smallest image of which a part is meshed first. A smaller image is meshed whole in nearly the
+ * same time as a part of it, and sooner if no part is meshed at the same time.
  */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
@@ -121,9 +121,9 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   image->GetExtent(whole.data());
   if (!MakeIndexToWorld(image, whole.data(), "input image", map, error))
   {
-    return; // meshing the whole reports the error
+    return; // meshing the whole image reports the error
   }
-  Extent fromFirst; // indices as the map counts them
+  Extent fromFirst; // extent relative to the first sample of the image, from which the map counts
   for (int a = 0; a < 6; ++a)
   {
     fromFirst[a] = region[a] - whole[a - a % 2];
@@ -131,7 +131,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetFilled().Array;
   if (!scalars)
   {
-    return; // meshing the whole reports the error
+    return; // meshing the whole image reports the error
   }
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();

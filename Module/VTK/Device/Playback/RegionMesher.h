@@ -37,9 +37,9 @@ public:
   ~RegionMesher();
 
   /**
-   * Returns the next region, once it is meshed; nothing if the last region suffices, the next
-   * region is still being meshed, or the image can't be touched. Call this often, with the tip in
-   * the world.
+   * Returns the next region once it is meshed. Returns nothing if the last region suffices, if the
+   * next region is still being meshed, or if the image can't be touched. Call this often, with the
+   * tip in the world.
    */
   std::optional<SurfaceRegion> Poll(vtkVolumeHapticsFilter* filter, const double tip[3]);
   /** Ends the work without waiting for it, and discards the last region. */
@@ -47,7 +47,7 @@ public:
 
 private:
   using Extent = std::array<int, 6>;
-  /** The samples, and component and value of the isosurface. */
+  /** Identifies an isosurface: its samples, their component, and its value. */
   using SurfaceKey = std::tuple<TouchedArray::Key, int, double>;
   /** The result of the worker. */
   struct Made

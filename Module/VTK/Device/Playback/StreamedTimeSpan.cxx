@@ -25,8 +25,7 @@ bool IsEarlier(const VolumeTimeStep& a, const VolumeTimeStep& b)
 }
 
 /**
- * Returns the time steps of a whole series, without the first time step that is repeated at its
- * end.
+ * Returns the time steps of a whole series without the last one, which repeats the first one.
  */
 std::vector<VolumeTimeStep> KeepSeries(const BakedVolume& whole)
 {
@@ -112,8 +111,8 @@ std::shared_ptr<const BakedVolume> JoinTimeSpans(
   std::vector<double> times;
   for (auto timeStep = timeSteps.begin(); timeStep != timeSteps.end(); ++timeStep)
   {
-    // Displacements lead to the next time step, so they are kept only if the next time step is the
-    // same.
+    // Displacements lead to the next time step, so they are kept only if `after` has the same next
+    // time step.
     const auto same = std::lower_bound(after.begin(), after.end(), *timeStep, IsEarlier);
     const bool isOwn = same != after.end() && same->Time == timeStep->Time;
     const bool isFollowed = isOwn && same + 1 != after.end() && timeStep + 1 != timeSteps.end() &&

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Time spans of a volume whose time steps come one by one, joined so that the volume does not jump.
+ * Time spans of a volume whose time steps arrive one by one, joined so that the volume does not
+ * jump.
  */
 #ifndef StreamedTimeSpan_h
 #define StreamedTimeSpan_h
@@ -28,7 +29,7 @@ namespace VolumeHaptics
  */
 struct TimeStepOrigin
 {
-  const void* Connection = nullptr; ///< connection to the source; not dereferenced
+  const void* Connection = nullptr; ///< connection to the source, only compared
   vtkMTimeType Time = 0;            ///< last change of the source, or of what it reads
   std::string Displacements;        ///< name of the displacements' array
 
@@ -46,15 +47,16 @@ inline TimeStepOrigin GetTimeStepOrigin(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Earlier time spans of a volume that moves. While the servo uses one of them, the time steps that
- * were released with it are still in memory.
+ * Earlier time spans of a moving volume. While the servo uses one of them, the time steps that were
+ * replaced together with it are still in memory.
  */
 class PastTimeSpans
 {
 public:
   void Record(const std::shared_ptr<const BakedVolume>& span);
   /**
-   * Whether no earlier time span is in use any more, or a reader of states holds one for too long.
+   * Whether no earlier time span is in use any more. Also true if a reader of states has held one
+   * for too long.
    */
   bool AreGone() const;
 
@@ -67,18 +69,18 @@ private:
 VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
 
 /**
- * Whether time steps at the times `next` give the same volume at a time as time steps at the times
- * `last`. The time steps that both contain are equal, so this holds at a common time step, or
- * between two neighbours that both contain. Times are ascending.
+ * Whether time steps at the times `next` and time steps at the times `last` give the same volume at
+ * `time`. Time steps that both contain are equal, so this is true at such a time step, and between
+ * two neighbours that both contain. Times are ascending.
  */
 bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
 
 /**
  * Joins the time steps of `next` to the two time steps of `last` around a time, if `next` does not
- * continue `last` there: so the volume moves from its present shape to the next time steps,
+ * continue `last` there. So the volume moves from its present shape to the next time steps,
  * whatever was left out. All time spans are whole series of one volume, with the first time step
- * repeated at their ends. Null if the time spans are of different regions or have meshes, which
- * would have to be made.
+ * repeated at their ends. Returns null if the time spans are of different regions, or if they have
+ * meshes, because a mesh between the joined time steps would have to be made.
  */
 std::shared_ptr<const BakedVolume> JoinTimeSpans(
   const BakedVolume& last, const BakedVolume& next, double time);

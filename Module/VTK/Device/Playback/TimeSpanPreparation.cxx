@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Updates the source of the image; whether it succeeds. */
+/** Updates the source of the image. Returns whether it succeeded. */
 bool IsUpdated(vtkVolumeHapticsFilter* filter)
 {
   try
@@ -51,7 +51,8 @@ void ReportUnread(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Reads all components as time steps; none if there is no image, an error that the baker reports.
+ * Reads all components as time steps. Reads none if there is no image, which the baker reports as
+ * an error.
  */
 bool ReadComponents(vtkVolumeHapticsFilter* filter, PreparedTimeSpan& read)
 {
@@ -100,7 +101,7 @@ bool AreAlike(vtkDataArray* a, vtkDataArray* b)
 }
 
 /**
- * Reads a time step as ReadTimeStep() does, but takes it from a time span of the same source if it
+ * Reads a time step as ReadTimeStep() does, but copies it from a time span of the same source if it
  * is there.
  */
 bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading& reading,
@@ -114,7 +115,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   {
     return ReadTimeStep(filter, time, reading, timeStep);
   }
-  // The choice of the touched array may have changed.
+  // The user may have chosen another array since.
   vtkDataArray* wanted = nullptr;
   const auto look = [&](vtkImageData* image)
   {
@@ -125,7 +126,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   {
     return false;
   }
-  // See ShareArray() of the model's builder.
+  // The samples' owner is their array: see ShareArray() of the model's builder.
   const auto asArray = [](const std::shared_ptr<const void>& samples)
   { return static_cast<vtkDataArray*>(const_cast<void*>(samples.get())); };
   vtkDataArray* const had = asArray(known->Samples);
@@ -178,7 +179,7 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const
   {
     read.Images.back() = read.Images.front();
   }
-  // Data that are the same at all times come from the first step, as they do along paths.
+  // Data that are the same at all times are read from the first step, as along paths.
   const TimeStepReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
   ImageTimeStep first;
   return ReadTimeStep(filter, steps.front(), nothing, first); // else the source has reported why
@@ -194,7 +195,7 @@ PreparedTimeSpan ReadTimeSpan(
   return read;
 }
 
-/** Estimates how long meshing takes; stops counting above ShortMeshing. */
+/** Estimates how long (s) meshing takes. Stops adding once the sum is above ShortMeshing. */
 double EstimateMeshTimes(const std::vector<ImageTimeStep>& timeSteps, double value)
 {
   double seconds = 0.0;
@@ -217,8 +218,8 @@ TimeSpanPreparation::ChangeTimes TimeSpanPreparation::ComputeChangeTimes(
 }
 
 /**
- * Whether the time steps that were read fit the filter's present state. Newer time steps of a
- * stream don't count: waiting for the last time steps could mean waiting for ever.
+ * Whether the time steps that were read belong to the filter's present state. Newer time steps of a
+ * stream don't count: otherwise a fast stream would make the owner wait for ever.
  */
 bool TimeSpanPreparation::IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const
 {
@@ -275,9 +276,9 @@ bool TimeSpanPreparation::Poll(vtkVolumeHapticsFilter* filter, const TimeStepPla
 }
 
 /**
- * Shapes the time steps as the builder of models does. Returns false if the builder refuses a time
- * step, or if an array has a memory layout of its own: readers would copy its values into one copy
- * for all threads.
+ * Converts the time steps as the builder of models does. Returns false if the builder refuses a
+ * time step, or if an array has a memory layout of its own: VTK then copies its values for readers
+ * into one copy that all threads share.
  */
 bool TimeSpanPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last)
 {

@@ -25,16 +25,16 @@ namespace VolumeHaptics
 {
 struct BakedVolume;
 
-/** Time steps as they were read. */
+/** Time steps as they are read. */
 struct PreparedTimeSpan
 {
   bool AreRead = false; ///< false after an error, which the filter has reported
   TimeSteps Steps;
-  std::size_t First = 0;             ///< number of the first time step's step
+  std::size_t First = 0;             ///< number of the step at which Images begin
   std::vector<ImageTimeStep> Images; ///< empty if the volume does not move
 };
 
-/** The data time at which time steps are wanted, and the playback there. */
+/** The data time for which time steps are wanted, and how playback continues from it. */
 struct TimeStepPlace
 {
   std::optional<double> Time; ///< data time; none stands for the first step
@@ -47,8 +47,8 @@ class TimeSpanPreparation
 {
 public:
   /**
-   * Prepares the time steps; call this often. Returns whether Drain() would be quick now; if not,
-   * a worker still makes what takes long.
+   * Prepares the time steps; call this often. Returns whether Drain() would be quick now; if not, a
+   * worker is still meshing.
    * @param last the volume that these time steps continue; null if they begin a new volume
    * @param kept a time span that has been made of the same source; may be null. Its time steps are
    *   not copied again.
@@ -59,12 +59,12 @@ public:
   bool IsBegun() const { return this->Span.has_value(); }
   /** Whether neither this object nor its worker holds time steps. */
   bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
-  /** Returns the data times of the steps whose time steps have been read; empty before that. */
+  /** Returns the data times of all steps of the series that was read; empty before that. */
   std::vector<double> GetTimes() const
   {
     return this->IsBegun() ? this->Span->Steps.Times : std::vector<double>();
   }
-  /** Estimates how long it takes to make what the time steps still lack (s). */
+  /** Estimates how long (s) the meshes that are missing will take. */
   double GetTimeOfRest() const { return this->IsBegun() ? this->TimeOfRest : 0.0; }
 
   /** Returns the time steps of Poll(); if there are none, reads them now. */
@@ -76,7 +76,7 @@ public:
   void End();
 
 private:
-  /** Times of the filter's last changes: all changes, and all but the image's. */
+  /** Modification times of the filter: of everything, and of everything but the image. */
   struct ChangeTimes
   {
     vtkMTimeType All;
@@ -87,7 +87,8 @@ private:
   bool IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const;
   bool Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last);
 
-  const vtkVolumeHapticsFilter* Of = nullptr; ///< of the span; only compared, may be deleted
+  const vtkVolumeHapticsFilter* Of = nullptr; ///< filter of Span; only compared, because it may be
+                                              ///< deleted
   ChangeTimes Times{ 0, 0 };
   std::optional<PreparedTimeSpan> Span;
   double TimeOfRest = 0.0;

@@ -100,8 +100,9 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
     const auto make = [timeStep = timeSteps[i], next = timeSteps[after], component = components[i],
                         value, indexToWorld]
     { return MeshTimeStep(timeStep, next, component, value, indexToWorld); };
-    // Arrays of other layouts copy their values for readers, into one copy for all threads. See
-    // ShareArray() of the model's builder.
+    // Reads an array with a layout of its own at once: VTK would copy its values into one copy that
+    // all threads share. The samples' owner is their array: see ShareArray() of the model's
+    // builder.
     auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeSteps[i].Samples.get()));
     if (!scalars->HasStandardMemoryLayout())
     {
@@ -121,7 +122,7 @@ bool TimeStepMesher::Poll(std::vector<VolumeTimeStep>& timeSteps,
       return false;
     }
     timeSteps[i].Mesh = *made;
-    this->Meshing.Forget(); // other time steps may get the same address
+    this->Meshing.Forget(); // later time steps may get the same address, which is the key
   }
   return true;
 }

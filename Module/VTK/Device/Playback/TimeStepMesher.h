@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The time steps of a volume that moves, as images, and as meshes for SURFACE_PROXY.
+ * Time steps of a moving volume as images, and as meshes for SURFACE_PROXY.
  */
 #ifndef TimeStepMesher_h
 #define TimeStepMesher_h
@@ -22,12 +22,12 @@
 namespace VolumeHaptics
 {
 
-/** The time step of a moving volume that is shown, as an image. */
+/** The time step of a moving volume that is shown to the user, as an image. */
 class TimeStepImage
 {
 public:
   /**
-   * Makes an image of a time step's array, with the shape of another image. The samples are copied
+   * Makes an image of a time step's array, with the geometry of `shape`. The samples are copied
    * only if the time steps are components of one array with several components. Returns the last
    * image again if the time step is unchanged.
    */
@@ -39,7 +39,7 @@ public:
 private:
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkDataArray> Array; ///< array that is shown
-  vtkMTimeType Changed = 0;            ///< change time of Array
+  vtkMTimeType Changed = 0;            ///< modification time of Array
   int Component = 0;
 };
 
@@ -48,8 +48,8 @@ class TimeStepMesher
 {
 public:
   /**
-   * Gives all time steps but the last one the meshes that they lack; a single time step gets a mesh
-   * that does not move. Call this often: false until the time steps have their meshes.
+   * Adds the missing meshes to all time steps but the last one. A single time step gets a mesh that
+   * does not move. Call this often: it returns false until all have their meshes.
    * @param components components of the time steps' arrays, one for each time step
    * @param value value of the isosurface
    */
@@ -71,7 +71,10 @@ public:
   }
 
 private:
-  /** The samples of a time step and of the next time step, and the component of the time step. */
+  /**
+   * Identifies a mesh: samples of its time step and of the next one, and the component of the
+   * first.
+   */
   using Key = std::tuple<const void*, const void*, int>;
 
   KeyedWork<Key, std::shared_ptr<const SurfaceMesh>> Meshing;

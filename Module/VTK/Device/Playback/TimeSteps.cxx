@@ -29,7 +29,7 @@ TimeSteps::Need TimeSteps::ComputeNeed(double time, bool isBackward, Playback mo
   const std::size_t behind = this->Before(first);
   const bool hasAhead = isLoop || isLoopEnd || first + 2 < count;
   const bool hasBehind = isLoop || isLoopEnd || first > 0;
-  // Time may turn around where it can't advance.
+  // The next step is on the other side if time can't advance: it may turn around.
   const bool takesAhead = isBackward ? !hasBehind : hasAhead;
   return { first, takesAhead ? ahead : behind };
 }

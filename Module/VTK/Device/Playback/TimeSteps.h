@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Data times of the time steps of a volume that moves, and which time steps the servo needs.
+ * Data times of the time steps of a moving volume, and the choice of the steps that the servo
+ * needs.
  */
 #ifndef TimeSteps_h
 #define TimeSteps_h
@@ -21,7 +22,10 @@ struct TimeSteps
   bool AreComponents = false;
   bool AreInMemory = false; ///< whether all time steps are in the source's memory
 
-  /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
+  /**
+   * The pair of neighbouring steps First and First + 1 that time is between, and the step that it
+   * needs next.
+   */
   struct Need
   {
     std::size_t First;
@@ -35,7 +39,7 @@ struct TimeSteps
   {
     return (step + this->Times.size() - 1) % this->Times.size();
   }
-  /** Whether the servo gets all steps at once. */
+  /** Whether the servo gets all steps in one time span. */
   bool AreAllAtOnce() const
   {
     constexpr std::size_t most = 3;

@@ -58,7 +58,7 @@ struct BlockCompressor::Library
 BlockCompressor::BlockCompressor()
   : Used(new Library)
 {
-  // The values of ticks have few patterns: higher levels take longer and save only 0.4 percent.
+  // The values of ticks have few patterns, so higher levels take longer and save only 0.4 percent.
   this->Used->ZLib->SetCompressionLevel(1);
 }
 

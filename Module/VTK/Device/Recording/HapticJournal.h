@@ -36,7 +36,10 @@ struct RecordingAbout
   std::string VolumeHash; ///< hash of the touched scalars; empty while it is not known
 };
 
-/** Hashes that become known some time after a recording began; empty if there are none. */
+/**
+ * Hashes that may become known after a recording began. A text is empty if there is nothing to
+ * hash.
+ */
 struct RecordingHashes
 {
   std::string Volume;
@@ -61,22 +64,22 @@ struct PlacementRow
 /** Number of ticks in a group; only the last group may have fewer. */
 constexpr std::size_t GroupSize = 256;
 
-/** The suffix of a journal's name. */
+/** Suffix of a journal's file name. */
 constexpr const char* JournalEnding = ".part";
 
-// The format of a journal, for its writer and its reader. A chunk is a head (kind, 0, size and
-// checksum of the payload) and a payload. Payloads:
+// Format of a journal, for its writer and its reader. A chunk is a head (kind, 0, size and checksum
+// of the payload) and a payload. Payloads by kind:
 // - About: JournalMark, then texts, each after its length: the columns, and the texts of
-//   RecordingAbout;
-// - Hashes: the texts of RecordingHashes, each after its length, once they are known;
-// - Begin: a RecordingBegin;
-// - Contacts: ContactRows, after Begin;
-// - Shares: BrickTissue of removed tissue, after Begin;
-// - Placements: PlacementRows;
-// - Ticks: the number of lost ticks so far (64 bits), the number of these (32 bits), the size of
-//   each column's block (32 bits), and the blocks.
+//   RecordingAbout
+// - Hashes: the texts of RecordingHashes, each after its length, once they are known
+// - Begin: a RecordingBegin
+// - Contacts: ContactRows, after Begin
+// - Tissue: BrickTissue of removed tissue, after Begin
+// - Placements: PlacementRows
+// - Ticks: the number of lost ticks so far (64 bits), the number of ticks in the chunk (32 bits),
+//   the size of each column's block (32 bits), and the blocks
 
-/** The last byte counts the changes of this format. */
+/** Mark at the beginning of a journal. The last byte is the version of the format. */
 constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 't', 'i', 'c', 's',
   'J', '\0', '\4' };
 
@@ -93,12 +96,12 @@ constexpr std::size_t HeadSize = 24;
 constexpr std::size_t TicksHeadSize = 12;
 
 std::uint64_t SumOf(const std::string& payload);
-/** Lists names, types and components of the columns: a journal with other columns can't be read. */
+/** Lists names, types and components of the columns. A journal with other columns can't be read. */
 std::string SignatureOfColumns();
 
 /** Appends a text after its length. */
 void PutText(std::string& bytes, const std::string& text);
-/** Reads a text after its length. False if there are not enough bytes. */
+/** Reads a text after its length. Returns false if there are not enough bytes. */
 bool GetText(const std::string& bytes, std::size_t& position, std::string& text);
 
 template <typename T>
@@ -108,7 +111,7 @@ void Put(std::string& bytes, const T& value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** Reads a value. False if there are not enough bytes. */
+/** Reads a value. Returns false if there are not enough bytes. */
 template <typename T>
 bool Get(const std::string& bytes, std::size_t& position, T& value)
 {
@@ -131,9 +134,9 @@ public:
   BlockCompressor(const BlockCompressor&) = delete;
   BlockCompressor& operator=(const BlockCompressor&) = delete;
 
-  /** Appends the compressed bytes; returns their number. */
+  /** Appends the compressed bytes and returns their number. */
   std::size_t Compress(const void* data, std::size_t size, std::string& to);
-  /** Expands a block to `size` bytes. False if it does not have exactly this size. */
+  /** Expands a block to `size` bytes. Returns false if it does not have exactly this size. */
   bool Expand(const std::string& block, void* data, std::size_t size);
 
 private:

@@ -20,7 +20,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Pause of the writer between two polls for ticks (ns): a group takes 25 ms at 10 kHz. */
+/**
+ * Pause of the writer between two polls for ticks (ns). It is shorter than a group at 10 kHz, which
+ * takes 25 ms.
+ */
 constexpr std::int64_t WriterPeriod = 10000000;
 
 PlacementRow ToRow(const HapticModel& model)
@@ -56,7 +59,7 @@ HapticRecording::~HapticRecording()
     (void)this->WriterThread.release();
     return;
   }
-  this->StopWriter(); // the writer closes the journal
+  this->StopWriter(); // first, because this closes the journal
 }
 
 bool HapticRecording::Start(
@@ -96,7 +99,7 @@ bool HapticRecording::Start(
 void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
   std::shared_ptr<const ToolMemory> tool)
 {
-  // Ticks come in the order of their generations.
+  // Ticks come in the order of their generations, so earlier models are not needed any more.
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   if (this->Failure.load() != 0)
   {
@@ -143,7 +146,7 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
       this->BeginTissue = removal->EndSnapshot();
     }
   }
-  // Writes a placement for every generation, even an equal one, because the servo carries its state
+  // Write a placement for every generation, even an equal one, because the servo carries its state
   // from one generation to the next.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
@@ -192,7 +195,7 @@ void HapticRecording::WriteUntilStopped()
   }
   if (this->Failure.load() == 0 && this->GetLostTicks() > 0)
   {
-    // The last tick in the queue may have been followed by lost ticks.
+    // Ticks may have been lost after the last tick of the queue, so write their number again.
     this->Failure.store(this->Writer->WriteTicks(nullptr, 0, this->GetLostTicks()));
   }
 }
@@ -262,7 +265,7 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  // Opens the journal by the writer's descriptor, because another file may have its name now.
+  // Open the journal by the writer's descriptor, because another file may have its name now.
   JournalReader reader;
   if (!reader.Open(*this->Writer, error))
   {

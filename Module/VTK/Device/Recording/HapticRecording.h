@@ -4,10 +4,10 @@
  * @file
  * Records the ticks of the servo loop: a trace with all data for an exact replay.
  *
- * The recording has a thread of its own that writes every tick to a journal beside the file: so a
- * slow disk delays neither the servo nor the session's keeper. A limited number of ticks may wait
- * for the disk; further ticks are lost and counted. At the end the file is made from the journal
- * (HapticRecordingFile.h).
+ * The recording has a thread of its own that writes every tick to a journal beside the file, so
+ * that a slow disk delays neither the servo nor the session's keeper. A limited number of ticks may
+ * wait for the disk; further ticks are lost and counted. At the end the file is made from the
+ * journal (HapticRecordingFile.h).
  */
 #ifndef HapticRecording_h
 #define HapticRecording_h
@@ -29,7 +29,7 @@ namespace VolumeHaptics
 class HapticModel;
 class ToolMemory;
 
-/** A model that the loop may use, and the memory of its tool; null if the tool needs none. */
+/** A model that the loop may use, and its tool's memory, which is null if the tool needs none. */
 struct PublishedTouch
 {
   std::shared_ptr<const HapticModel> Model;
@@ -43,15 +43,15 @@ public:
   static constexpr std::size_t MostWaiting = 15000;
 
   HapticRecording();
-  /** Stops writing; the journal stays, unless Finish made the file. */
+  /** Stops writing. The journal stays, unless Finish has made the file. */
   ~HapticRecording();
   HapticRecording(const HapticRecording&) = delete;
   HapticRecording& operator=(const HapticRecording&) = delete;
 
   /**
-   * Begins the journal of a file. False, with the reason and the cure, if the file could not be
-   * written. A journal of the same name that an earlier program left is renamed, and the warning
-   * contains its new name.
+   * Begins the journal of a file. Returns false, and the reason and the cure in `error`, if the
+   * file can't be written. A journal of the same name that an earlier program left is renamed;
+   * `warning` then contains its new name.
    */
   bool Start(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
@@ -63,14 +63,14 @@ public:
   void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
     std::shared_ptr<const ToolMemory> tool = nullptr);
   /**
-   * Records a tick; false if it is lost. Ticks without a model are left out, because they have no
-   * world. Until the first tick is recorded, ticks are also left out that are older than the kept
-   * memory of the tool and the removed tissue (ServoLoop::KeepTool).
+   * Records a tick. Returns false if the tick is lost. Leaves out ticks without a model, because
+   * they have no world coordinates. Until the first tick is recorded, also leaves out ticks that
+   * are older than the kept memory of the tool and the removed tissue (ServoLoop::KeepTool).
    */
   bool Append(const ServoSnapshot& snapshot);
-  /** Whether no tick has been taken yet. */
+  /** Whether no tick has been recorded yet. */
   bool IsAwaited() const { return this->LastPlacement < 0; }
-  /** Sets the hashes, once, when they are known; from the owner's thread. */
+  /** Sets the hashes when they are known. Call it once, on the owner's thread. */
   void SetHashes(const RecordingHashes& hashes);
 
   /** Sets the number of ticks that were lost before they reached the recording. */
@@ -83,21 +83,21 @@ public:
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
   /**
-   * Explains why the recording ended before it was stopped, and what is left of it; empty if it did
+   * Returns why the recording ended before it was stopped, and what is left of it; empty if it did
    * not. Any thread may call it.
    */
   std::string GetTrouble() const;
 
   /**
-   * Ends the journal and makes the file. False if ticks are missing in the file; the error says
-   * where they are.
+   * Ends the journal and makes the file. Returns false if ticks are missing in the file; `error`
+   * says where they are.
    */
   bool Finish(std::string& error);
 
 private:
   void WriteUntilStopped();
   void WriteHashes();
-  /** Writes a full group, or at the end any group; false if there is none. */
+  /** Writes a full group, or at the end the remaining ticks. Returns false if there are too few. */
   bool WriteGroup(bool isEnd);
   void StopWriter();
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
@@ -106,14 +106,14 @@ private:
   // the process that the thread and the journal belong to
   const std::int64_t Process = ServoClock::GetProcess();
 
-  // The keeper uses these; the owner may use them only between two calls of the keeper.
+  // Used by the keeper. The owner may use them only between two calls of the keeper.
   std::map<std::uint64_t, PublishedTouch> Models;
   WorkMeter Work;
-  std::uint64_t LastGeneration = 0; // generation of the last tick that came, recorded or not
+  std::uint64_t LastGeneration = 0; // generation of the last tick that arrived, recorded or not
   std::uint64_t PlacedGeneration = 0;
   int LastPlacement = -1;
 
-  // For both the keeper and the writer.
+  // Shared by the keeper and the writer, under QueueMutex.
   std::mutex QueueMutex;
   std::deque<RecordingRow> Waiting;
   std::vector<PlacementRow> NewPlacements;
@@ -127,7 +127,7 @@ private:
   std::atomic<int> Failure{ 0 }; // errno that ended the journal
   std::atomic<std::uint64_t> Written{ 0 };
 
-  // For the writer. A forked child leaves it alone: see the destructor.
+  // Used by the writer. A forked child leaves them alone: see the destructor.
   std::unique_ptr<JournalWriter> Writer;
   std::unique_ptr<std::thread> WriterThread;
 };

@@ -54,7 +54,7 @@ double NumberAt(const RecordingRow& row, const TraceColumn& column, int componen
   return NumberAt<double>(bytes, component);
 }
 
-/** Orders the columns with time and position first, for human readers. */
+/** Returns the recorded columns with time and position first, for human readers. */
 std::vector<TraceColumn> OrderColumns()
 {
   std::vector<TraceColumn> columns = GetRecordingColumns();
@@ -89,7 +89,7 @@ private:
   bool IsEmpty = true;
 };
 
-/** Writes the files. False if the journal can't be read to its end. */
+/** Writes the point arrays as .csv. Returns false if the journal can't be read to its end. */
 bool WriteRecordingTable(JournalReader& journal, FileReplacement& file)
 {
   const std::vector<TraceColumn> columns = OrderColumns();
@@ -240,7 +240,7 @@ public:
     this->Head = { static_cast<std::uint32_t>((bytes + blockSize - 1) / blockSize),
       static_cast<std::uint32_t>(blockSize), static_cast<std::uint32_t>(bytes % blockSize) };
     this->Sizes.reserve(this->Head[0]);
-    // The sizes become known only after the blocks, so room is left for them.
+    // The sizes are known only after the blocks: leave room for them.
     const std::string space(EncodeHead({}).size(), ' ');
     this->File.Write(space);
   }
@@ -249,7 +249,7 @@ public:
     this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
     this->Blocks.Write(block);
   }
-  /** Ends the array. False if there were fewer blocks than the bytes need. */
+  /** Ends the array. Returns false if there were fewer blocks than the bytes need. */
   bool End()
   {
     this->Blocks.End();
@@ -356,7 +356,7 @@ private:
   }
   void WriteNumbers(const char* name, const double* numbers, int components)
   {
-    // A recording without ticks has no first state.
+    // A recording without ticks has no first state, so its array is empty.
     this->BeginArray("Float64", name, components, numbers ? 1 : 0);
     this->WriteBlock(numbers, numbers ? static_cast<std::size_t>(components) * sizeof(double) : 0);
     this->File.Write("\n</DataArray>\n");
@@ -509,7 +509,7 @@ private:
 
 /**
  * Writes the .vtp of a recording block by block; vtkXMLPolyDataWriter would need the whole
- * recording in memory. False if the journal can't be read to its end.
+ * recording in memory. Returns false if the journal can't be read to its end.
  */
 bool WriteRecordingPolyData(JournalReader& journal, FileReplacement& file)
 {
@@ -522,7 +522,7 @@ bool IsThere(const std::string& file)
   return stat(file.c_str(), &status) == 0;
 }
 
-/** Writes the file. False, with the reason and the cure, on failure. */
+/** Writes the file. On failure, returns false, and the reason and the cure in `error`. */
 bool WriteFile(
   JournalReader& reader, const std::string& journal, const std::string& file, std::string& error)
 {
@@ -535,7 +535,7 @@ bool WriteFile(
   {
     isRead = isTable ? WriteRecordingTable(reader, main) && WriteRecordingFields(reader, fields)
                      : WriteRecordingPolyData(reader, main);
-    // Both files are completely on the disk before one of them gets its name.
+    // Each file gets its name only after both are completely on the disk.
     isWritten = isRead && main.Finish(error) && (!isTable || fields.Finish(error)) &&
       main.Commit(error) && (!isTable || fields.Commit(error));
   }

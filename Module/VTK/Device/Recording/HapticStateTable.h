@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The values of a tick that displays need, in device space. A row is a tenth as large as a
- * ServoSnapshot: up to 86000 rows wait for a slow reader.
+ * The values of a tick that displays need, in the device's space. A row has a tenth of the size of
+ * a ServoSnapshot, because up to 86000 rows wait for a slow reader.
  */
 struct StateRow
 {
@@ -57,7 +57,7 @@ public:
   StateTable& operator=(const StateTable&) = delete;
 
   void Append(const StateRow& state, const Affine3& toWorld);
-  /** Replaces the table's columns. */
+  /** Moves the columns to `table`, in place of its own. */
   void WriteTo(vtkTable* table);
 
 private:

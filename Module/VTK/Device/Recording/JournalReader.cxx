@@ -20,7 +20,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Size of the largest chunk: a group of random numbers, or the placements of a group. */
+/**
+ * Largest size of a payload. The largest ones are a group of random numbers and the placements of a
+ * group.
+ */
 constexpr std::uint64_t MostPayload = 1 << 24;
 
 bool IsKind(std::uint32_t kind)
@@ -122,7 +125,9 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  this->IsLocked = true; // without locks, the name shows that the journal is being written
+  // needs no lock of its own: this process's writer holds the journal, even where there are no
+  // locks
+  this->IsLocked = true;
   return this->Scan(error);
 }
 
@@ -223,8 +228,8 @@ bool JournalReader::IsCutOff(std::uint64_t size)
 }
 
 /**
- * Reads a chunk's contents. False if it breaks the order of chunks: the bytes after it are not
- * read.
+ * Reads a chunk's contents. Returns false if it breaks the order of chunks; the bytes after it are
+ * then not read.
  */
 bool JournalReader::ApplyChunk(const Chunk& chunk, const std::string& payload, std::string& error)
 {
@@ -281,7 +286,8 @@ bool JournalReader::ApplyChunk(const Chunk& chunk, const std::string& payload, s
   }
   this->Ticks += ticks;
   this->Lost = lost;
-  this->HasLastGroup = ticks < GroupSize; // after this, only the number of lost ticks may follow
+  // only the number of lost ticks may follow a group that is not full
+  this->HasLastGroup = ticks < GroupSize;
   return true;
 }
 

@@ -29,28 +29,29 @@ public:
 
   ///@{
   /**
-   * Scans the journal. False, with the reason, if the file is no journal or is still being written.
-   * With a writer, reads the file that this writer wrote, even if another file has its name now.
+   * Scans the journal. Returns false, and the reason in `error`, if the file is no journal or is
+   * still being written. With a writer, reads the file that this writer wrote, even if another file
+   * has its name now.
    */
   bool Open(const std::string& journal, std::string& error);
   bool Open(const JournalWriter& writer, std::string& error);
   ///@}
-  /** Sets the number of ticks that were written, so that a missing end is noticed. */
+  /** Sets the number of ticks that were written, so that a missing end is detected. */
   void Expect(std::uint64_t ticks);
   /**
-   * Explains, with numbers, why a part of the journal can't be read. Empty if all was read, or if
-   * only the last chunk was cut off, as by a crash.
+   * Explains with numbers why a part of the journal can't be read. Empty if everything was read, or
+   * if a crash cut off only the last chunk.
    */
   const std::string& GetDamage() const { return this->Damage; }
   bool IsAt(const std::string& file) const;
   /**
-   * Removes the journal, if the file still has that name, and if locks show that no program writes
-   * to it.
+   * Removes the journal if the file still has that name and a lock shows that no program writes to
+   * it.
    */
   void Remove(const std::string& journal) const;
 
   const RecordingAbout& GetAbout() const { return this->About; }
-  /** Returns what a replay begins from; null if there is no tick. */
+  /** Returns the state from which a replay begins; null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
   /** Returns the number of contacts of a tool with a shape in the first state. */
@@ -62,18 +63,23 @@ public:
 
   /**
    * Reads the caps of all placements one after the other, or only one pair if all are the same.
-   * False if reading failed.
+   * Returns false if reading failed.
    */
   bool ReadCaps(std::vector<double>& caps);
   ///@{
-  /** Read the contacts and the removed tissue of the first state. False if reading failed. */
+  /**
+   * Read the contacts and the removed tissue of the first state. Returns false if reading failed.
+   */
   bool ReadContacts(std::vector<ContactRow>& contacts);
   bool ReadTissue(std::vector<BrickTissue>& shares);
   ///@}
   ///@{
-  /** Visit all placements, blocks or rows in turn; false if reading failed. */
+  /** Visit all placements, or all rows, in turn. Returns false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
-  /** Visits the compressed blocks of a column of GetRecordingColumns. */
+  /**
+   * Visits the compressed blocks of one of GetRecordingColumns' columns in turn. Returns false if
+   * reading failed.
+   */
   bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
   bool ForEachRow(const std::function<void(const RecordingRow&)>& visit);
   ///@}

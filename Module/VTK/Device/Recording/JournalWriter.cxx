@@ -35,7 +35,7 @@ std::string Numbered(const std::string& journal, int number)
   return journal + "." + std::to_string(number);
 }
 
-/** Renames an open journal that an earlier recording left to an unused name. */
+/** Renames an open journal of an earlier recording to an unused name. */
 bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
 {
   for (int i = 1; i <= MostNames; ++i)
@@ -65,7 +65,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
   struct stat status;
   if (lstat(journal.c_str(), &status) != 0)
   {
-    return JournalPlace::Free; // if it is something else, the error of creating the file says more
+    return JournalPlace::Free; // after another failure, creating the file reports a better error
   }
   std::string reason;
   if (!CheckRegular(journal, reason))
@@ -129,7 +129,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
                             : ExplainWriteError(errno, this->Name);
     return false;
   }
-  // Some file systems have no locks; then the journal has no lock either.
+  // Some file systems have no locks. The journal then has none.
   if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
   {
     error = "it is being recorded already. Give another name.";
@@ -190,7 +190,7 @@ void JournalWriter::Close()
 {
   if (this->Descriptor >= 0)
   {
-    // A forked child also has the descriptor, and with it the lock.
+    // Unlock explicitly, because a forked child may also have the descriptor, and with it the lock.
     (void)flock(this->Descriptor, LOCK_UN);
     close(this->Descriptor);
     this->Descriptor = -1;

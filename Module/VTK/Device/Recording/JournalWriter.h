@@ -25,11 +25,11 @@ public:
   JournalWriter& operator=(const JournalWriter&) = delete;
 
   /**
-   * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
-   * and the cure, if it can't be created or another program writes to it. A journal that an earlier
-   * recording left is renamed. If the file system has no locks, nothing shows whether the earlier
-   * journal is still being written; the new journal then gets another name. A warning reports both
-   * cases.
+   * Creates the journal of a file, with the file's permissions if it exists. Returns false, and the
+   * reason and the cure in `error`, if it can't be created or if another program writes to it. A
+   * journal that an earlier recording left is renamed. If the file system has no locks, nothing
+   * shows whether the earlier journal is still being written; the new journal then gets another
+   * name. `warning` reports both cases.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
@@ -37,7 +37,7 @@ public:
   /** Removes the journal that was created. */
   void Remove();
   ///@{
-  /** Returns 0, or the errno of the failure; nothing is written after that. */
+  /** Write chunks. Return 0, or the errno of a failure, after which nothing more is written. */
   int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
   int WriteContacts(const std::vector<ContactRow>& contacts);
@@ -51,7 +51,7 @@ private:
   friend class JournalReader; // reads through the same descriptor
   bool OpenNew(const std::string& file, std::string& error, std::string& warning);
   int WriteChunk(std::uint32_t kind, const std::string& payload);
-  /** Writes rows as chunks of a kind; writes nothing without rows. */
+  /** Writes rows as chunks of a kind. Writes nothing if there are no rows. */
   template <typename Row>
   int WriteRows(std::uint32_t kind, const std::vector<Row>& rows);
 

@@ -48,7 +48,8 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
   if (this->AwaitsOther(removal))
   {
-    // The recording's first tick may still come, with the present removal.
+    // The recording may still wait for its first tick, which has the present removal: collect it
+    // now.
     this->Loop.KeepNothing();
     this->AwaitTick();
     this->Drain();
@@ -74,7 +75,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   {
     this->Loop.KeepTool();
   }
-  // Even if no reader requests states, models must not pile up.
+  // Models must not pile up, even if no reader requests states.
   for (auto& [id, reader] : this->Readers)
   {
     if (reader.Next < this->Forgotten && !this->States.empty())
@@ -115,7 +116,7 @@ std::vector<StateRow> TickCollector::DrainStates(int id)
   if (this->Readers.count(id) == 0)
   {
     const std::uint64_t generation = this->Loop.GetWrittenGeneration();
-    this->Drain(); // takes the states that only other readers wait for
+    this->Drain(); // collects the earlier states, which only other readers get
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
     this->Loop.SetRecording(true);
@@ -146,7 +147,7 @@ void TickCollector::StopTaking(int id)
 
 const HapticModel* TickCollector::FindModel(std::uint64_t generation)
 {
-  // States come in order, so nothing older will be requested.
+  // States are requested in order, so older models are not needed any more.
   this->Forget(generation);
   const auto found = this->Models.find(generation);
   return found == this->Models.end() ? nullptr : found->second.Model.get();
@@ -166,7 +167,7 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
   }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
-  this->Loop.KeepTool(); // last, so that the recording gets this tick
+  this->Loop.KeepTool(); // last, so that the recording gets the tick that keeps the tool
 }
 
 void TickCollector::AwaitTick() const
@@ -201,7 +202,7 @@ std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
   this->Loop.KeepNothing();
-  // The tick that runs now belongs to the recording, too.
+  // The running tick belongs to the recording, too.
   this->AwaitTick();
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->Mutex);

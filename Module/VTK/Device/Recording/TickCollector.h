@@ -23,7 +23,9 @@
 namespace VolumeHaptics
 {
 
-/** Collects ticks. All functions are for the owner; the keeper thread may also call Drain. */
+/**
+ * Collects ticks. All functions are for the owner's thread; the keeper thread may also call Drain.
+ */
 class TickCollector
 {
 public:
@@ -33,7 +35,7 @@ public:
   {
   }
 
-  /** Gives the loop a model, and keeps it for as long as a state of its ticks may be read. */
+  /** Publishes a model to the loop, and keeps it as long as a state of its ticks may be read. */
   void Publish(std::shared_ptr<const HapticModel> model);
   /** Returns the model that was published last; null before the first one. */
   const HapticModel* GetLatestModel() const
@@ -46,13 +48,13 @@ public:
     return !this->Models.empty() && this->Loop.GetAcknowledged() >= this->Models.rbegin()->first;
   }
   /**
-   * Returns the model of a generation, as long as the owner may find that generation in a state;
-   * null before the first one.
+   * Returns the model of a generation, as long as the owner may find that generation in a state.
+   * Returns null before the first model.
    */
   const HapticModel* FindModel(std::uint64_t generation);
 
   ///@{
-  /** Accepts a recording that was started; Drain fills it until it is handed back. */
+  /** Accepts a recording that has begun. Drain adds ticks to it until StopRecording returns it. */
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
   /** Checks whether a recording waits for a copy of the removed tissue; call this now and then. */
@@ -69,9 +71,9 @@ public:
 
   ///@{
   /**
-   * Returns all states since a reader's last call, oldest first, for a display that must not miss
-   * any state. States are kept from the first call on until StopTaking. Each reader gets all
-   * states. A reader that takes none for MostStates ticks loses the oldest states.
+   * Returns all states since a reader's last call, oldest first, so that a display misses none.
+   * States are kept from the first call until StopTaking. Each reader gets all states. A reader
+   * that does not call for MostStates ticks loses the oldest states.
    */
   std::vector<StateRow> DrainStates(int reader);
   void StopTaking(int reader);
@@ -96,17 +98,19 @@ private:
   ServoLoop& Loop;
   std::mutex Mutex; // shared by the owner and the keeper; the loop never locks it
   std::unique_ptr<HapticRecording> Recording;
-  std::uint64_t LostBefore = 0; // number of ticks lost before the recording began
+  std::uint64_t LostBefore = 0; // number of lost ticks when the recording began
   struct Reader
   {
-    std::uint64_t Next = 0;            // number of states before the first one to take
+    std::uint64_t Next = 0;            // number of the first state that the reader has not taken
     std::uint64_t TakenGeneration = 0; // generation of the last state taken
     std::uint64_t FirstUntaken = 0;    // lower bound of the generations of states to take
   };
-  std::map<int, Reader> Readers; // written by the owner, under the mutex
+  std::map<int, Reader> Readers; // changed by the owner only, under the mutex
   std::deque<StateRow> States;
   std::uint64_t Forgotten = 0; // number of dropped states
-  /** For the owner: models by generation, from the generation of the last state requested. */
+  /**
+   * Used by the owner: models by generation. The first one is that of the last state requested.
+   */
   std::map<std::uint64_t, PublishedTouch> Models;
 };
 

@@ -35,7 +35,7 @@ bool IsNameList(std::string_view text);
 ///@}
 
 ///@{
-/** Read a list. False, with the reason and the cure, and entries unchanged, on failure. */
+/** Read a list. Returns false, with the reason and the cure, and entries unchanged, on failure. */
 bool ReadItkSnapTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);

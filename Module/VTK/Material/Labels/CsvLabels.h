@@ -41,8 +41,8 @@ namespace VolumeHaptics
 bool IsCsv(std::string_view text);
 
 /**
- * Reads a table. False, with the reason and the cure, and entries unchanged, if the text can't be
- * read.
+ * Reads a table. Returns false, with the reason and the cure, and entries unchanged, if the text
+ * can't be read.
  */
 bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error);
 

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /** Reads the next row. False at the end of the text. */
+  /** Reads the next row. Returns false at the end of the text. */
   bool Next(std::vector<std::string>& cells);
   /** Returns the line in which the last row begins, counted from 1. */
   int GetLine() const { return this->RowLine; }

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 using GzipFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
 /**
- * Opens a file for reading from an offset (bytes), where the compressed part may begin. Null, with
- * the reason and the cure, if it can't be opened.
+ * Opens a file for reading from an offset (bytes), where the compressed part may begin. Returns
+ * null, with the reason and the cure, if it can't be opened.
  */
 GzipFile OpenGzipFile(const std::string& name, std::size_t offset, std::string& error);
 

@@ -33,8 +33,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the arrays. False, with the reason and the cure, and entries unchanged, on failure. The
- * stand-off has no value if there is none.
+ * Reads the arrays. Returns false, with the reason and the cure, and entries unchanged, on failure.
+ * The stand-off has no value if there is none.
  */
 bool ReadLabelFieldData(
   vtkFieldData* data, LabelEntries& entries, std::optional<double>& standOff, std::string& error);

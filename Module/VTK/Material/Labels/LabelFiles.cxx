@@ -114,8 +114,8 @@ namespace
 {
 
 /**
- * Reads the labels. False, with the reason and the cure, and entries unchanged, if the text can't
- * be read.
+ * Reads the labels. Returns false, with the reason and the cure, and entries unchanged, if the text
+ * can't be read.
  */
 bool ReadXmlLabels(std::string_view xml, LabelEntries& entries, std::string& error)
 {

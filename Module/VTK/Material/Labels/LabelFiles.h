@@ -17,7 +17,7 @@ namespace VolumeHaptics
 
 /**
  * Reads the part of a file that can hold a table of labels, uncompressed: the head of an image
- * file, or all of a text. False, with the reason and the cure, if the file can't be read.
+ * file, or all of a text. Returns false, with the reason and the cure, if the file can't be read.
  */
 bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& error);
 
@@ -25,8 +25,8 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
 bool IsVtkFile(std::string_view bytes);
 
 /**
- * Reads a table of labels from the bytes of any other format. False, with the reason and the cure,
- * and entries unchanged, on failure.
+ * Reads a table of labels from the bytes of any other format. Returns false, with the reason and
+ * the cure, and entries unchanged, on failure.
  */
 bool ReadLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 

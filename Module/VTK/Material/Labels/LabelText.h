@@ -24,7 +24,10 @@ public:
     : Rest(text)
   {
   }
-  /** Reads the next line without its end, and without blanks around it. False if there is none. */
+  /**
+   * Reads the next line without its end, and without blanks around it. Returns false if there is
+   * none.
+   */
   bool Next(std::string_view& line);
   /** Returns the number of the last line read, counted from 1. */
   int GetNumber() const { return this->Number; }

@@ -43,7 +43,7 @@ struct NrrdImage
 };
 
 /**
- * Interprets a header. False, with the reason and the cure, if it does not belong to a
+ * Interprets a header. Returns false, with the reason and the cure, if it does not belong to a
  * segmentation, or if the samples can't be read.
  */
 bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& error);
@@ -53,8 +53,8 @@ using NrrdBytes = std::function<std::size_t(char*, std::size_t)>;
 
 /**
  * Reads one label for each voxel into memory that holds zeros. Values without a segment stay
- * unchanged if labels are the values; otherwise they become 0. False, with the reason and the cure,
- * on failure.
+ * unchanged if labels are the values; otherwise they become 0. Returns false, with the reason and
+ * the cure, on failure.
  */
 bool ReadNrrdSamples(const SegmentationHeader& header, const NrrdImage& image,
   const NrrdBytes& bytes, int* labels, std::string& error);

@@ -24,7 +24,7 @@ struct SegmentFields
   LabelEntry Entry;
 };
 
-/** Splits SegmentN_Field. False for other keys. */
+/** Splits SegmentN_Field. Returns false for other keys. */
 bool SplitKey(std::string_view key, int& number, std::string_view& field)
 {
   const std::size_t underscore = key.find('_');

@@ -40,14 +40,14 @@ struct SegmentationHeader : NrrdHeader
 };
 
 /**
- * Reads the header at the beginning of a file. False, with the reason and the cure, on failure; a
- * header without segments is valid.
+ * Reads the header at the beginning of a file. Returns false, with the reason and the cure, on
+ * failure; a header without segments is valid.
  */
 bool ReadSegmentationHeader(std::string_view bytes, SegmentationHeader& header, std::string& error);
 
 /**
- * Reads the segments. False, with the reason and the cure, and entries unchanged, if there are
- * none.
+ * Reads the segments. Returns false, with the reason and the cure, and entries unchanged, if there
+ * are none.
  */
 bool ReadNrrdLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 

@@ -191,7 +191,7 @@ public:
    */
   bool ReadFile(VTK_FILEPATH const char* path);
 
-  /** Write a CSV that ReadFile reads. False, with an error, on failure. */
+  /** Write a CSV that ReadFile reads. Returns false, with an error, on failure. */
   bool WriteFile(VTK_FILEPATH const char* path);
 
   ///@{

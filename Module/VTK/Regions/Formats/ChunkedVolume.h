@@ -23,8 +23,8 @@ using ChunkPlace = std::array<std::int64_t, 3>;
 struct ChunkedVolume
 {
   /**
-   * Loads all bytes of a chunk, x fastest, including those beyond the volume; false if the chunk
-   * was never written. Throws std::runtime_error. Several threads may call it at once.
+   * Loads all bytes of a chunk, x fastest, including those beyond the volume. Returns false if the
+   * chunk was never written. Throws std::runtime_error. Several threads may call it at once.
    */
   using Loader = std::function<bool(const ChunkPlace& place, std::vector<char>& bytes)>;
 

@@ -57,8 +57,8 @@ double CountSamples(const BoxExtent& extent);
 BoxExtent ComputeMiddle(const BoxExtent& whole, int width);
 
 /**
- * Reads a box of the volume without throwing. False, with the box and the reason in `error`, on
- * failure.
+ * Reads a box of the volume without throwing. Returns false, with the box and the reason in
+ * `error`, on failure.
  */
 bool ReadSamples(
   const LargeVolume& volume, const BoxExtent& box, void* samples, std::string& error);

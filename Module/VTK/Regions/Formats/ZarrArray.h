@@ -54,7 +54,9 @@ struct ZarrArray
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
 
 private:
-  /** Finds a chunk in its shard: its first byte and its size; false if it was never written. */
+  /**
+   * Finds a chunk in its shard: its first byte and its size. Returns false if it was never written.
+   */
   bool LocateInShard(const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const;
 };
 

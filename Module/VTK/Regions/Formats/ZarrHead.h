@@ -15,7 +15,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads a file; false if there is none.
+ * Reads a file. Returns false if there is none.
  * @throws std::runtime_error if the file holds no JSON object
  */
 bool ReadZarrHead(const std::string& file, Json::Value& head);
