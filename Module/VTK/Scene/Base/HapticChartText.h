@@ -17,7 +17,9 @@
 namespace VolumeHaptics
 {
 
-/** Sets upright letters of a size (points) and a colour (RGB, 0 to 1). */
+/**
+ * Sets the size (points) and the colour (RGB, 0 to 1) of a chart's text, without bold and italics.
+ */
 inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)[3])
 {
   text->SetFontSize(size);
@@ -35,7 +37,9 @@ inline void MakePanel(vtkBlockItem* panel)
   panel->SetInteractive(false);
 }
 
-/** Returns a text such as ", 40 % counted"; empty if all values are counted. */
+/**
+ * Returns ", 40 % counted" for the fraction 0.4 and the word "counted"; empty for the fraction 1.
+ */
 inline std::string DescribeFraction(double fraction, const char* done)
 {
   constexpr double percent = 100.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a window is being drawn, and whether the picture will be shown.
+ * Tells whether a window is rendering, and whether the frame will be shown.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h
@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether the viewport's window renders now, so that OpenGL has a context. Otherwise, for example
- * if an application calls a prop's RenderOverlay itself, VTK's own props would crash.
+ * Whether the viewport's window renders now, so that OpenGL has a context. Without a context, for
+ * example if an application calls a prop's RenderOverlay itself, VTK's own props would crash.
  */
 inline bool IsDrawing(vtkViewport* viewport)
 {
@@ -34,7 +34,8 @@ inline bool IsGivenUp(vtkViewport* viewport)
 }
 
 /**
- * Whether the viewport's window draws a frame of a motion: its desired rate is above one a second.
+ * Whether the viewport's window draws an interactive frame, because something moves: VTK then wants
+ * more than one frame per second.
  */
 inline bool IsMoving(vtkViewport* viewport)
 {

@@ -62,7 +62,7 @@ void VisitValues(
   }
 }
 
-/** The finite range so far; empty while the first number is the larger. */
+/** Computes the range of finite values. The range is empty while Range[0] exceeds Range[1]. */
 struct RangeFinder
 {
   double Range[2] = { std::numeric_limits<double>::infinity(),
@@ -75,7 +75,7 @@ struct RangeFinder
   }
 };
 
-/** Makes bins for a range; none if there is no range. */
+/** Makes empty bins for a range; makes none if the range is empty. */
 ValueCounts MakeBins(const double found[2], bool areWhole)
 {
   ValueCounts bins;
@@ -101,7 +101,7 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   return bins;
 }
 
-/** Counts without VTK's vtkImageHistogram, which ParaView lacks. */
+/** Counts a value in its bin. VTK's vtkImageHistogram would do it, but ParaView lacks it. */
 void CountInto(double value, ValueCounts& bins)
 {
   const double last = static_cast<double>(bins.Counts.size() - 1);
@@ -114,7 +114,9 @@ int ClampComponent(vtkDataArray* scalars, int component)
   return std::clamp(component, 0, scalars->GetNumberOfComponents() - 1);
 }
 
-/** A set of labels in a range: a bit for each, or a hash table if the bits were too many. */
+/**
+ * A set of labels in a range: a bit for each label, or a hash table if there were too many bits.
+ */
 class LabelSet
 {
 public:
@@ -151,7 +153,7 @@ public:
   }
 
 private:
-  static constexpr std::int64_t MostBits = std::int64_t{ 1 } << 27; // 16 MiB
+  static constexpr std::int64_t MostBits = std::int64_t{ 1 } << 27; // bits: 16 MiB
 
   std::int64_t From;
   std::vector<bool> Bits;

@@ -4,8 +4,8 @@
  * @file
  * Counts the values of a volume and finds the labels in it, for an editor.
  *
- * All values of a large volume take seconds: a worker visits them in the background, while the
- * result of spread samples is shown.
+ * Visiting all values of a large volume takes seconds, so a worker does it in the background. Until
+ * it is done, the counts of spread samples are shown.
  */
 #ifndef HapticHistogram_h
 #define HapticHistogram_h
@@ -23,10 +23,13 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** Called between pieces of some milliseconds with the finished fraction; false ends the work. */
+/**
+ * A function that is called every few milliseconds with the finished fraction of the work. It
+ * returns false to end the work.
+ */
 using SweepProgress = std::function<bool(double)>;
 
-/** Whether all tuples are visited within 25 ms, on a desktop computer of 2023. */
+/** Whether all tuples can be visited within 25 ms, on a desktop computer of 2023. */
 inline bool IsQuicklySwept(vtkDataArray* array)
 {
   constexpr vtkIdType most = 1 << 22;
@@ -34,8 +37,8 @@ inline bool IsQuicklySwept(vtkDataArray* array)
 }
 
 /**
- * Visits the values of 2048 tuples at most, in 128 pages of memory. In a file that is mapped into
- * memory, reading the pages takes most of the time, and more so in larger files.
+ * Visits the values of at most 2048 tuples, in 128 pages of memory. Few pages are read, because
+ * reading them takes most of the time if a file is mapped into memory.
  */
 template <typename Function>
 void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
@@ -56,8 +59,9 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
     std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
   const vtkIdType step =
     std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
-  // Visits one page in each stretch, and one tuple in each part of the page, at positions that move
-  // by the golden section: even steps could fall into the same column of every row.
+  // Visit one page in each stretch of the array, and one tuple in each part of the page. The
+  // positions move by the golden section, because equal steps could hit the same column of every
+  // row.
   double place = 0.0;
   const auto next = [&place](double stretch)
   {
@@ -81,13 +85,13 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 }
 
 /**
- * Visits all tuples from the first number up to (but not including) the second, in pieces. The
- * reported fraction grows from `from` by a half. False if the work was ended.
+ * Calls visit(begin, end) for pieces of an array until all tuples are visited; `end` is excluded.
+ * The reported fraction grows from `from` by a half. Returns false if `progress` ended the work.
  */
 template <typename Function>
 bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)
 {
-  constexpr vtkIdType piece = 1 << 20; // tuples: 6 ms
+  constexpr vtkIdType piece = 1 << 20; // number of tuples that take 6 ms
   const vtkIdType all = array->GetNumberOfTuples();
   for (vtkIdType begin = 0; begin < all; begin += piece)
   {
@@ -100,13 +104,13 @@ bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress
   return true;
 }
 
-/** Charts are drawn in single precision: numbers beyond it are not shown. */
+/** The largest magnitude that a chart shows, since charts are drawn in single precision. */
 constexpr double FarthestShown = 1e30;
 
-/** At most 128 bins of the values of a component. */
+/** The histogram of a component, in at most 128 bins. */
 struct ValueCounts
 {
-  double Range[2] = { 0.0, 1.0 }; ///< the finite values, as far as a chart can show them
+  double Range[2] = { 0.0, 1.0 }; ///< the finite values, limited to FarthestShown
   double Origin = 0.0;            ///< the middle of the first bin
   double Width = 1.0;
   std::vector<vtkIdType> Counts; ///< empty if there are no finite values
@@ -132,9 +136,9 @@ void FillHistogram(const ValueCounts& counts, vtkTable* table);
 std::vector<int> CollectSpreadLabels(vtkDataArray* labels);
 
 /**
- * Collects the labels in an array, in ascending order, except numbers that no vtkHapticLabelTable
- * can have: numbers beyond int, or not whole. Empty if the search was ended. Any thread may call
- * it, not only the array owner's.
+ * Collects the labels in an array, in ascending order. Skips fractions and numbers beyond int,
+ * which no vtkHapticLabelTable can have. Returns nothing if the search was ended. Any thread may
+ * call it, not only the array owner's.
  */
 std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 

@@ -53,7 +53,7 @@ constexpr double AxisSpill = 10.0;
 constexpr double AxisSpillFraction = 0.05;
 ///@}
 
-/** The texts of a vtkCornerAnnotation, whose places VTK keeps to itself. */
+/** Accesses the texts of a vtkCornerAnnotation, which are protected in VTK, to find their boxes. */
 struct CornerTexts : vtkCornerAnnotation
 {
   static vtkActor2D* Get(vtkCornerAnnotation* annotation, int corner)
@@ -63,7 +63,9 @@ struct CornerTexts : vtkCornerAnnotation
 };
 
 #ifdef VOLUMEHAPTICS_HAS_BUTTONS
-/** The picture of a button, such as PyVista's, whose place VTK does not tell. */
+/**
+ * Accesses the picture of a button, such as PyVista's, which is private in VTK, to find its box.
+ */
 struct ButtonPicture : vtkBalloonRepresentation
 {
   static vtkActor2D* Get(vtkTexturedButtonRepresentation2D* button)
@@ -88,7 +90,10 @@ bool ShowsSomething(vtkRenderer* renderer)
   return false;
 }
 
-/** False for kinds of actors whose place VTK does not report, and for actors that draw nothing. */
+/**
+ * Computes the box of an actor. Returns false if VTK does not report the actor's position, or if
+ * the actor draws nothing.
+ */
 bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
 {
   // VTK returns the same array from each call: copy it.
@@ -201,7 +206,7 @@ void FindActors(vtkProp* prop, vtkPropCollection* actors)
   }
 }
 
-/** Collects the boxes of a prop's charts, as PyVista adds them. */
+/** Collects the boxes of the charts in a prop, which is a vtkContextActor if PyVista added it. */
 void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
 {
   auto* const context = vtkContextActor::SafeDownCast(prop);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The overlays of other classes and programs on a part of a viewport, and the room that they leave.
+ * Finds the overlays that other classes and programs draw over a viewport, and the free room beside
+ * them.
  */
 #ifndef HapticOverlays_h
 #define HapticOverlays_h
@@ -20,17 +21,17 @@ namespace VolumeHaptics
 using ViewportBox = std::array<double, 4>;
 
 /**
- * Collects the boxes of the 2D actors of a renderer, such as texts, scalar bars, buttons, and the
- * sliders of VTK and FURY, also of actors that are parts of its other props, and the boxes of its
- * charts. Leaves out actors wider and higher than half of the viewport, and labels of points, which
- * are all over it.
+ * Collects the boxes of a renderer's charts and 2D actors, such as texts, scalar bars, buttons, and
+ * the sliders of VTK and FURY; also of 2D actors within its other props. Skips actors that exceed
+ * half of the viewport in both width and height, and labels of points, which lie all over the
+ * viewport.
  */
 std::vector<ViewportBox> CollectActorBoxes(vtkRenderer* renderer);
 
 /**
- * Collects the boxes of such 2D actors in all renderers of the same window, and the boxes of
- * smaller renderers in layers above 0 that show something, such as the orientation axes of VTK and
- * ParaView.
+ * Collects the boxes of charts and 2D actors in all renderers of the viewport's window, and the
+ * boxes of smaller renderers in layers above 0 that show something, such as the orientation axes of
+ * VTK and ParaView.
  */
 std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport);
 
@@ -43,9 +44,10 @@ ViewportBox MoveOff(
   vtkViewport* viewport, const ViewportBox& wanted, int across, int up, double margin = 0.0);
 
 /**
- * Returns the lower left corner (pixels) for a box of this size: the viewport's own corner; if
- * overlays are there, the place to the right of them; if there is no room between them and the
- * scale of forces, the place above them; and if there is no room at all, the viewport's own corner.
+ * Returns the lower left corner (pixels) for a box of this size. It is the viewport's own corner,
+ * or if overlays are there, the point to the right of them. If there is no room between them and
+ * the scale of forces, it is the point above them; if there is none above either, the viewport's
+ * own corner.
  */
 std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height);
 

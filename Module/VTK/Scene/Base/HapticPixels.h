@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The size of lengths in pixels of a screen.
+ * Converts lengths in points to pixels of the screen, and chooses the size of letters.
  */
 #ifndef HapticPixels_h
 #define HapticPixels_h
@@ -36,7 +36,8 @@ inline int ScalePixels(double scale, int pixels)
 
 /**
  * Returns the size of letters (points) in a layout that grows with its room: one point for each
- * `fraction` pixels. Where a point takes more than one pixel, the smallest letters may be smaller.
+ * `fraction` pixels. If a point takes more than one pixel, the size may be less than `least`, down
+ * to 6.
  */
 inline int FitLetters(int pixels, int fraction, double scale, int least, int most)
 {

@@ -50,8 +50,8 @@ inline bool IsOnLight(vtkViewport* viewport)
 }
 
 /**
- * Sets a colour: on dark backgrounds with a shadow; on light backgrounds darker, without a shadow,
- * and greys inverted.
+ * Sets a colour that fits the background. On a dark background, the text has a shadow; on a light
+ * one it has no shadow and a darker colour, and greys are inverted.
  */
 inline void SetLook(
   vtkTextProperty* text, double red, double green, double blue, vtkViewport* viewport)

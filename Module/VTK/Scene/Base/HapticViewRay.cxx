@@ -36,12 +36,12 @@ struct Felt
 };
 
 /**
- * Whether something is felt at a position (world), coming from the previous position. If it is a
- * felt surface, reports its properties.
+ * Returns whether something is felt at a position (world) when the tip comes from the previous
+ * position. Writes the properties of a felt surface to `felt`.
  */
 using Probe = std::function<bool(const Vector3& position, Felt& felt)>;
 
-/** Feels with the servo's own tick; feels nothing if the filter can't be touched. */
+/** Makes a probe that runs the servo's own tick; returns null if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 {
   // The device's placement does not matter here, so the filter's own scale is enough.
@@ -66,7 +66,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   };
 }
 
-/** Detects where the nearest sample passes the value of the isosurface. */
+/** Makes a probe that reports a contact where the nearest sample passes the isosurface's value. */
 Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
   const vtkSmartPointer<vtkDataArray> scalars = filter->GetBaker().GetTouched()[0].Array;
@@ -94,7 +94,7 @@ struct Line
   Vector3 Start;
   Vector3 Sight;
   double Length = 0.0; ///< world units
-  double Step = 0.0;   ///< length of a step of the walk
+  double Step = 0.0;   ///< world units: length of a step of the walk
 };
 
 Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image)
@@ -136,13 +136,13 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 
 /**
  * Finds the first contact of a tip that walks along a line, and the force of a press beyond the
- * contact. False if there is no contact.
+ * contact. Returns false if there is no contact.
  */
 bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {
   // Walk in coarse steps, then in fine ones from shortly before the contact.
   constexpr int fineness = 16;
-  constexpr int before = 2; // coarse steps back to the start of the fine ones
+  constexpr int before = 2; // number of coarse steps from the contact back to the first fine step
   Probe again = probe;
   Felt felt;
   const auto steps = static_cast<int>(line.Length / line.Step);

@@ -33,18 +33,18 @@ struct Press
 };
 
 /**
- * Walks along the line of sight through a position, from the entry into the image, with the servo's
- * own tick, up to the first contact. True with the position half a voxel in front of it; false if
- * nothing can be felt along the line. While an isosurface is still being meshed, its samples
- * replace it. `press` may be null.
+ * Walks along the line of sight through a position, from the entry into the image to the first
+ * contact, with the servo's own tick. Writes the position half a voxel in front of the contact to
+ * `position`. Returns false if nothing can be felt along the line. While an isosurface is still
+ * being meshed, the image's samples replace the mesh. `press` may be null.
  */
 bool FindFirstContact(vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter,
   Vector3& position, Press* press = nullptr);
 
 /**
- * Walks along the line of sight like FindFirstContact(), from a position on. True with the position
- * of the contact and the unit normal of the surface, outwards (a zero vector if it is not known);
- * false if nothing can be felt ahead.
+ * Walks along the line of sight like FindFirstContact(), but begins at a position. Writes the
+ * position of the contact, and the outward unit normal of the surface (a zero vector if it is not
+ * known). Returns false if nothing can be felt ahead.
  */
 bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
   Vector3& contact, Vector3& normal, Press* press = nullptr);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Parts of a host program, over its scene, that use the mouse.
+ * Detects parts of a host program, such as widgets, that lie over its scene and use the mouse.
  */
 #ifndef HostParts_h
 #define HostParts_h
@@ -14,7 +14,7 @@ namespace VolumeHaptics
 
 /**
  * Whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a window
- * (pixels). Checks the bodies and handles of representations as far as they list their actors.
+ * (pixels). Representations are checked by the actors that they list.
  */
 bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A copy of a filter's settings at a time.
+ * A copy of a filter's settings at one moment.
  */
 #ifndef KeptSettings_h
 #define KeptSettings_h

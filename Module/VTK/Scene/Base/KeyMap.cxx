@@ -82,7 +82,7 @@ std::string Label(const std::string& key)
   return label == labels.end() ? key : label->second;
 }
 
-/** A line of the list: actions by their default keys, or the mouse. */
+/** A line of the list: its actions, by their default keys, and what they do. */
 struct KeyLine
 {
   std::vector<std::string> Keys;
@@ -101,7 +101,7 @@ public:
     : Keys(keys)
   {
   }
-  /** Sets a title, which is written before the next line, if there is one. */
+  /** Sets a title, which is written only if a line follows. */
   void Begin(const char* title) { this->Title = title; }
   void Add(std::initializer_list<KeyLine> lines)
   {
@@ -240,7 +240,7 @@ std::string KeyMap::Describe(const std::vector<std::string>& defaultKeys) const
       }
       for (const std::string& key : Split(this->Get(action.Name)))
       {
-        // Twin keys elsewhere on a keyboard need no mention.
+        // Skip keys of the keypad, which repeat other keys, unless the application has set them.
         if (key.rfind("KP_", 0) != 0 || this->Changed.count(action.Name) > 0)
         {
           text += (text.empty() ? "" : "  ") + Label(key);

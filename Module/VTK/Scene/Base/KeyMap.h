@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Maps keys to the actions of vtkInteractorStyleHaptic, as an application has chosen.
+ * Maps keys to the actions of vtkInteractorStyleHaptic. An application can change the keys.
  */
 #ifndef KeyMap_h
 #define KeyMap_h
@@ -28,15 +28,15 @@ public:
   static std::vector<std::string> ListActions();
 
   /**
-   * Returns the name of the key of an event: its symbol, or if a toolkit gives none, X11's name for
-   * its code. wx gives capital letters for keys without Shift.
+   * Returns the name of an event's key: its symbol, or if the toolkit sends no symbol, X11's name
+   * for its code. A letter without Shift is lower case, although wx sends capital letters.
    */
   static std::string FindName(const char* symbol, char code, bool hasShift);
 
   /**
    * Sets the keys of an action: X11's names, separated by spaces; an empty text disables the
-   * action. False with an error, which names the cure, if there is no such action or another action
-   * has one of the keys.
+   * action. Returns false and writes `error`, with the cure, if there is no such action or if
+   * another action has one of the keys.
    */
   bool Set(const std::string& action, const std::string& keys, std::string& error);
   /** Returns the keys of an action; empty if it has none, or if the action does not exist. */
@@ -44,11 +44,13 @@ public:
 
   /** Returns the default key of the action that a key has now; empty if the key has no action. */
   std::string Find(const std::string& pressed) const;
-  /** Returns the label of an action's first key for people, such as "?"; empty if it has none. */
+  /**
+   * Returns the text that users see for an action's first key, such as "?"; empty if it has none.
+   */
   std::string Name(const std::string& defaultKey) const;
   /**
-   * Returns the labels of all keys of the actions with these default keys, such as "?  F1"; empty
-   * if none of them has a key.
+   * Returns the texts that users see for all keys of the actions with these default keys, such as
+   * "?  F1"; empty if none of them has a key.
    */
   std::string Describe(const std::vector<std::string>& defaultKeys) const;
 
@@ -57,7 +59,7 @@ private:
 };
 
 /**
- * Distinguishes presses that a window system repeats for a held key from presses of a hand.
+ * Distinguishes the presses that a window system repeats for a held key from real presses.
  *
  * An X server sends the release and the next press of a held key at the same time, and VTK passes
  * both. No hand presses a key again so soon.
@@ -75,7 +77,7 @@ public:
     constexpr double soon = 0.015; // s
     return key == this->Released && ServoClock::SecondsSince(this->ReleaseTime) < soon;
   }
-  /** Whether an action repeats while its key, by default this one, is held. */
+  /** Whether an action repeats while its key is held. `key` is the action's default key. */
   static bool MayRepeat(const std::string& key)
   {
     for (const char* const step : { "plus", "minus", "comma", "period", "Left", "Right", "k" })
@@ -97,7 +99,7 @@ private:
 struct KeyedParts
 {
   bool HasMouse = true;   ///< the mouse leads the tip
-  bool TurnsView = true;  ///< the mouse's right button, in the touch mode
+  bool TurnsView = true;  ///< the right mouse button turns the view in touch mode
   bool HasDevice = false; ///< has a real device
   bool HasTool = false;   ///< has a tool that the mouse can turn
   bool HasEditor = false;
@@ -109,8 +111,8 @@ struct KeyedParts
 };
 
 /**
- * Returns the text of vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its
- * meaning. Leaves out actions without a key.
+ * Returns the text of vtkHapticHeadUpDisplay::HelpText: titles, and lines that consist of a key, a
+ * tab and the key's meaning. Leaves out actions without a key.
  */
 std::string ListKeys(const KeyedParts& parts, const KeyMap& keys);
 

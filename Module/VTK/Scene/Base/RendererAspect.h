@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The aspect ratio of renderers that are made one after the other.
+ * Computes a renderer's aspect ratio also where VTK 9.1 leaves it uninitialised.
  */
 #ifndef RendererAspect_h
 #define RendererAspect_h

@@ -15,9 +15,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the name of the label of the voxel around a position (world) in a filter's label image,
- * as in its label table, or "label 5" for a label without a name. Empty if there is no label image,
- * if the position is outside of it, or if the table does not know the label.
+ * Returns the name of the label at a position (world): from the filter's label table, or "label 5"
+ * if the table has no name for the label. Empty if there is no label image, if the position is
+ * outside of it, or if the table does not know the label.
  */
 std::string NameLabelAt(vtkVolumeHapticsFilter* filter, const double position[3]);
 

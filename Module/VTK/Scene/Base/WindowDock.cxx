@@ -60,7 +60,7 @@ private:
   };
 
   static Viewport ViewportOf(vtkRenderer* renderer);
-  /** Takes a strip away from the remaining part of the window. */
+  /** Takes a strip off the rest of the window, `left`, and returns the strip's viewport. */
   static Viewport CutOff(const Strip& strip, Viewport& left);
   bool IsInStrip(vtkRenderer* renderer) const;
   void Arrange();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Room at an edge of a window for renderers beside the scene.
+ * Reserves strips at the edges of a window for renderers beside the scene.
  */
 #ifndef WindowDock_h
 #define WindowDock_h
@@ -32,7 +32,7 @@ constexpr bool IsColumn(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Right;
 }
-/** Whether an edge has the lower coordinate. */
+/** Whether an edge is the left or the bottom one, which have the lower coordinate. */
 constexpr bool IsLow(DockEdge edge)
 {
   return edge == DockEdge::Left || edge == DockEdge::Bottom;
@@ -51,9 +51,9 @@ public:
   WindowDock& operator=(const WindowDock&) = delete;
 
   /**
-   * Puts renderers into the strip: at the left and the right below each other, the first one at the
-   * top; else side by side. `fraction` is the strip's fraction of the window's width or height.
-   * Call it before each frame, since other renderers may come and go.
+   * Puts renderers into the strip: at the left and right edges one below the other, the first at
+   * the top; at the other edges side by side. `fraction` is the strip's fraction of the window's
+   * width or height. Call it before each frame, since other renderers may come and go.
    */
   void Place(vtkRenderWindow* window, DockEdge edge, double fraction,
     const std::vector<vtkRenderer*>& strip);

@@ -110,7 +110,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
 
 } // namespace Detail
 
-/** Visits visible volumes; a hidden assembly hides its parts. */
+/** Collects the visible volumes of a renderer. A hidden assembly hides its parts. */
 inline std::vector<DrawnVolume> CollectDrawnVolumes(vtkRenderer* renderer)
 {
   std::vector<DrawnVolume> all;

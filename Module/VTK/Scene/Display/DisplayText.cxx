@@ -34,7 +34,7 @@ bool AreModesFelt(vtkVolumeHapticsFilter* filter)
   return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/** Whether modes are felt: no mode is a surface on which a hand rests. */
+/** Whether only modes are felt that have no surface to rest a hand on. */
 bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
 {
   if (!AreModesFelt(filter))
@@ -100,7 +100,7 @@ std::string DescribeTorque(vtkHapticDevice* device)
   return text.str();
 }
 
-/** Describes what was found about how values are stored. */
+/** Describes the shift that was found between the stored values and HU; empty without a shift. */
 std::string DescribeShift(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
@@ -125,7 +125,8 @@ std::string DescribeStatus(vtkHapticDevice* device)
     return status;
   }
   const int code = device->GetStatus();
-  // The hint tells a mouse user how to go on.
+  // For requests to the hand, keep the second sentence, too. A user of the mouse is told by the
+  // hint instead.
   const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
     code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
   const std::string first = status.substr(0, sentence + 1);
@@ -287,7 +288,7 @@ std::string DescribeTime(vtkHapticDevice* device)
   {
     text << "held";
   }
-  // A picture that takes long delays the frames.
+  // Reading or drawing that takes long delays the time steps.
   text << (device->GetPlayback()->IsWaitingForData() ? ", waiting for data" : "");
   return text.str();
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state and the feel of a device, in words.
+ * Describes the state of a device, and what the hand feels, in words.
  */
 #ifndef DisplayText_h
 #define DisplayText_h
@@ -26,8 +26,8 @@ namespace VolumeHaptics
 std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
- * Whether the hand has slid within the last 0.2 s. A mouse leads the hand by steps, and the hand
- * rests between them for most of the time.
+ * Whether the hand has slid within the last 0.2 s. The time is needed because a mouse moves the
+ * hand in steps, between which the hand mostly rests.
  */
 class LateSlide
 {
@@ -35,7 +35,7 @@ public:
   /** Records a tick at a time (s) with a contact as in vtkHapticState::GetContact(). */
   void Add(double time, int contact)
   {
-    this->Last = time < this->Now ? -1.0e300 : this->Last; // another session
+    this->Last = time < this->Now ? -1.0e300 : this->Last; // a new session began
     this->Now = time;
     this->Last = contact == 2 ? time : this->Last;
   }
@@ -49,34 +49,42 @@ private:
 
 /**
  * Returns a text such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched.
- * The tissue may be empty. If the hand `slid` in the last moments, a rest counts as sliding. For an
- * inserted needle, a line such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second
- * line: "20 degrees from upright, 3 layers, forbidden tissue touched 1 time"; the depth is in world
- * units, the angle is measured from the normal of the surface. For a tool with a shape, the torque
- * follows: "turned by 3.1 N mm". Modes have no surface to rest on: "Held, 0.62 N".
+ * `tissue` may be empty. If the hand `slid` in the last moments, the text says "Sliding" also for a
+ * rest.
+ * For an inserted needle, the text is a line such as "Needle 12.3 deep in fat, 0.62 N of at most 10
+ * N", and a second line: "20 degrees from upright, 3 layers, forbidden tissue touched 1 time". The
+ * depth is in world units, the angle is measured from the normal of the surface.
+ * For a tool with a shape, the torque follows: "turned by 3.1 N mm". Modes have no surface to rest
+ * on, so the text is "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
-/** Returns whether the faces of a cut are felt, in words; empty if nothing is cut away. */
+/** Says in words whether the faces of a cut are felt; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
 
-/** Returns the value in the surface, on the scale of the functions of the touched property. */
+/**
+ * Returns the value of the volume at the surface, on the scale of the functions of the touched
+ * property.
+ */
 double ComputeFeltValue(vtkHapticDevice* device);
 
-/** Returns the value in the surface, if there is one, and the timing of the servo. */
+/** Returns the value at the surface, if a surface is touched, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
 /** Returns the filter whose modes are felt; null for other methods. */
 vtkVolumeHapticsFilter* GetModesFilter(vtkHapticDevice* device);
-/** Returns the names of all modes, each one unique. */
+/** Returns unique names of all modes. */
 std::vector<std::string> NameModes(vtkHapticDevice* device);
 /** Returns the names of active modes; the names of inactive modes are empty. */
 std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
 /** Returns a line for each mode, with its force. */
 std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);
-/** Returns the names and values of measurements, one a line, and what is being measured. */
+/**
+ * Returns the names and values of measurements, one per line, and a line for the measurement in
+ * progress.
+ */
 std::string ListMeasurements(vtkHapticMeasurements* measurements);
-/** Returns a line on the time of a moving volume; empty for other volumes. */
+/** Describes the current time of a moving volume in a line; empty for other volumes. */
 std::string DescribeTime(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics

@@ -33,15 +33,15 @@
 
 namespace
 {
-/** Lengths relative to the size of letters. */
+/** Lengths relative to the size of letters. The next two constants are line spacing and gap. */
 constexpr float NameLineHeight = 1.5f;
 constexpr float NameGap = 0.9f;
 constexpr double TitleInk[3] = { 0.90, 0.92, 0.95 };
 } // namespace
 
 /**
- * Draws a title, and below it the names of curves in their colours, above a small chart in which a
- * legend would cover the curves.
+ * Draws a title, and below it the names of curves in their colours. They stand above a small chart,
+ * because a legend would cover its curves.
  */
 class HapticCurveNames : public vtkContextItem
 {
@@ -139,7 +139,7 @@ namespace
 {
 
 constexpr int ChartMargin = 10;   // pixels around a panel
-constexpr int PanelOpacity = 150; // of 255
+constexpr int PanelOpacity = 150; // opacity, of at most 255
 constexpr int PanelOpacityOnLight = 240;
 constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
 
@@ -159,7 +159,8 @@ struct Look
   float WholeWidth;
   bool HasUprightGrid;
 };
-// The whole force in grey; blue, orange and green remain apart for the colour-blind.
+// The whole force is grey. Colour-blind people can distinguish the blue, orange and green of the
+// others.
 const Look PanelLook = { { 0.90, 0.92, 0.95 }, { 170, 176, 186 }, { 70, 76, 86 },
   { { 80, 165, 255 }, { 255, 160, 60 }, { 70, 215, 150 }, { 165, 170, 178 } }, "whole", 3.5f,
   false };
@@ -176,7 +177,7 @@ const char* const PartLabels[] = { "normal", "friction", "drag" };
 constexpr int Whole = 3;
 const int DrawingOrder[] = { Whole, 0, 1, 2 }; // draw the whole force behind the others
 
-/** Without a title, writes the unit behind each number. */
+/** Sets the title of an axis. An axis with a unit has the unit behind each number. */
 void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& look)
 {
   axis->SetTitle(title);
@@ -218,7 +219,7 @@ void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable*
     const bool isStep = run <= 0.0 && i > 0 && std::abs(rise) > error;
     if (i == 0 || isStep || (run > 0.0 && (rise < low * run || rise > high * run)))
     {
-      // A straight line reaches up to the previous point; a step needs an end point of its own.
+      // A straight line ends at the previous point; a step begins at its own point.
       from = i == 0 || isStep ? i : i - 1;
       keep(from);
       low = -VTK_DOUBLE_MAX;
@@ -285,7 +286,7 @@ void HapticForceChart::Build()
 
 void HapticForceChart::NameCurves()
 {
-  // The modes' names are in a list beside the panel.
+  // The names of modes are not drawn here: they are in a list beside the panel.
   const Look& look = GetLook(this->On);
   std::vector<HapticCurveNames::Name> names;
   for (const int c : DrawingOrder)
@@ -333,7 +334,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
     return;
   }
   this->Modes = names;
-  this->Shown = nullptr; // draws everything
+  this->Shown = nullptr; // makes Show() draw all curves
   const auto& colors = this->On == Ground::Panel ? ModeColors : ModePageColors;
   for (std::size_t mode = 0; mode < ModeColorCount; ++mode)
   {
@@ -363,7 +364,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
 
 void HapticForceChart::SetLetters(int size)
 {
-  // Titles and legends have more room on a page.
+  // A page has room for larger titles and legends.
   const bool isPage = this->On == Ground::Page;
   const double(&colour)[3] = GetLook(this->On).Text;
   SetChartText(this->Chart->GetTitleProperties(), size + (isPage ? 3 : 1), colour);
@@ -378,7 +379,7 @@ void HapticForceChart::SetLetters(int size)
 
 std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double scale)
 {
-  // Places it beside the middle of the viewport, where it covers nothing.
+  // The panel is this narrow and low so that it covers nothing in the middle of the viewport.
   const auto fit = [scale](int pixels, int least, int most)
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
   return { ChartMargin + std::min(width - 2 * ChartMargin, fit(width * 3 / 10, 210, 330)),
@@ -430,7 +431,8 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   this->SetLetters(letters);
   this->Panel->SetDimensions(left, bottom, across, up);
   this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters, pixels);
-  // The border above the chart is wide; the names can use the part without the axis' upper number.
+  // VTK leaves a wide border above the chart. The names cover it, but not the half of the axis'
+  // upper number in it.
   const float border = 15.0f - 5.0f * pixels;
   this->Height = up - names + border;
   this->Chart->SetSize(vtkRectf(left, bottom, across, static_cast<float>(this->Height)));
@@ -457,19 +459,19 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
   {
     this->SetTitle(title);
   }
-  const double pixel = extent.Force / this->Height; // N
+  const double pixel = extent.Force / this->Height; // N per pixel
   const auto modes = static_cast<int>(std::min(this->Modes.size(), ModeColorCount));
   for (int c = 0; c < HapticForceTable::Curves + modes; ++c)
   {
     if (!this->Plots[c])
     {
-      continue; // the mode was never active
+      continue; // the mode has no curve, because it was never active
     }
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
     if (this->Lines[c]->GetNumberOfRows() < 2)
     {
-      // VTK reports errors for lines with fewer points, and draws no axes without lines.
+      // VTK reports errors for lines of fewer than two points, and draws no axes without lines.
       for (const double t : { extent.From, extent.To })
       {
         vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(0))
@@ -508,7 +510,7 @@ void HapticForceChart::ShowPhases(const std::vector<Phase>& phases)
     ends->AddColumn(time);
     ends->AddColumn(force);
     vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
-    this->Chart->SetPlotCorner(line, LeftTop); // a chart shows an axis only for a plot on it
+    this->Chart->SetPlotCorner(line, LeftTop); // VTK shows an axis only if a plot uses it
     line->SetInputData(ends, 0, 1);
     line->SetLegendVisibility(false);
     line->SetSelectable(false);

@@ -31,8 +31,8 @@ class HapticForceChart
 public:
   enum class Ground
   {
-    Panel, ///< small and dark, in the lower left corner of a viewport
-    Page   ///< white, all of a viewport, with letters that grow with it
+    Panel, ///< small and dark, at the bottom of a viewport
+    Page   ///< white, fills a viewport; its letters grow with the viewport
   };
 
   /** The ends of the axes. */
@@ -43,7 +43,7 @@ public:
     double Force = 0.0; ///< N, from 0 on
   };
 
-  /** A stretch of time (s), and the name of the action in it. */
+  /** A time span (s), and the name of the action in it. */
   struct Phase
   {
     std::string Name;
@@ -57,11 +57,14 @@ public:
   /** Makes the chart. Call it once, as soon as charts can be drawn. */
   void Build();
   /**
-   * Draws the curves of modes, too, which then replace all parts of the force. Call it after Build,
-   * with the names of HapticForceTable::SetModes; an empty name leaves its curve out.
+   * Draws the curves of modes, too, which then replace the parts of the force. Call it after Build
+   * with the names of HapticForceTable::SetModes. A mode whose name is empty gets no curve.
    */
   void SetModes(const std::vector<std::string>& names);
-  /** Returns the size of a panel in a viewport of this size, with its left and lower margins. */
+  /**
+   * Returns the width and height of a panel, with its left and lower margins, in a viewport of this
+   * size.
+   */
   static std::array<int, 2> PanelSize(int width, int height, double scale = 1.0);
   /**
    * Fits the chart into a viewport of this size (pixels); `from` is the lower left corner of a
@@ -69,14 +72,14 @@ public:
    */
   bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
   /**
-   * Adapts the look to a light background, on which a panel covers more. Returns whether the chart
-   * changes.
+   * Adapts the colours to the background. On a light background, a panel is more opaque. Returns
+   * whether the chart changes.
    */
   bool SetOnLight(bool isOnLight);
   /** Returns the upper right corner of the chart (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
-   * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
+   * Draws a HapticForceTable, and above it the title if it is not empty. Call Fit first. Returns
    * whether the chart changes.
    */
   bool Show(vtkTable* table, const Extent& extent, const std::string& title);
@@ -95,11 +98,12 @@ private:
   const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
-  vtkNew<HapticCurveNames> Names; ///< labels above a panel; a page has a title and a legend
+  /** names above the curves of a panel; a page has a title and a legend instead */
+  vtkNew<HapticCurveNames> Names;
   vtkNew<vtkContextActor> Actor;
-  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that give the same
-                                                        ///< picture
-  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< null before SetModes
+  /** the curves with as few points as look the same */
+  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves];
+  vtkPlot* Plots[HapticForceTable::MostCurves] = {}; ///< null before SetModes
   std::vector<std::string> Modes;
   double Scale = 1.0; ///< pixels for each point
   bool IsOnLight = false;

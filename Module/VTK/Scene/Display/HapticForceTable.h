@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table that a force chart draws: Time (s), and a column for each curve (N). The first four
- * curves always exist; curves of modes exist if the modes are named.
+ * The table that a force chart draws: a column Time (s), and a column for each curve (N). The first
+ * four curves always exist. Curves of modes exist if the modes are named.
  */
 #ifndef HapticForceTable_h
 #define HapticForceTable_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class HapticForceTable
 {
 public:
-  static constexpr int Curves = 4; ///< normal, friction, drag, whole
+  static constexpr int Curves = 4; ///< the curves without modes: normal, friction, drag, whole
   static constexpr int MostCurves = Curves + static_cast<int>(ModeColorCount);
 
   HapticForceTable();
@@ -39,8 +39,8 @@ public:
   /** Returns the number of curves, including those of modes. */
   int GetCurves() const { return this->Count; }
   /**
-   * Names the modes whose curves follow the first four. If the names change, removes all rows and
-   * returns true.
+   * Names the modes whose curves follow the first four. Returns whether the names have changed; if
+   * so, all rows are removed.
    */
   bool SetModes(const std::vector<std::string>& names);
   /** Removes all rows. After adding rows, call Get()->Modified(). */
@@ -51,7 +51,7 @@ public:
    */
   void Read(vtkPolyData* trace);
 
-  /** Returns a force that a chart can draw; 0 if it is not finite. */
+  /** Limits a force to numbers that a chart can draw; returns 0 if the force is not finite. */
   static double MakeDrawable(double force);
 
 private:
@@ -65,7 +65,7 @@ class HapticForceHistory
 {
 public:
   static constexpr int Curves = HapticForceTable::MostCurves;
-  /** Number of intervals in the time span; each gives two points a curve. */
+  /** Number of intervals in the time span. Each curve has two points in each interval. */
   static constexpr int Intervals = 240;
 
   struct State
@@ -78,9 +78,9 @@ public:
   ~HapticForceHistory();
 
   /**
-   * Adds a state. If it is not later than the last one, the history starts again. Forgets states
-   * that are older than the span (s). The time has to be finite. Forces that are not finite count
-   * as 0; finite forces are limited to the largest one that a chart can show.
+   * Adds a state with a finite time, and removes states that are older than the span (s). If the
+   * state is not later than the last one, the history starts again. Forces that are not finite
+   * count as 0; finite forces are limited to the largest number that a chart can show.
    */
   void Add(const State& state, double span);
   void Clear();
@@ -88,9 +88,9 @@ public:
   void SetModes(const std::vector<std::string>& names);
   std::size_t GetSize() const { return this->States.size(); }
 
-  /** Updates the table: time relative to the last state, then the curves. */
+  /** Updates the table and returns it. Its times are relative to the last state. */
   vtkTable* Plot(double span);
-  /** Returns the upper end of an axis for all forces in the span (N). */
+  /** Returns the upper end (N) of an axis that shows all forces in the span. */
   double GetRange() const;
 
 private:

@@ -23,7 +23,7 @@ constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;
 constexpr float KeySheetMargin = 10.0f; // pixels, around the panel
 
-/** Lengths relative to the size of letters. */
+/** Lengths relative to the size of letters. The next five constants are such lengths. */
 constexpr float LineHeight = 1.55f;
 constexpr float TitleGap = 0.7f; ///< above a title
 constexpr float KeyGap = 1.2f;
@@ -69,7 +69,7 @@ void HapticKeySheet::Show(const std::string& text, int width, int height, double
 //------------------------------------------------------------------------------
 std::vector<HapticKeySheet::Column> HapticKeySheet::Divide(std::size_t count) const
 {
-  // Begin each column after the first with a title, so that no group is torn apart.
+  // Begin each column after the first with a title, so that no group is split.
   std::vector<Column> columns{ { 0, this->Lines.size(), 0.0f, 0.0f, 0.0f } };
   for (std::size_t i = 1; i < count; ++i)
   {
@@ -159,7 +159,7 @@ bool HapticKeySheet::Fit(vtkContext2D* painter)
       }
     }
   }
-  return false; // draw the smallest letters, cut off
+  return false; // the smallest letters are drawn all the same, and cut off
 }
 
 //------------------------------------------------------------------------------

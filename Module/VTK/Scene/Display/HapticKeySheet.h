@@ -19,8 +19,8 @@ public:
   vtkTypeMacro(HapticKeySheet, vtkContextItem);
 
   /**
-   * Sets the text: titles, and lines of a key, a tab and its meaning; and the size of the viewport
-   * (pixels). The letters are as large as fits, up to 14 points.
+   * Sets the text (titles, and lines that consist of a key, a tab and the key's meaning), and the
+   * size of the viewport (pixels). The letters are as large as fits, up to 14 points.
    */
   void Show(const std::string& text, int width, int height, double scale = 1.0);
 
@@ -50,7 +50,10 @@ private:
     float Height;
   };
   std::vector<Column> Divide(std::size_t count) const;
-  /** Computes the largest letters, and the columns, that fit; false if none fit. */
+  /**
+   * Computes the largest letters that fit, and their columns. Returns false if not even the
+   * smallest letters fit.
+   */
   bool Fit(vtkContext2D* painter);
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
@@ -59,7 +62,7 @@ private:
   float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
 
   std::vector<Line> Lines;
-  std::string Text; ///< text of the lines
+  std::string Text; ///< the text from which the lines were made
   int Viewport[2] = { 0, 0 };
   float Scale = 1.0f; ///< pixels for each point
   int Letters = 0;    ///< size of the letters (points); 0 before Fit

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr int LinePixels = 18;
-constexpr double Inactive = 0.55; ///< grey
+constexpr double Inactive = 0.55; ///< the grey level of inactive modes
 
 } // namespace
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The modes of a filter as lines of text, each in the colour of its curve, which can be clicked on.
+ * Draws the modes of a filter as lines of text that can be clicked on. Each line has the colour of
+ * the mode's curve.
  */
 #ifndef HapticModeList_h
 #define HapticModeList_h
@@ -49,7 +50,7 @@ private:
   struct Line
   {
     vtkNew<vtkTextActor> Text;
-    int Low = 0; ///< pixels, like the next two members
+    int Low = 0; ///< pixels: the lower end, like the next two members
     int High = 0;
     int Width = 0;
   };

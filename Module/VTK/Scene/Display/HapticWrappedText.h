@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A text that fits into a viewport, with all of its words visible.
+ * Fits a text into a viewport, so that all of its words are visible.
  */
 #ifndef HapticWrappedText_h
 #define HapticWrappedText_h
@@ -19,15 +19,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Breaks lines at spaces, and breaks words longer than a line anywhere. If the lines still need too
- * much room, makes the letters smaller.
+ * Breaks lines at spaces, and words that are longer than a line anywhere. If the lines still need
+ * too much room, makes the letters smaller.
  */
 class HapticWrappedText
 {
 public:
   /**
-   * The room for a text in pixels. Its upper part, Free high, lies above what the text should not
-   * cover.
+   * The room for a text (pixels). The text should stay in the upper part of the room, because
+   * something is drawn below.
    */
   struct Room
   {
@@ -37,42 +37,43 @@ public:
     int DPI;
   };
 
-  /** Gives the actor the text and the size of its letters. */
+  /** Sets the actor's text and the size of its letters. */
   void Fit(vtkTextActor* actor, const std::string& text, const Room& room);
 
   static constexpr int Largest = 14; ///< largest size of letters (points)
   static constexpr int Smallest = 7;
 
 private:
-  std::string Text; ///< the last fitted text, and its room
+  std::string Text; ///< the last fitted text
   Room Had{ 0, 0, 0, 0 };
 };
 
 /**
- * Returns the room for a text that begins at these fractions of a viewport. The margin at the right
- * and what other renderers draw there do not count as room. `below`: pixels that the text should
- * not cover.
+ * Returns the room for a text that begins at these fractions of a viewport. The room ends before
+ * the right margin and before what other renderers draw there. `below`: height (pixels) that the
+ * text should not cover.
  */
 HapticWrappedText::Room FindRoom(vtkViewport* viewport, double left, double top, int below);
 
-/** Breaks lines of a text wider than this (pixels). */
+/** Breaks those lines of a text that are wider than `width` (pixels). */
 std::string WrapLines(const std::string& text, vtkTextProperty* letters, int width, int dpi);
 
 /**
  * Limits how often the figures of a text are drawn.
  *
- * Figures of a text, such as a force, change from frame to frame while the hand moves. With a
- * software renderer, setting their letters takes a tenth of a frame's time, and they would change
- * faster than people can read. So while the hand moves, figures change at most ten times a second,
- * and not in the first frame, for which the hand waits. Words always change at once, and figures do
- * at rest.
+ * Figures, such as a force, change from frame to frame while the hand moves, faster than people can
+ * read. With a software renderer, drawing them anew takes a tenth of a frame's time. So while the
+ * hand moves, figures change at most ten times a second, and not in the first frame, because the
+ * hand waits for that frame. Words always change at once. At rest, figures change at once, too.
  */
 class HapticTextPace
 {
 public:
-  static constexpr double Shortest = 0.1; ///< s between figures
+  static constexpr double Shortest = 0.1; ///< s between changes of figures
 
-  /** Returns the text to draw at a time (s). `moves`: the frame belongs to a motion. */
+  /**
+   * Returns the text to draw at the time `now` (s). `moves`: whether the frame belongs to a motion.
+   */
   const std::string& Choose(const std::string& text, bool moves, double now)
   {
     const bool waits = moves && (!this->Moved || now < this->Last + Shortest);

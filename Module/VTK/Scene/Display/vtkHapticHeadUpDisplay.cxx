@@ -53,17 +53,17 @@ namespace
 {
 
 /**
- * Draws a prop of the overlay into a texture, and shows the texture in every frame. A chart has
- * dozens of small pieces; its picture is one.
+ * Draws a prop of the overlay into a texture, and shows the texture in every frame. That is faster,
+ * because a chart has dozens of small pieces, and the texture is one.
  */
 class HapticOverlayPicture
 {
 public:
   /**
-   * Shows the prop. Redraws its picture if it is stale, if the viewport has changed, or if there is
-   * none yet. Shows the lower left corner of the picture, up to an extent (pixels). If the window
-   * does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result of
-   * vtkProp::RenderOverlay.
+   * Shows the prop. Draws it into the texture again if the texture is stale, if the viewport has
+   * changed, or if there is no texture yet. Shows the lower left part of the texture, which has the
+   * size `extent` (pixels). If the window does not use OpenGL, or is drawn in tiles, draws the prop
+   * itself. Returns the result of vtkProp::RenderOverlay.
    */
   int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -71,7 +71,7 @@ public:
 private:
   vtkNew<vtkOpenGLFramebufferObject> Target;
   vtkNew<vtkTextureObject> Picture;
-  vtkWindow* Window = nullptr; ///< the owner of the resources
+  vtkWindow* Window = nullptr; ///< the owner of the graphics resources
   int Size[2] = { 0, 0 };      ///< pixels
   int Origin[2] = { 0, 0 };    ///< origin of the viewport, pixels
 };
@@ -92,8 +92,8 @@ int HapticOverlayPicture::Render(
   {
     return 0;
   }
-  // Place the viewport in the picture as in the window: charts clip their curves by its place
-  // there.
+  // The viewport has the same position in the texture as in the window, because charts clip their
+  // curves by that position.
   const int width = origin[0] + size[0];
   const int height = origin[1] + size[1];
   if (this->Window && this->Window != window)
@@ -138,7 +138,8 @@ int HapticOverlayPicture::Render(
     drawn = prop->RenderOverlay(viewport);
     state->PopFramebufferBindings();
   }
-  // Drawing over an empty background has already multiplied the colours by their opacity.
+  // The texture's colours are already multiplied by their opacity, because they were drawn over an
+  // empty background.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -171,8 +172,9 @@ namespace
 {
 constexpr double TextTop = 0.975; ///< top of the text, as a fraction of the viewport
 constexpr double TextLeft = 0.02;
-constexpr int TextGap = 8;     ///< pixels below the text
-constexpr int ChartPause = 25; ///< pause between the chart's pictures, in times of one picture
+constexpr int TextGap = 8; ///< gap below the text, pixels
+/** pause between two drawings of the chart, as a multiple of the time that one takes */
+constexpr int ChartPause = 25;
 
 struct TissueRange
 {
@@ -182,14 +184,13 @@ struct TissueRange
 };
 
 /**
- * Returns the time span to show (s): the given one, or for NaN, which VTK's clamp lets through, the
- * default.
+ * Returns the time span to show (s). For NaN, which VTK's clamp lets through, returns the default.
  */
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
-/** Returns the lower left corner (pixels) of a panel with its margins at the left and below. */
+/** Returns the lower left corner (pixels) of a panel, including its left and lower margins. */
 std::array<int, 2> ComputePlotCorner(
   int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
 {
@@ -216,7 +217,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   LateSlide Slide;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
-  std::chrono::steady_clock::time_point Due; // time of the next picture
+  std::chrono::steady_clock::time_point Due; // time when the chart is drawn next
   vtkNew<vtkTextActor> Text;
   HapticWrappedText Wrapped;
   HapticTextPace TextPace;
@@ -225,10 +226,11 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkNew<HapticKeySheet> Keys;
   vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
-  vtkNew<vtkTable> PlotTable; // the copy for the caller
+  vtkNew<vtkTable> PlotTable; // the copy that GetPlotTable() returns
   int CanDraw = -1;           // whether charts can be drawn; -1: not known yet
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  std::vector<std::array<double, 4>> Covered; // boxes of the last frame, for Covers
+  // the boxes that were drawn in the last frame, for Covers
+  std::vector<std::array<double, 4>> Covered;
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
@@ -237,7 +239,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   int ComputeTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** Whether charts can be drawn; if not, reports one error. */
+  /** Whether charts can be drawn. If they cannot, reports an error once. */
   bool DetectContext(vtkHapticHeadUpDisplay& self);
 };
 
@@ -340,7 +342,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
     double command[3];
     columns[4]->GetTuple(i, command);
-    // A hand that has let go feels nothing, even with the tip in a surface.
+    // After the hand has let go, no force is felt, even with the tip in a surface.
     const double share =
       armed && i < armed->GetNumberOfTuples() && armed->GetComponent(i, 0) == 0.0 ? 0.0 : 1.0;
     HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
@@ -399,7 +401,7 @@ vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
 //------------------------------------------------------------------------------
 vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
-  // A copy, because the drawn table has to stay unchanged.
+  // Return a copy, because the drawn table has to stay unchanged.
   auto& d = *this->Internals;
   d.History.SetModes(NameModes(d.Device));
   d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
@@ -423,7 +425,7 @@ std::string vtkHapticHeadUpDisplay::GetPlotTitle()
 std::string vtkHapticHeadUpDisplay::GetText()
 {
   auto& d = *this->Internals;
-  // The list of keys replaces the measurements.
+  // The list of keys is shown instead of the measurements.
   const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
   std::string text;
   const std::string recorded =
@@ -451,7 +453,7 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   }
   const std::string label =
     NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
-  // Modes have no surface with a value.
+  // With modes, no surface is touched whose value could name the tissue.
   const bool isByValue = label.empty() && !GetModesFilter(device);
   const std::string tissue = isByValue ? self.GetTissueName(ComputeFeltValue(device)) : label;
   std::string text;
@@ -484,7 +486,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   d.Modes.Hide();
   d.Covered.clear();
   const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
-  // The list of keys replaces the plot, and says more than the hint.
+  // The list of keys is shown instead of the plot and the hint.
   if (this->HelpVisibility && !this->HelpText.empty() && d.DetectContext(*this))
   {
     return drawn + d.RenderHelp(*this, viewport);
@@ -547,7 +549,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int largest = 16; // points
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
-  // The hint is in the middle, and ends before what other renderers draw beside it.
+  // The hint is centred, and ends before what other renderers draw at the right.
   const double room = 2.0 * ComputeTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
@@ -566,7 +568,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
     { 0.5 * (view[0] - size[0]) - TextGap, 0.5 * (view[0] + size[0]) + TextGap,
       end - size[1] - TextGap, end + TextGap },
     0, -1);
-  // Relative to the viewport, like all boxes here.
+  // The position is relative to the viewport, like all boxes here.
   this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - TextGap));
   this->Covered.push_back(at);
   this->Hint->RenderOpaqueGeometry(viewport);
@@ -578,7 +580,7 @@ bool vtkHapticHeadUpDisplay::vtkInternals::DetectContext(vtkHapticHeadUpDisplay&
 {
   if (this->CanDraw == -1)
   {
-    // A chart without a device to draw on would crash.
+    // Check this first: a chart crashes if there is no class that draws it.
     const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     this->CanDraw = context ? 1 : 0;
     if (context)
@@ -607,7 +609,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const std::array<int, 2> from = ComputePlotCorner(self.PlotCorner, viewport, panel);
   const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
   const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
-  // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
+  // With a software renderer, drawing the chart takes some milliseconds, showing its texture a
+  // tenth of one. So draw the chart less often.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now >= this->Due;
   const double span = GetShownSpan(self.TimeSpan);
@@ -624,7 +627,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
     this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
   if (isStale)
   {
-    // The first picture takes longer than later ones.
+    // Limit the pause, because the first drawing takes longer than later ones.
     const std::chrono::nanoseconds pause = ChartPause * (std::chrono::steady_clock::now() - now);
     this->Due = now +
       std::clamp<std::chrono::nanoseconds>(

@@ -11,17 +11,17 @@
  *   renderer->AddViewProp(display);
  *
  * **The plot** has curves for the normal, friction and drag force and, in grey, for the whole force
- * that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows the
- * force of each mode instead of these parts, in the colour that its name has in a list below the
- * text; a mode that is off is grey. The plot gets its states through AddStates, which
- * vtkInteractorStyleHaptic calls.
+ * that was sent to the hand. Its title is the method. With the method PRIMITIVES, the forces of the
+ * modes replace the parts of the force. A list below the text names the modes in the colours of
+ * their curves; a mode that is off is grey. vtkInteractorStyleHaptic adds the states of the plot by
+ * AddStates.
  *
  * **The text** shows, from top to bottom: what is recorded; which settings are compared; the status
  * of a device other than the virtual one, or a fault; what is touched and how, such as "Resting on
  * skin, 0.62 N of at most 10 N"; whether the volume is cut; the time of a volume that moves and of
- * its nearest time step; measurements; and a notice. While nothing is touched, a virtual device
- * adds no line. A hint, which vtkInteractorStyleHaptic sets, says what to do next; the style also
- * shows a list of its keys.
+ * its nearest time step; measurements; and a notice. The status of a virtual device is left out.
+ * vtkInteractorStyleHaptic also sets a hint, which tells the user what to do next, and a list of
+ * its keys.
  *
  * Needs VTK::RenderingContextOpenGL2 and VTK::RenderingFreeType in the application.
  *
@@ -48,22 +48,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The device whose status is shown, as of its last UpdateState(). */
+  /** The device whose status is shown. Its status is that of its last UpdateState(). */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
 
   ///@{
   /**
-   * Append states, as vtkHapticState::Drain gives them, and forget all of them. An error
-   * names a column that is missing. If time runs backwards, the plot starts again.
+   * Append states, or remove all of them. `states` is the table of vtkHapticState::Drain. If a
+   * column is missing, an error names it. If time runs backwards, the plot starts again.
    */
   void AddStates(vtkTable* states);
   void Clear();
   ///@}
 
   ///@{
-  /** How far back the plot goes (s), 0.5 to 60. Default 5. */
+  /** The time span of the plot (s), 0.5 to 60. Default 5. */
   vtkSetClampMacro(TimeSpan, double, 0.5, 60.0);
   vtkGetMacro(TimeSpan, double);
   ///@}
@@ -84,9 +84,9 @@ public:
 
   ///@{
   /**
-   * The position of the plot. Automatic (default): at the lower left, or, where the program has 2D
-   * actors there, beside or above them. LowerLeft and LowerRight: above the scale of forces, even
-   * over other actors.
+   * The position of the plot. Automatic (default): at the lower left, or if the program has 2D
+   * actors there, beside or above them. LowerLeft and LowerRight: in that corner, even over other
+   * actors; LowerRight is above the scale of forces.
    */
   vtkSetClampMacro(PlotCorner, int, AUTOMATIC_CORNER, LOWER_RIGHT_CORNER);
   vtkGetMacro(PlotCorner, int);
@@ -104,8 +104,8 @@ public:
 
   ///@{
   /**
-   * Whether the text has a line with the value in the surface, the rate of the servo and the ticks
-   * it has missed. Default off.
+   * Whether the text has a line with the value at the surface, the rate of the servo, and the
+   * number of ticks that the servo has missed. Default off.
    */
   vtkSetMacro(DetailsVisibility, vtkTypeBool);
   vtkGetMacro(DetailsVisibility, vtkTypeBool);
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Measurements whose names and values are listed below the text: the last eight, and what is
-   * being measured. Default nullptr.
+   * Measurements whose names and values are listed below the text: the last eight, and the
+   * measurement in progress. Default nullptr.
    */
   void SetMeasurements(vtkHapticMeasurements* measurements);
   vtkHapticMeasurements* GetMeasurements();
@@ -130,8 +130,8 @@ public:
 
   ///@{
   /**
-   * One or two lines over the scene that say what to do next. vtkInteractorStyleHaptic sets it
-   * whenever there is something else to do. Default empty.
+   * One or two lines over the scene that tell the user what to do next. vtkInteractorStyleHaptic
+   * sets the hint whenever the next step changes. Default empty.
    */
   vtkSetStdStringFromCharMacro(Hint);
   vtkGetCharFromStdStringMacro(Hint);
@@ -146,8 +146,9 @@ public:
 
   ///@{
   /**
-   * A list of keys for the middle of the viewport: lines of a key, a tab and its meaning, in groups
-   * after lines with a title. vtkInteractorStyleHaptic sets it for its key "?". Default empty.
+   * A list of keys for the middle of the viewport: lines that consist of a key, a tab and the key's
+   * meaning, in groups. Each group follows a line with its title. vtkInteractorStyleHaptic sets the
+   * list for its key "?". Default empty.
    */
   vtkSetStdStringFromCharMacro(HelpText);
   vtkGetCharFromStdStringMacro(HelpText);
@@ -162,9 +163,10 @@ public:
 
   ///@{
   /**
-   * Name ranges of the values of vtkHapticProperty's functions (see ScalarShift), from (inclusive)
-   * to (exclusive). The text names the first range that contains the touched value, unless the
-   * filter's label table names the touched label.
+   * Name ranges of values, and get the name of a value. A range begins at `from` and ends before
+   * `to`; both are on the scale of vtkHapticProperty's functions (see ScalarShift). The text names
+   * the first range that contains the touched value, unless the filter's label table names the
+   * touched label.
    */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();
@@ -173,8 +175,8 @@ public:
 
   ///@{
   /**
-   * What is being recorded, such as "movie-001.ogv, 0:12": the text then begins with "Recording
-   * movie-001.ogv, 0:12". Default empty: nothing.
+   * What is being recorded, such as "movie-001.ogv, 0:12". The text then begins with "Recording
+   * movie-001.ogv, 0:12". Default empty: nothing is recorded.
    */
   vtkSetStdStringFromCharMacro(RecordingText);
   vtkGetCharFromStdStringMacro(RecordingText);
@@ -182,8 +184,9 @@ public:
 
   ///@{
   /**
-   * The name of the settings that are felt, while several are compared: the text then has a line
-   * such as "Settings A". vtkInteractorStyleHaptic::SwapSettings() sets it. Default empty: no line.
+   * The name of the settings that are felt while several are compared. The text then has a line
+   * such as "Settings A". vtkInteractorStyleHaptic::SwapSettings() sets the name. Default empty: no
+   * line.
    */
   vtkSetStdStringFromCharMacro(SettingsText);
   vtkGetCharFromStdStringMacro(SettingsText);
@@ -198,14 +201,15 @@ public:
   /** Get the number of states in the plot. */
   vtkIdType GetNumberOfStates();
   /**
-   * Get the plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and one for
-   * each mode of PRIMITIVES, under its name, such as "1 vector follow, velocity" (N). They hold the
-   * smallest and the largest value in each of a few hundred intervals, so that no peak is lost.
+   * Get the plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and for each
+   * mode of PRIMITIVES a column with its name, such as "1 vector follow, velocity" (N). The columns
+   * hold the smallest and the largest value of each of a few hundred intervals, so that no peak is
+   * lost.
    */
   vtkTable* GetPlotTable();
   /** Get the upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
   double GetForceRange();
-  /** Get the text as it would be shown, and the plot's title: the name of the method. */
+  /** Get the text that would be shown, or the plot's title, which is the name of the method. */
   std::string GetText();
   std::string GetPlotTitle();
 
@@ -216,7 +220,7 @@ public:
   int FindMode(int x, int y);
 
   /**
-   * Get whether the text, hint or plot of the last picture overlaps a box of the viewport (pixels
+   * Get whether the text, hint or plot of the last frame overlaps a box of the viewport (pixels
    * from its lower left corner: left, right, bottom, top). Always true while the list of keys is
    * shown.
    */

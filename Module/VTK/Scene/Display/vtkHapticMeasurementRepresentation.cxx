@@ -51,7 +51,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Texts beside points of the scene that cover neither each other nor the head-up display. */
+/**
+ * Draws texts beside points of the scene. The texts overlap neither each other nor the head-up
+ * display.
+ */
 class MeasuredLabels
 {
 public:
@@ -86,7 +89,7 @@ using Box = MeasuredLabels::Box;
 
 constexpr int FontSize = 13;  // points
 constexpr double Near = 12.0; ///< pixels from the point to the text
-constexpr double Step = 18.0; ///< pixels to the next try
+constexpr double Step = 18.0; ///< pixels by which the next try is farther from the point
 constexpr int LabelRounds = 4;
 constexpr double LabelMargin = 3.0;
 
@@ -95,10 +98,10 @@ bool Overlap(const Box& a, const Box& b)
   return a.Left < b.Right && b.Left < a.Right && a.Bottom < b.Top && b.Bottom < a.Top;
 }
 
-/** Returns a box of a size at one of eight sides of a point. */
+/** Returns a box of a size beside a point. `side` is one of eight sides. */
 Box PutBeside(const double at[2], const double size[2], int side, double distance)
 {
-  // The right side is best to read; then the left, above and below.
+  // The right side is the best to read, then the left, above, and below.
   static const double sides[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 0.7, 0.7 },
     { 0.7, -0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 } };
   const double* const to = sides[side];
@@ -185,7 +188,7 @@ public:
   MeasuredShapes(double red, double green, double blue);
   ~MeasuredShapes();
 
-  /** Clears the shapes, and sets the radius of spheres (world units). */
+  /** Removes the shapes, and sets the radius of spheres (world units). */
   void Clear(double radius);
   /** Adds a shape of one of vtkHapticMeasurements' kinds. */
   void Add(int kind, vtkPolyData* shape);
@@ -197,7 +200,9 @@ public:
   void AddTo(vtkBoundingBox& box);
 
 private:
-  /** Adds the line without points that are too close together to be distinguished. */
+  /**
+   * Adds the line. Leaves out points that are too close to the previous point to be distinguished.
+   */
   void AddLine(vtkPolyData* shape);
   void AddArc(vtkPolyData* angle);
   void AddPatch(vtkPolyData* shape);
@@ -339,10 +344,11 @@ void MeasuredShapes::AddArc(vtkPolyData* angle)
   const Vector3 legs[2] = { FromArray(angle->GetPoint(0)) - corner,
     FromArray(angle->GetPoint(2)) - corner };
   const double lengths[2] = { Norm(legs[0]), Norm(legs[1]) };
-  const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]); // towards the second leg
+  // perpendicular to the first leg, towards the second
+  const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]);
   if (!(Norm(across) > 0.0))
   {
-    return; // flat, or without legs
+    return; // no arc: the angle is 0 or 180 degrees, or a leg has no length
   }
   const Vector3 x = (1.0 / lengths[0]) * legs[0];
   const Vector3 y = (1.0 / Norm(across)) * across;
@@ -429,8 +435,8 @@ namespace
 {
 
 /**
- * Returns the position of a label: at a point, between two points, at the corner, or at the end of
- * a path.
+ * Returns the position of a label: a point, the middle of a distance, the corner of an angle, the
+ * point of an area nearest to its middle, or the end of a path.
  */
 Vector3 ComputePlace(int kind, vtkPolyData* shape)
 {
@@ -444,7 +450,8 @@ Vector3 ComputePlace(int kind, vtkPolyData* shape)
       return at(1);
     case vtkHapticMeasurements::AREA:
     {
-      // Take the point nearest to the middle: the middle itself may be inside the body.
+      // Take the point of the area that is nearest to the middle, because the middle itself may be
+      // inside the body.
       const double* const b = shape->GetBounds();
       const Vector3 middle{ 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
       Vector3 nearest = at(0);

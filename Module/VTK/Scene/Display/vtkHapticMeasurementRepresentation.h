@@ -4,10 +4,10 @@
  * @class   vtkHapticMeasurementRepresentation
  * @brief   measurements in the scene, with their names and values
  *
- * One prop that draws a vtkHapticMeasurements: points as spheres, distances, angles and paths as
- * lines, areas as patches, each with a label; and in white the measurement in progress. Parts
- * behind a surface or inside a volume are drawn faintly. Labels avoid each other and the head-up
- * display; a label without room is not shown.
+ * A prop that draws vtkHapticMeasurements: points as spheres, distances, angles and paths as lines,
+ * and areas as patches, each with a label. The measurement in progress is white. What lies behind a
+ * surface or inside a volume is drawn faintly. Labels do not overlap each other or the head-up
+ * display; a label for which there is no room is not shown.
  *
  *   representation->SetMeasurements(measurements);
  *   representation->SetHeadUpDisplay(display); // optional
@@ -36,19 +36,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The list that is shown. Default nullptr: nothing. */
+  /** The measurements to show. Default nullptr: nothing is shown. */
   void SetMeasurements(vtkHapticMeasurements* measurements);
   vtkHapticMeasurements* GetMeasurements();
   ///@}
 
   ///@{
-  /** A head-up display in the same viewport, which no label covers. Default nullptr. */
+  /** A head-up display in the same viewport, which labels do not cover. Default nullptr. */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
   ///@}
 
   ///@{
-  /** Radius of points, world units. Default 1; lines are in proportion. */
+  /** The radius of points, world units. Default 1. The thickness of lines is proportional to it. */
   vtkSetClampMacro(Radius, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
@@ -67,12 +67,12 @@ public:
   vtkBooleanMacro(HiddenVisibility, bool);
   ///@}
 
-  /** Get the number of labels in the last picture. */
+  /** Get the number of labels in the last frame. */
   int GetNumberOfShownLabels();
 
   ///@{
   /**
-   * Give the bounds of the measurements, draw them, and release their graphics resources; the
+   * Compute the bounds of the measurements, draw them, and release their graphics resources; the
    * renderer calls these.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;

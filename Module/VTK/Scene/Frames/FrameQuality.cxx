@@ -30,17 +30,22 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
-constexpr double LeastRate = 20.0;    // Hz, in motion
-constexpr double AimedRate = 26.0;    // Hz, above LeastRate, because input waits for the end of
-                                      // one frame and then for a whole frame
-// Fraction of the time between frames; events and haptics take the rest.
+// Hz: the least rate that a window wants in motion; VTK's rate for still frames is far below
+constexpr double SlowestMotion = 1.0;
+constexpr double LeastRate = 20.0; // Hz: frames per second in motion should not be fewer
+// Hz: the aim; it exceeds LeastRate, because input waits for the end of one frame and then for a
+// whole frame
+constexpr double AimedRate = 26.0;
+// The fraction of the time between frames that drawing may take. Events and haptics take the rest.
 constexpr double DrawingFraction = 0.8;
-constexpr double LongestStillFrame = 0.1; // s, for a frame at rest that can't be interrupted
-constexpr double LongestRest = 0.5;       // s, for any frame, because a device without news lets go
-constexpr double LongestTry = 1.0;        // s, until a frame at rest is given up
-constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
-constexpr int MostSlowFrames = 3;    // slow frames in a row; a busy processor may delay one or two
+constexpr double LongestStillFrame = 0.1; // s: limit for a frame at rest that can't be interrupted
+// s: limit for any frame at rest while armed, because the force fades if the device is not read
+constexpr double LongestRest = 0.5;
+constexpr double LongestTry = 1.0; // s: a frame at rest is given up if it takes longer
+// steps assumed for a mapper on the processor before its first frame
+constexpr double UnknownSteps = 4.0;
+// number of slow frames in a row before rays get coarse; a busy processor may delay one or two
+constexpr int MostSlowFrames = 3;
 
 /** Returns the sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
 double AutomaticDistance(vtkImageData* image)
@@ -117,7 +122,7 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
   this->Interactor = window ? window->GetInteractor() : nullptr;
   if (this->Interactor)
   {
-    // Called before the interactor draws.
+    // These events come before the interactor draws.
     this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this->Observer);
     this->Interactor->AddObserver(vtkCommand::ExposeEvent, this->Observer);
   }
@@ -160,10 +165,11 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   {
     caster = this->Casters.insert(caster, { mapper, now, now, nullptr, {}, 0 });
     mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
-    // VTK's interrupted mapper tells its progress more often than the window asks.
+    // An interrupted mapper reports its progress more often than the window checks for an abort.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
-  // Settings that the application has changed since the last frame become its own.
+  // A setting that differs from what was set here was changed by the application since the last
+  // frame.
   Settings& own = caster->Own;
   own.ImageDistance =
     now.ImageDistance == caster->Set.ImageDistance ? own.ImageDistance : now.ImageDistance;
@@ -193,7 +199,8 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
   const bool isLimited = moves || this->IsArmed;
-  // Frames in motion take half of the samples.
+  // Estimate the time of a frame that was not measured from the other kind: frames in motion take
+  // half of the samples.
   if (!moves && !this->AtRest.IsKnown && this->InMotion.IsKnown)
   {
     this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
@@ -204,11 +211,11 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   else if (moves && !this->InMotion.IsKnown && cpu)
   {
-    this->InMotion.Steps = UnknownSteps; // the first touch must not wait
+    this->InMotion.Steps = UnknownSteps; // begin coarsely, because the first touch must not wait
   }
   if (!isLimited)
   {
-    this->AtRest.Steps = 0.0; // the frame's time will include all rays
+    this->AtRest.Steps = 0.0; // cast all rays, so that the frame's time counts all of them
   }
   else
   {
@@ -255,7 +262,7 @@ void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& sh
   {
     return;
   }
-  // VTK would leave frames at rest as coarse as the last frame in motion.
+  // VTK would draw frames at rest as coarsely as the last frame in motion.
   vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::GetCPUMapper(mapper);
   const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
   if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))
@@ -297,7 +304,7 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
   }
   const int mode = mapper->GetRequestedRenderMode();
   auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
-  // The processor's ray caster draws no cells and no independent components.
+  // The ray caster on the processor is not used for cells or for several components.
   vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
   if (touched && known == this->SmartMappers.end() &&
     mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
@@ -389,7 +396,7 @@ void FrameQuality::End()
   }
   std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
   this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
-  // Only frames that cast all rays measure the time of all rays.
+  // Only the time of a frame that casts all rays may be recorded as such.
   bool castsAll = false;
   bool keepsRays = false;
   bool isAdjusted = false;
@@ -412,7 +419,7 @@ void FrameQuality::End()
   }
   else if (this->IsFine && !castsAll)
   {
-    // On a busy processor, coarse rays may be as slow as fine ones.
+    // Compare with coarse frames, because these may be as slow on a busy processor.
     const double coarsely = std::max(this->InMotion.Time, this->CoarseTime);
     this->SlowFrames = time > std::max(1.0 / LeastRate, 1.5 * coarsely) ? this->SlowFrames + 1 : 0;
   }
@@ -451,7 +458,7 @@ std::optional<double> FrameQuality::EstimateTime() const
   {
     if (caster.Frame == this->Frame && std::exchange(only, &caster))
     {
-      return {}; // with several casters, the rest of the frame is unknown
+      return {}; // with several mappers, the time of the rest of the frame is unknown
     }
   }
   return only ? only->Progress.GetWhole() : std::nullopt;

@@ -36,9 +36,9 @@ namespace VolumeHaptics
 class KeptRays;
 
 /**
- * Estimates the time of a whole frame while a mapper casts its rays row by row. Work before the
- * rays, such as the gradients of a new volume, counts as measured. After a tenth of the rows, the
- * other rows are assumed to take the same time each.
+ * Estimates the time of a whole frame while a mapper casts its rays row by row. The time of the
+ * work before the rays, such as computing the gradients of a new volume, is measured. After a tenth
+ * of the rows, the other rows are assumed to take the same time each.
  */
 class RayProgress
 {
@@ -63,7 +63,9 @@ public:
   }
   /** Forgets the frame. */
   void Clear() { this->Whole.reset(); }
-  /** Returns the time of the frame with all its rays (s); empty while too few are cast. */
+  /**
+   * Returns the time of the frame with all its rays (s); empty before a tenth of the rows is cast.
+   */
   const std::optional<double>& GetWhole() const { return this->Whole; }
 
 private:
@@ -72,12 +74,13 @@ private:
 };
 
 /**
- * The distance between rays that keeps frames of one kind within a time. It changes in steps,
- * because a mapper whose distance changes makes new buffers.
+ * Chooses the distance between rays so that frames of one kind stay within a time. The distance
+ * changes in steps, because a mapper makes new buffers whenever its distance changes.
  */
 struct RayPace
 {
-  static constexpr double MostSteps = 6.0; ///< 8 pixels; a step multiplies the distance by sqrt(2)
+  /** most steps: 8 pixels; each step multiplies the distance by sqrt(2) */
+  static constexpr double MostSteps = 6.0;
 
   /**
    * Returns the distance between rays for the next frame (pixels). `longest`: the most time (s)
@@ -88,7 +91,8 @@ struct RayPace
     if (this->Time > longest || this->Time < 0.6 * longest)
     {
       // Assume that rays take all of the time: their number falls with the square of their
-      // distance. Other drawing takes time, too; the next frames correct this.
+      // distance. Other drawing takes time, too, so the distance may be wrong at first; the next
+      // frames correct it.
       const double steps = std::log2(this->Time / longest);
       this->Steps = std::clamp(
         this->Steps + (steps > 0.0 ? std::ceil(steps) : std::trunc(steps)), 0.0, MostSteps);
@@ -111,26 +115,26 @@ struct RayPace
 /**
  * Adjusts the frames of one window:
  *
- * - In motion (the window wants more than 1 frame a second) ray casters cast as many rays as 20
- *   frames a second allow, one for each pixel at best. VTK's GPU mapper by itself would save
- *   samples along each ray, which lets rays miss thin surfaces: dark speckles. So a sample is taken
- *   in each voxel at least.
+ * - In motion (the window wants more than 1 frame a second), ray casters cast as many rays as 20
+ *   frames a second allow, at most one for each pixel. VTK's GPU mapper by itself would take fewer
+ *   samples along each ray instead. Rays would then miss thin surfaces, which shows as dark
+ *   speckles. So at least one sample is taken in each voxel.
  * - A mapper that runs on the processor keeps its image while camera and volume rest, and casts
  *   only the rays that the hand's stylus and arrows have changed (KeptRays). After a complete frame
- *   at rest, frames in motion use its fine rays as long as that is quick enough.
- * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
- *   interrupted as soon as there is input. A mapper on the graphics card can't be interrupted:
- *   while a device is armed, it casts as many rays as 0.1 s allows. While a device is armed, the
- *   processor's mapper takes 0.5 s at most: meanwhile nobody reads the device, and its force fades
- *   after AttentionTime. As soon as a frame is seen to take more than 1 s, it is given up and drawn
- *   again with fewer rays, at once.
- * - After a change of the window's size, nothing would be seen until the frame at rest is done. So
- *   if that frame takes long, a frame as in motion comes first.
- * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
- *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
+ *   at rest, frames in motion keep using its fine rays while that is quick enough.
+ * - At rest, each mapper draws as the application has set it. A mapper on the processor is
+ *   interrupted by input. A mapper on the graphics card can't be interrupted, so while a device is
+ *   armed, it casts as many rays as 0.1 s allows. While a device is armed, a mapper on the
+ *   processor takes at most 0.5 s, because the device is not read during a frame, and its force
+ *   fades after AttentionTime. A frame that turns out to take more than 1 s is given up, and drawn
+ *   again at once with fewer rays.
+ * - After a change of the window's size, the window shows nothing until a frame is done. So if the
+ *   frame at rest takes long, a coarse frame, as in motion, is drawn first.
+ * - If OpenGL runs on the processor, vtkSmartVolumeMapper casts rays without OpenGL while a scene
+ *   is touched or plays: with Mesa's llvmpipe on two cores, that took a fifth of the time.
  *
- * A window off the screen is not adjusted, because nobody waits for its pictures, unless
- * `offScreen` says that somebody does.
+ * A window off the screen is adjusted only with `offScreen`, because otherwise nobody waits for its
+ * frames.
  */
 class FrameQuality
 {
@@ -143,8 +147,8 @@ public:
   };
 
   /**
-   * Borrows a function that tells, before each frame, whether the scene is touched; On also if it
-   * plays.
+   * `touch` is called before each frame. It returns whether the scene is touched, or plays (On),
+   * and whether a device is armed.
    */
   explicit FrameQuality(std::function<Touch()> touch);
   ~FrameQuality();
@@ -152,24 +156,27 @@ public:
   FrameQuality& operator=(const FrameQuality&) = delete;
 
   /**
-   * Adjusts a window (nullptr: none), and restores the own settings of the last window's mappers.
-   * With `offScreen`, also adjusts a window off the screen.
+   * Adjusts a window (nullptr: none), and restores the application's settings in the mappers of the
+   * last window. With `offScreen`, also adjusts a window off the screen.
    */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
-  /** Why a frame is to be drawn again. */
+  /** Reasons to draw a frame again. */
   enum class Interruption
   {
     None,
     Input,  ///< input came during the frame
     Slow,   ///< too slow: the next frame casts fewer rays
-    Resized ///< the window's size has changed: the frame was drawn coarsely first
+    Resized ///< the window's size has changed, so the frame was drawn coarsely first
   };
-  /** Returns why a frame has to be drawn again since the last call. */
+  /**
+   * Returns the reason for which a frame has to be drawn again; forgets it, so that the next call
+   * returns only newer reasons.
+   */
   Interruption DrainInterruption();
 
 private:
-  /** A mapper, the settings of its application, and the settings made here. */
+  /** The adjustable settings of a mapper. */
   struct Settings
   {
     double ImageDistance; ///< pixels between rays
@@ -181,9 +188,10 @@ private:
     vtkWeakPointer<vtkVolumeMapper> Mapper;
     Settings Own;
     Settings Set;
-    std::shared_ptr<KeptRays> Rays; ///< kept rays of a processor's mapper in a single renderer
-    RayProgress Progress;           ///< progress of the frame, if it casts all rays
-    unsigned long Frame = 0;        ///< the frame that it was adjusted for
+    /** keeps the rays of a mapper on the processor that is drawn in a single renderer */
+    std::shared_ptr<KeptRays> Rays;
+    RayProgress Progress;    ///< progress of the frame, if it casts all rays
+    unsigned long Frame = 0; ///< number of the last frame for which the mapper was adjusted
   };
   struct Smart
   {
@@ -203,11 +211,11 @@ private:
   void Begin();
   void End();
   void Interrupt();
-  /** Records which fraction of its rows a mapper has cast; 0 when it begins. */
+  /** Records the fraction of the rows that a mapper has cast. It is 0 when the mapper begins. */
   void RecordProgress(vtkObject* mapper, double fraction);
   /**
-   * Estimates the time of the frame with all its rays (s); empty if it is not known before the
-   * frame's end.
+   * Estimates the time of the frame with all its rays (s). The result is empty if the time can be
+   * known only at the frame's end.
    */
   std::optional<double> EstimateTime() const;
   /** Returns the time since the beginning of the frame (s). */
@@ -215,7 +223,10 @@ private:
   void Restore();
   template <typename Mapper>
   void Adjust(Mapper* mapper, const Shown& shown);
-  /** Adjusts a smart mapper's own ray caster on the processor as if it were the volume's mapper. */
+  /**
+   * Adjusts the ray caster on the processor within a smart mapper, as if it were the volume's own
+   * mapper.
+   */
   void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
   static void GiveBack(const Smart& smart);
@@ -242,14 +253,14 @@ private:
   RayPace AtRest;
   unsigned long Frame = 0;
   /**
-   * Frames in motion with fine kept rays; after too many of them, rays are coarse until the next
-   * rest.
+   * The number of slow frames in motion with fine kept rays. After too many of them, rays are
+   * coarse until the next rest.
    */
   int SlowFrames = 0;
   double CoarseTime = 0.0; ///< time of frames in motion with coarse kept rays (s)
-  bool IsFine = false;     ///< whether the frame in motion keeps the fine rays of rest
-  bool IsExposed = false;  ///< whether the interactor is about to draw the window
-  bool IsResized = false;  ///< whether the frame is drawn as in motion because the size has changed
+  bool IsFine = false;    ///< whether the current frame in motion uses the fine rays kept from rest
+  bool IsExposed = false; ///< whether the interactor is about to draw the window
+  bool IsResized = false; ///< whether the frame is drawn as in motion because the size has changed
   bool Moves = false;
   bool IsArmed = false;
   bool IsGivenUp = false; ///< whether the frame was ended because it takes too long

@@ -14,12 +14,13 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. If a frame
- * is slow even so, a gap follows it, unless it is known that no input waits. Timers come due with
- * each event: without a gap, a frame would be drawn between any two waiting motions of the mouse,
- * and a key would be late by all of these frames. A scene that has come to rest is drawn once,
- * finely. After that only figures change: drawing them may take a tenth of the time, so that a
- * volume that takes a second to draw leaves the application responsive.
+ * Draws a moving scene at once, as coarsely as the interactive frame rate needs. If a frame is slow
+ * even so, a gap follows it, unless it is known that no input waits. The gap is needed because
+ * timers come due with each event: without it, a frame would be drawn between any two waiting
+ * motions of the mouse, and a key would wait for all of these frames.
+ * A scene that has come to rest is drawn once, finely. After that only figures change. Drawing them
+ * may take a tenth of the time, so that an application whose volume takes a second to draw stays
+ * responsive.
  */
 class HapticRenderPace
 {
@@ -30,15 +31,16 @@ public:
     Quick,
     Still
   };
-  static constexpr double Pause = 0.3;     ///< s without movement that count as rest
-  static constexpr double Shortest = 0.05; ///< s between frames at rest
-  static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer has a gap after it
-  static constexpr double LongestGap = 0.1;     ///< s
-  static constexpr double LongestPeriod = 0.02; ///< s: a timer delays slower frames by its period
-  static constexpr double LongestStep = 0.05;   ///< s between motions of one stroke
-  static constexpr double FeltTime = 0.004;     ///< s: the time of several ticks
+  static constexpr double Pause = 0.3;     ///< s: time without movement that counts as rest
+  static constexpr double Shortest = 0.05; ///< s: shortest time between frames at rest
+  static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer is followed by a gap
+  static constexpr double LongestGap = 0.1; ///< s: longest gap after a frame
+  /** s: after a slower frame, VTK's timer is late by its period */
+  static constexpr double LongestPeriod = 0.02;
+  static constexpr double LongestStep = 0.05; ///< s: longest time between two motions of one stroke
+  static constexpr double FeltTime = 0.004;   ///< s: time of a few ticks, in which a motion is felt
   static constexpr double LongestAwaited =
-    0.03; ///< s: time for the hand to move before a stroke's first frame
+    0.03; ///< s: time for the hand to move before the first frame of a stroke
 
   /**
    * Decides how to draw at the time `now` (s). `moves`: something has moved since the last frame.
@@ -71,8 +73,9 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse is to draw, because timers are late: VTK's timers on X11 wait
-   * their whole period after a frame. The previous motion has been felt meanwhile.
+   * Whether a motion of the mouse should draw the frame itself, because timers are late: VTK's
+   * timers on X11 wait their whole period after a frame. The previous motion has been felt
+   * meanwhile.
    */
   bool IsLate(double now) const
   {
@@ -82,8 +85,8 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse is the first one after a rest, and timers are late: it is then
-   * drawn FeltTime later.
+   * Whether a motion of the mouse is the first one after a rest while timers are late. Such a
+   * motion is drawn FeltTime later.
    */
   bool IsFirst(double now) const
   {
@@ -91,14 +94,17 @@ public:
       (this->IsStill || now - this->LastDrawn > LongestStep);
   }
 
-  /** Records that the last frame was interrupted or coarse: a frame is due again after a rest. */
+  /**
+   * Records that the last frame was interrupted or coarse, so that a frame is due after the next
+   * rest.
+   */
   void Interrupted(double now)
   {
     this->LastDrawn = now;
     this->IsStill = false;
   }
 
-  /** Records that the last frame was given up: if nothing moves, a coarser frame is due at once. */
+  /** Records that the last frame was given up. If nothing moves, a coarser frame is due at once. */
   void GivenUp()
   {
     this->LastDrawn = -std::numeric_limits<double>::infinity();

@@ -18,9 +18,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A texture without pixels. Before a window is finalized or destroyed, it makes each texture in its
- * context release its resources. VTK does not install the header of the callback for that, so this
- * uses a texture.
+ * Detects the end of a window: before a window is finalized or destroyed, it makes each texture in
+ * its context release its resources. So this is a texture, without pixels. VTK has a callback for
+ * the purpose, but does not install its header.
  */
 class HapticWindowWatch::Closing final : public vtkTextureObject
 {
@@ -31,10 +31,12 @@ public:
   /** Sets the watched window; nullptr for none. */
   void SetWindow(vtkOpenGLRenderWindow* window)
   {
-    // During a release, the window removes this from its list after the call.
+    // During a release, the window itself removes this from its list, after the call.
     if (window != this->Window && !this->IsInRelease)
     {
-      this->IsInRelease = true; // leaving a window also releases its resources, but does not end it
+      // leaving a window also calls ReleaseGraphicsResources(), which then is no sign of the
+      // window's end
+      this->IsInRelease = true;
       this->SetContext(window);
       this->IsInRelease = false;
       this->Window = window;
@@ -58,8 +60,8 @@ public:
     this->IsInRelease = false;
     if (this->GetReferenceCount() == 1)
     {
-      // An observer has deleted the style, and so the watch. The window still uses this object
-      // after the call.
+      // An observer has deleted the style, and so the watch. Keep this object alive, because the
+      // window still uses it after the call.
       static vtkSmartPointer<Closing> last;
       last = this;
     }
@@ -97,12 +99,12 @@ public:
   HapticWindowWatch* Watch = nullptr;
 
   /**
-   * Whether the application observes an interactor's ExitEvent: with any observer that does not
-   * belong to a watch.
+   * Whether the application observes an interactor's ExitEvent: whether any observer of the event
+   * does not belong to a watch.
    */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
-    // Tags are in ascending order.
+    // Tags ascend, so the tag of a new observer is the end of all tags in use.
     vtkNew<Observer> last;
     const unsigned long end = interactor->AddObserver(vtkCommand::NoEvent, last);
     interactor->RemoveObserver(end);
@@ -149,12 +151,12 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
     this->IsDone = interactor->GetDone();
-    // Call before the application's observers, which may take long, for example to ask whether to
-    // quit.
+    // This is called before the application's observers, which may take long, for example to ask
+    // the user whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // Call after the application's observers, because they may have called TerminateApp(); the loop
-    // then ends with these events.
+    // This is called after the application's observers, because they may have called
+    // TerminateApp(); the loop then ends with these events.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
@@ -228,7 +230,8 @@ void HapticWindowWatch::OnExit()
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor(this->Interactor.GetPointer());
   KeepDisplay(interactor->GetRenderWindow());
   this->End();
-  // ExitCallback() calls TerminateApp() only if the event has no observers. Keep that behaviour.
+  // ExitCallback() calls TerminateApp() only if ExitEvent has no observers. The watch is an
+  // observer, so terminate here if there is no other.
   if (!Observer::IsExitTaken(interactor))
   {
     interactor->TerminateApp();

@@ -8,8 +8,8 @@
  * order. So this watches all early signs of an end: ExitEvent (the key q, the window manager's
  * close button), the interactor's Disable(), and the release of the window's graphics resources,
  * which comes before the window is destroyed. Look(), which is called after events of keys, mouse
- * and timers, notices that TerminateApp() was called. LookAt() notices that the touched renderer
- * was taken out of the window or deleted; VTK sends no event for this.
+ * and timers, detects a call of TerminateApp(). LookAt() detects that the touched renderer was
+ * taken out of the window or deleted; VTK sends no event for this.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -32,8 +32,8 @@ class HapticWindowWatch
 {
 public:
   /**
-   * Watches for an owner. `end` is called at each sign of an end, so perhaps twice; the owner is
-   * kept alive during the call.
+   * Watches a window for an owner. `end` is called at each sign of an end, so it may be called
+   * twice. The owner is kept alive during the call.
    */
   HapticWindowWatch(vtkObject* owner, std::function<void()> end);
   ~HapticWindowWatch();
@@ -44,24 +44,27 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * Notices that the interactor has another window, or that its loop was told to end; call this
+   * Detects that the interactor has got another window, or that its loop was told to end. Call this
    * often.
    */
   void Look();
 
   /**
-   * Notices that the touched renderer was taken out of its window; null for no renderer. Call this
-   * often.
+   * Detects that the touched renderer was taken out of its window. Null stands for no renderer.
+   * Call this often.
    */
   void LookAt(vtkRenderer* renderer);
 
   /**
-   * Whether the window could be seen at an earlier call and can't any more, as far as the window
-   * system tells: see PendingInput.h. Asks ten times a second at most.
+   * Whether the window could be seen at an earlier call and can no longer be seen, if the window
+   * system reports it: see PendingInput.h. Asks the window system at most ten times a second.
    */
   bool HasVanished();
 
-  /** Whether the end of the loop closed the window: drawing would open another window. */
+  /**
+   * Whether the window was closed when the loop ended. Do not draw then, because VTK would open a
+   * new window.
+   */
   bool IsClosed() const;
 
 private:
@@ -82,11 +85,11 @@ private:
   vtkWeakPointer<vtkRenderer> Seen; ///< the renderer in the window at the last look
   bool HasSeen = false;
   bool WasViewable = false;
-  std::int64_t ViewTime = 0; ///< ServoClock: last question to the window system
-  bool IsEnabled = false;    ///< state of the interactor, when last seen
-  bool IsDone = false;       ///< whether the loop was told to end, when last seen
+  std::int64_t ViewTime = 0; ///< ServoClock: when the window system was last asked
+  bool IsEnabled = false;    ///< whether the interactor was enabled at the last look
+  bool IsDone = false;       ///< whether the loop had been told to end at the last look
   bool IsReleased =
-    false; ///< the window has released its graphics resources and was not rendered since
+    false; ///< whether the window has released its graphics resources and was not rendered since
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;
 };
 

@@ -31,12 +31,13 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int ShortestGap = 16; // rays; a shorter gap costs less than another pass
+// number of rays; casting the rays of a shorter gap costs less than another pass
+constexpr int ShortestGap = 16;
 constexpr std::size_t MostPasses = 4;
-constexpr int MostCoarseRays = 1 << 16; // rays; copying an image of this size takes no noticeable
-                                        // time
+// number of rays; copying an image of this size takes no noticeable time
+constexpr int MostCoarseRays = 1 << 16;
 
-/** Collects values for comparison to the bit. */
+/** Collects values, so that they can be compared to the bit. */
 struct WordWriter
 {
   std::vector<std::uint64_t> Words;
@@ -117,9 +118,9 @@ void AddCuts(WordWriter& to, vtkVolumeMapper* mapper)
 }
 
 /**
- * Replaces the mapper's encoder of directions. vtkFixedPointVolumeRayCastMapper asks it for 65536
- * directions before each frame, to compute a shade for each. If the shades would be the same, the
- * replacement reports no directions.
+ * Replaces the mapper's encoder of directions. Before each frame, vtkFixedPointVolumeRayCastMapper
+ * asks the encoder for 65536 directions and computes a shade for each. If the shades would be the
+ * same as before, the replacement reports no directions, so that none are computed.
  */
 class ShadedDirections : public vtkSphericalDirectionEncoder
 {
@@ -130,7 +131,7 @@ public:
   {
     return this->KeepsShades ? 0 : this->Superclass::GetNumberOfEncodedDirections();
   }
-  /** The mapper asks for this once before the shades of each light. */
+  /** The mapper calls this once before it computes the shades of each light. */
   float* GetDecodedGradientTable() override
   {
     this->KeepsShades = this->AreKept && this->AreKept();
@@ -215,7 +216,8 @@ bool KeptRays::CanKeep() const
     return false;
   }
   vtkRenderWindow* const window = this->Renderer->GetRenderWindow();
-  // Final window and level are written into the image itself.
+  // The final window and level change the image itself, so the image can't be used for the next
+  // frame.
   return window && !window->GetStereoRender() && this->Mapper->GetFinalColorWindow() == 1.0F &&
     this->Mapper->GetFinalColorLevel() == 0.5F && this->Mapper->GetInput();
 }
@@ -244,7 +246,8 @@ KeptRays::Words KeptRays::DescribeLook() const
   vtkVolumeProperty* const property = this->Volume->GetProperty();
   to.AddAddress(property);
   to.Add(property->GetMTime());
-  // vtkSmartVolumeMapper gives its ray caster a copy, which gets a newer time than the image.
+  // Use the input of the outer mapper: vtkSmartVolumeMapper gives its ray caster a copy, which has
+  // a newer time than the image.
   auto* const outer = vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper());
   vtkDataObject* const input = outer ? outer->GetDataObjectInput() : nullptr;
   to.AddAddress(input);
@@ -352,7 +355,7 @@ void KeptRays::ReadDepths(std::vector<float>& depths) const
     std::fill(depths.begin(), depths.end(), 1.0F);
     return;
   }
-  // Same as vtkFixedPointRayCastImage::GetZBufferValue, without a call for each ray.
+  // Computes what vtkFixedPointRayCastImage::GetZBufferValue does, without a call for each ray.
   const int* const pixels = image->GetZBufferSize();
   const float distance = image->GetImageSampleDistance();
   const auto pixelOf = [distance](int ray, int count)
@@ -476,7 +479,7 @@ void KeptRays::End()
     this->Mapper->RenderSubVolume();
   }
   this->IsCasting = false;
-  // With these bounds, the mapper clears the rest of this frame's image in the next frame.
+  // Restore the bounds, by which the mapper clears the rest of this image in the next frame.
   std::copy(this->OwnBounds.begin(), this->OwnBounds.end(), this->Mapper->GetRowBounds());
   if (window->GetAbortRender())
   {

@@ -25,18 +25,17 @@ namespace VolumeHaptics
 {
 
 /**
- * While a hand strokes a volume and the camera rests, only what lies in front of the volume moves:
- * the stylus, arrows and rings. A mapper that casts rays on the processor casts all of them for
- * each frame, and each ray depends on nothing but the view, the volume's look, and the depth of the
- * opaque geometry at which it ends. This class keeps the mapper's image from one frame to the next,
- * and makes the mapper cast again only the rays whose depth has changed. Frames are the same to the
- * bit.
+ * While a hand strokes a volume and the camera rests, only the stylus, arrows and rings move. A
+ * mapper on the processor nevertheless casts all rays for each frame. Each ray depends only on the
+ * view, the volume's look, and the depth of the opaque geometry at which it ends. This class keeps
+ * the mapper's image from one frame to the next, and makes the mapper cast again only the rays
+ * whose depth has changed. Frames are the same to the bit.
  *
- * The mapper also makes a table of shades anew for each frame. It is kept while lights, camera and
- * the volume's look are the same.
+ * The mapper also makes a new table of shades for each frame. The table is kept while lights,
+ * camera and the volume's look are the same.
  *
- * A frame at rest, which input may interrupt, casts more rays. So the last coarse image is kept
- * beside its image; the next motion continues with the coarse image.
+ * A frame at rest casts more rays, and input may interrupt it. So the last coarse image is kept,
+ * too, and the next motion continues with it.
  *
  * The mapper must draw its volume in one renderer only; the owner of this object checks that.
  */
@@ -61,7 +60,7 @@ public:
   float GetSampleDistance() const { return this->SampleDistance; }
   ///@}
 
-  /** Gives up the next frame if it would have to cast all rays, because it has to be quick. */
+  /** Says that the next frame has to be quick: it is given up if it would have to cast all rays. */
   void Expect() { this->IsExpected = true; }
   /** Whether the current frame casts all rays. */
   bool IsCastingAll() const { return this->IsWhole; }
@@ -71,11 +70,11 @@ public:
 private:
   using Words = std::vector<std::uint64_t>;
 
-  /** An image, and its conditions. */
+  /** An image, and the conditions under which it was made. */
   struct Picture
   {
-    Words Look;                ///< view and look of the image; empty: there is none
-    Words Image;               ///< spread of its rays
+    Words Look;                ///< view and look of the image; empty: there is no image
+    Words Image;               ///< how its rays are spread
     std::vector<float> Depths; ///< depths where rays end, row by row
     std::vector<unsigned short> Pixels;
   };
@@ -97,23 +96,24 @@ private:
   Words DescribeImage() const;
   /** Describes where the pixels of the mapper's image are in memory. */
   Words DescribeStorage() const;
-  /** Copies the mapper's image to the coarse image, if the mapper's is coarse. */
+  /** Copies the mapper's image to the coarse image, if the mapper's image is coarse. */
   void StoreCoarse();
   /**
-   * Copies the coarse image to the mapper's, if the mapper is to draw it. Returns whether it did.
+   * Copies the coarse image to the mapper's image, if it has the conditions that the mapper is to
+   * draw. Returns whether it was copied.
    */
   bool CopyCoarse(const Words& look, const Words& image);
   /** Describes what the mapper's table of shades depends on. */
   Words DescribeShades() const;
   /** Whether the mapper draws this volume in this window now. */
   bool IsDrawn() const;
-  /** Whether frames may be kept at all. */
+  /** Whether rays may be kept at all in this window and with this mapper. */
   bool CanKeep() const;
   /** Reads the depths where the rays of the image in use end, row by row. */
   void ReadDepths(std::vector<float>& depths) const;
   /** Collects the runs of rays whose depth has changed. */
   void CollectChanges(const std::vector<float>& depths);
-  /** Makes the mapper cast the runs of one pass: in each row, the run of this number. */
+  /** Makes the mapper cast run number `pass` of each row. */
   void SetPass(std::size_t pass);
 
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -125,11 +125,11 @@ private:
   Picture Now;  ///< the mapper's image; the mapper has its pixels
   Words Storage;
   Picture Coarse;
-  float ImageDistance = 0.0F; ///< distance of Now
+  float ImageDistance = 0.0F; ///< distances of Now
   float SampleDistance = 0.0F;
   std::vector<float> NewDepths;
   std::vector<std::vector<Run>> Rows; ///< runs to cast in this frame
-  std::vector<int> OwnBounds;         ///< bounds of its rows that the mapper has computed
+  std::vector<int> OwnBounds; ///< bounds of the image's rows as the mapper has computed them
   std::size_t Passes = 0;
   bool IsCasting = false; ///< whether further passes of the frame follow
   bool IsExpected = false;

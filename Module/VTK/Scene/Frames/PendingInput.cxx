@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// In a file of its own, because X11's headers define macros with common names.
+// This file exists because X11's headers define macros with common names.
 #include "VTK/Scene/Frames/PendingInput.h"
 
 #include "vtkRenderWindow.h"
@@ -30,7 +30,10 @@ struct Search
   bool Found;
 };
 
-/** Looks at an event. Returning true would take the event out of the queue. */
+/**
+ * Checks an event in the queue. It always returns false, because true would take the event out of
+ * the queue.
+ */
 Bool Record(Display*, XEvent* event, char* data)
 {
   auto* const search = reinterpret_cast<Search*>(data);
@@ -82,7 +85,7 @@ bool HasEvent(vtkRenderWindow* window)
   return search.Found;
 }
 
-/** Ignores errors: the toolkit that owns the window may have destroyed it. */
+/** Ignores errors, because the toolkit that owns the window may have destroyed it. */
 int IgnoreError(Display*, XErrorEvent*)
 {
   return 0;
@@ -176,7 +179,10 @@ struct OpenedWindow : vtkXOpenGLRenderWindow
   }
 };
 
-/** Closes the connection when the window is deleted, with its interactor, so after the loop. */
+/**
+ * Lets the window close the connection when it is deleted. It is deleted with its interactor, so
+ * after the loop.
+ */
 void GiveBack(vtkObject* caller, unsigned long, void* display, void*)
 {
   auto* const window = static_cast<vtkXOpenGLRenderWindow*>(caller);

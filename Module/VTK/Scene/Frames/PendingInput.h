@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the window system knows about a window, whether input waits for the end of a frame and
- * whether the window can be seen; and how long a window's connection to the X server stays open.
+ * Asks the window system whether input waits for the end of a frame, and whether a window can be
+ * seen. Also decides how long a window's connection to the X server stays open.
  */
 #ifndef PendingInput_h
 #define PendingInput_h
@@ -14,9 +14,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a window has keys, buttons or motions of the mouse, or its closing, to process.
- * vtkRenderWindow::GetEventPending() knows of presses of mouse buttons only; for a window of X11,
- * this looks through its queue, and takes nothing out of it.
+ * Whether a window has key, button or mouse motion events, or its closing, to process.
+ * vtkRenderWindow::GetEventPending() detects only presses of mouse buttons. For a window of X11,
+ * this searches the queue of events, and takes nothing out of it.
  */
 bool HasPendingInput(vtkRenderWindow* window);
 
@@ -26,22 +26,23 @@ bool KnowsInput(vtkRenderWindow* window);
 /**
  * Makes the event loop of an X11 window check its timers at once. If timers are late by a second or
  * more, the loop of VTK 9.1 waits for another second, unless there is an event. So this sends an
- * event that no program handles and that does not count as input.
+ * event that no program handles and that HasPendingInput() ignores.
  */
 void WakeEventLoop(vtkRenderWindow* window);
 
 /**
- * Whether a window may be seen. False for an X11 window that is not mapped, or whose parent is not:
- * it was minimised, hidden, destroyed, or is behind a tab. Waits for the X server's answer. True
- * for other windows, about which nothing is known.
+ * Whether a window may be visible. Returns false for an X11 window if it or its parent is not
+ * mapped: it was minimised, hidden, destroyed, or is behind a tab. Waits for the X server's answer.
+ * Returns true for other windows, because nothing is known about them.
  */
 bool MayBeSeen(vtkRenderWindow* window);
 
 /**
  * Makes a window leave its connection to the X server open when it closes. Until VTK 9.2,
  * TerminateApp() closes the window in the middle of the interactor's loop, and the loop goes on
- * using the connection. A window that was rendered before it had an interactor owns the connection
- * and has already closed it: a crash. Here the connection is closed when the window is deleted.
+ * using the connection. If the window was rendered before it had an interactor, it owns the
+ * connection and has closed it, so that the loop crashes. With this function, the connection is
+ * closed when the window is deleted.
  */
 void KeepDisplay(vtkRenderWindow* window);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether OpenGL runs on the processor.
+ * Detects whether OpenGL runs on the processor.
  */
 #ifndef SoftwareOpenGL_h
 #define SoftwareOpenGL_h
@@ -26,7 +26,10 @@ inline bool NamesSoftwareOpenGL(const std::string& capabilities)
     isNamed("GDI Generic") || isNamed("Microsoft Basic Render");
 }
 
-/** Checks the name of the renderer. False before the window has rendered. */
+/**
+ * Whether a window draws with OpenGL on the processor, by the name of its renderer. Returns false
+ * before the window has rendered.
+ */
 inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
 {
   return window && !window->GetNeverRendered() && NamesSoftwareOpenGL(window->ReportCapabilities());

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lines of several colours in the scene, as tubes, with a faint copy over objects that hide them.
+ * Draws lines of several colours in the scene as tubes, and a faint copy over objects that hide
+ * them.
  */
 #ifndef ColoredTubes_h
 #define ColoredTubes_h
@@ -27,7 +28,7 @@ class ColoredTubes
 public:
   explicit ColoredTubes(int sides);
 
-  /** Returns the polylines, whose cell scalars are their colours: NewColors(). */
+  /** Returns the polylines. Their cell scalars are their colours: an array from NewColors(). */
   vtkPolyData* GetLines() const { return this->Lines; }
   static vtkSmartPointer<vtkUnsignedCharArray> NewColors();
   void SetRadius(double radius) { this->Tubes->SetRadius(radius); }

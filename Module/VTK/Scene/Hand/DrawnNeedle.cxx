@@ -21,7 +21,7 @@ namespace
 /** Lengths in radii of the proxy. */
 constexpr double ShaftRadii = 0.3;
 constexpr double HubRadii = 0.9;
-/** The start of the hub, as a fraction of the shaft's length outside. */
+/** Position of the hub's start, as a fraction of the length of the shaft outside the tissue. */
 constexpr double HubFraction = 0.7;
 const double Steel[3] = { 0.8, 0.82, 0.85 };
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A needle in tissue, drawn in the scene: its track in the colours of the labels, its shaft and its
- * hub.
+ * Draws a needle that is in tissue: its track in the colours of the labels, its shaft and its hub.
  */
 #ifndef DrawnNeedle_h
 #define DrawnNeedle_h
@@ -29,7 +28,7 @@ class DrawnNeedle
 public:
   DrawnNeedle();
 
-  /** Shows the latest state; nothing without a device. Lengths are in world units. */
+  /** Shows the latest state, or nothing without a device. Lengths are in world units. */
   void Update(vtkHapticDevice* device, double radius, double length);
 
   /** Whether a needle is in tissue. */
@@ -44,7 +43,7 @@ private:
   void Draw(vtkHapticDevice* device, double length);
 
   vtkNew<vtkPolyData> Track;
-  ColoredTubes Lines{ 12 }; ///< stretches of the track, then the shaft outside
+  ColoredTubes Lines{ 12 }; ///< pieces of the track, then the shaft outside the tissue
   vtkNew<vtkPolyData> HubLine;
   vtkNew<vtkTubeFilter> Hub;
   vtkNew<vtkPolyDataMapper> HubMapper;

@@ -18,15 +18,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Least angle (degrees) of the edges of a tool that are drawn as edges. */
+/** Edges with at least this angle (degrees) between faces are drawn sharp. */
 constexpr double FeatureAngle = 40.0;
 constexpr double Pi = 3.14159265358979323846;
 
-/** Turns per second of a spinning tool in the picture; the eye could not see faster turns. */
+/** Turns per second at which a spinning tool is drawn. The eye could not see faster turns. */
 constexpr double SeenTurns = 1.7;
 
 /**
- * Computes the rotation from the tool to the world's axes; NoOrientation if the tool is not felt.
+ * Computes the rotation from the tool's axes to the world's; NoOrientation if the tool is not felt.
  */
 Quaternion ComputeTurn(
   vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose, which may lag
- * behind the hand, or spin.
+ * Draws a tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose. The
+ * pose may lag behind the hand, and a burr spins.
  */
 #ifndef DrawnTool_h
 #define DrawnTool_h
@@ -33,7 +33,7 @@ public:
   DrawnTool();
 
   /**
-   * Shows the latest state; nothing without a device.
+   * Shows the latest state, or nothing without a device.
    * @param leaning pose of a tool that turns with the stylus, if the device measures no
    * orientation; or NoOrientation
    */

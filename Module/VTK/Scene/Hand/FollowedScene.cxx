@@ -48,7 +48,7 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   this->Ellipsoids->SetInputData(this->Tensors);
   this->Ellipsoids->SetSourceConnection(sphere->GetOutputPort());
   this->Ellipsoids->ColorGlyphsOff();
-  // VTK turns glyphs inside out where eigenvectors are left-handed: orient their normals.
+  // VTK turns glyphs inside out if their eigenvectors are left-handed, so orient the normals.
   this->Outward->SetInputConnection(this->Ellipsoids->GetOutputPort());
   this->Outward->AutoOrientNormalsOn();
   this->Outward->SplittingOff();
@@ -92,7 +92,7 @@ void FollowedScene::ScaleTensors(double radius)
   {
     double nine[9];
     tensors->GetTuple(i, nine);
-    // The norm is the largest eigenvalue, or up to 1.7 times that.
+    // The norm lies between the largest eigenvalue and 1.7 times that value.
     longest = std::max(longest, vtkMath::Norm(nine, 9));
   }
   this->Ellipsoids->SetScaleFactor(
@@ -163,7 +163,7 @@ void FollowedScene::DrawTensors()
 
 void FollowedScene::RenderFronts(vtkViewport* viewport)
 {
-  // Draw it first, so that a front through its middle hides no half of it.
+  // Draw the ellipsoid first: otherwise, a front through its middle would hide half of it.
   if (this->Tensors->GetNumberOfPoints() > 0)
   {
     this->EllipsoidActor->RenderOpaqueGeometry(viewport);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes that hold the hand in modes, in the scene: lines as tubes, fronts as discs, tensors as
+ * Draws the shapes that hold the hand in modes: lines as tubes, fronts as discs, tensors as
  * ellipsoids, in the colours of their modes.
  */
 #ifndef FollowedScene_h
@@ -29,11 +29,16 @@ class FollowedScene
 {
 public:
   using Color = unsigned char[3];
-  /** Borrows the colours of modes by number; there is at least one. */
+  /**
+   * `colors` are the colours of modes by number, at least one; the array must outlive this object.
+   */
   FollowedScene(const Color* colors, std::size_t count);
   ~FollowedScene();
 
-  /** Shows the latest state; nothing without a device. The proxy's radius is in world units. */
+  /**
+   * Shows the latest state, or nothing without a device. `radius` is the proxy's radius in world
+   * units.
+   */
   void Update(vtkHapticDevice* device, double reach, double radius);
 
   void RenderOpaque(vtkViewport* viewport) { this->Lines.RenderOpaque(viewport); }
@@ -51,7 +56,7 @@ public:
 private:
   void Draw();
   void DrawTensors();
-  /** Draws tensors longer than the proxy, so that their axes can be seen. */
+  /** Scales tensors so that they are longer than the proxy, and their axes can be seen. */
   void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;
@@ -66,7 +71,7 @@ private:
   vtkNew<vtkActor> EllipsoidActor;
   const Color* const Colors;
   const std::size_t ColorCount;
-  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< state of the shapes, with the next two members
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< proxy, time and reach for which the shapes were drawn
   double Time = -1.0;
   double Reach = 0.0;
 };

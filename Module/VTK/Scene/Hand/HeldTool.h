@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool in a hand, as the scene needs it.
+ * Looks up the tool in a hand, for the scene.
  */
 #ifndef HeldTool_h
 #define HeldTool_h
@@ -13,7 +13,7 @@ class vtkHapticTool;
 namespace VolumeHaptics
 {
 
-/** Returns the tool in the hand of a device; null for a point. */
+/** Returns the tool in the hand of a device; null if the hand touches with a point. */
 vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
 
 /** Whether a tool looks different when it is turned. */

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 namespace
 {
 
-/// In radii of the proxy: the distance at which the ring begins to close, and the height of the
-/// patch above the surface, which would otherwise hide a part of the patch.
+/// Lengths in radii of the proxy: the distance at which the ring begins to close, and the height of
+/// the patch above the surface, which would otherwise hide a part of the patch.
 constexpr double FarAway = 20.0;
 constexpr double Above = 0.1;
 constexpr double Gap = 8.0; ///< pixels between the ring and the text

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shows the depth of a hand: where it would land, how far away that is, and what it touches.
+ * Shows how deep a hand is in the scene: where it would land, how far away that is, and what it
+ * touches.
  */
 #ifndef LandingRing_h
 #define LandingRing_h
@@ -24,15 +25,15 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Radii of rings, in radii of the proxy: where a contact begins, and the widest. */
+/** Radii of rings, in radii of the proxy: the ring when contact begins, and the widest ring. */
 constexpr double ClosedRing = 1.8;
 constexpr double OpenRing = 5.0;
 ///@}
 
 /**
  * Returns the radius of the patch if the tip is pressed in by `depth` and the proxy has this
- * `radius`. The area of the patch grows in proportion to the depth, like the contact of a soft ball
- * of radius R on a plane, pi R d (Hertz), up to the widest ring.
+ * `radius`. The area of the patch grows by pi R d for a depth d, like the contact of a soft ball of
+ * radius R on a plane (Hertz), up to the widest ring.
  */
 inline double ComputePatchRadius(double depth, double radius)
 {
@@ -43,10 +44,10 @@ inline double ComputePatchRadius(double depth, double radius)
 }
 
 /**
- * In free space: shows a ring on the first surface that the tip would touch on its way along the
+ * In free space, shows a ring on the first surface that the tip would touch if it moved along the
  * line of sight, and the distance as a text beside the ring. The ring closes as the tip comes near.
- * In contact: shows the patch that a soft fingertip would touch, in the plane of the surface, with
- * the colour of the contact, and the ring around it.
+ * In contact, shows the patch that a soft fingertip would touch, in the plane of the surface and in
+ * the colour of the contact, with the ring around it.
  */
 class LandingRing
 {
@@ -59,13 +60,13 @@ public:
   void SetColor(const double contact[3]) { this->Patch.SetColor(contact); }
 
   void RenderOpaque(vtkViewport* viewport) { this->Ring.RenderOpaque(viewport); }
-  /** Draws the parts behind other objects. */
+  /** Draws a faint copy of the parts behind other objects. */
   void RenderHidden(vtkViewport* viewport) { this->Ring.RenderHidden(viewport); }
-  /** Draws translucent parts; the viewport has to blend. */
+  /** Draws translucent parts. Blending has to be enabled in the viewport. */
   void RenderPatch(vtkViewport* viewport) { this->Patch.RenderHidden(viewport); }
   void RenderText(vtkViewport* viewport);
   void Release(vtkWindow* window);
-  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the ring with the patch inside
+  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the patch is inside the ring
 
 private:
   SceneMarker Ring{ SceneMarker::Ring, 0.97, 0.97, 0.97 };

@@ -28,14 +28,17 @@ namespace
 {
 
 ///@{
-/** Distances from the point along z, and radii, of a stylus of length 1. */
+/**
+ * Distances from the point along z, and radii, of a stylus of length 1. They are the next eight
+ * constants.
+ */
 constexpr double ConeEnd = 0.16;
 constexpr double HandleRadius = 0.032;
 constexpr double HandleEnd = 1.0 - HandleRadius; ///< a dome closes the handle
 constexpr double ButtonMiddle = 0.28;
 constexpr double ButtonLength = 0.13;
 constexpr double ButtonWidth = 0.034;
-constexpr double ButtonHeight = 0.016; ///< heights relative to the handle's surface
+constexpr double ButtonHeight = 0.016; ///< height above and below the handle's surface
 ///@}
 
 constexpr unsigned char Metal[3] = { 214, 218, 224 };
@@ -55,8 +58,8 @@ public:
   }
 
   /**
-   * A grid over u and v in [0, 1]: `place` sets a position and a normal of any length. The surface
-   * looks outwards if u, v and the normal are right-handed.
+   * Adds a grid over u and v in [0, 1]. `place` computes the position and a normal of any length
+   * for u and v. The surface looks outwards if u, v and the normal are right-handed.
    */
   template <typename Place>
   void Add(int alongU, int alongV, const unsigned char color[3], Place&& place)
@@ -104,9 +107,9 @@ private:
 };
 
 /**
- * The surface of a stylus: a metal point, a handle and a button. The mesh has length 1, its point
- * at the origin, its handle along +z and its button on the side of +y (DeviceBackend.h); with
- * normals, and colours as point scalars.
+ * Makes the surface of a stylus: a metal point, a handle and a button. The mesh has length 1, its
+ * point at the origin, its handle along +z and its button on the side of +y (DeviceBackend.h). It
+ * has normals, and colours as point scalars.
  */
 vtkSmartPointer<vtkPolyData> MakeStylusShape()
 {
@@ -133,7 +136,7 @@ vtkSmartPointer<vtkPolyData> MakeStylusShape()
       n = std::cos(0.25 * Turn * v) * direction(u) + std::sin(0.25 * Turn * v) * axis;
       x = HandleEnd * axis + HandleRadius * n;
     });
-  // Half an ellipsoid that stands out of the handle.
+  // The button is half an ellipsoid that stands out of the handle.
   surface.Add(Around, Around / 4, Button,
     [&](double u, double v, Vector3& x, Vector3& n)
     {
@@ -154,7 +157,7 @@ constexpr int Resolution = 24;
 
 SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
 {
-  // All shapes have length and radius 1, along z or around the origin.
+  // All shapes have length and radius 1. They lie along z or around the origin.
   if (shape == Sphere)
   {
     vtkNew<vtkSphereSource> sphere;
@@ -225,7 +228,7 @@ void SceneMarker::Finish(double red, double green, double blue)
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
+  // vtkHapticRepresentation draws the copy in the overlay pass, which does not sort.
   this->Ghost->ForceOpaqueOn();
   const double color[3] = { red, green, blue };
   this->SetColor(color);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, an arrow, a ring, a disc, a stylus, or a given shape in the scene. It shines faintly
- * through objects in front of it.
+ * Draws a sphere, an arrow, a ring, a disc, a stylus, or a given shape in the scene, with a faint
+ * copy that shows through objects in front of it.
  */
 #ifndef SceneMarker_h
 #define SceneMarker_h
@@ -42,11 +42,13 @@ public:
 
   void SetColor(const double color[3]);
   void PlaceSphere(const Vector3& centre, double radius);
-  /** Sets an arrow. A marker shorter than its radius is not shown. */
+  /** Sets the ends of an arrow. An arrow shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
   /** Sets a ring or a disc. */
   void PlaceRing(const Vector3& centre, const Vector3& axis, double radius);
-  /** Sets a stylus: its point, its orientation (DeviceBackend.h), and its length. */
+  /**
+   * Sets the position of a stylus's point, its orientation (see DeviceBackend.h), and its length.
+   */
   void PlaceTurned(const Vector3& point, const Quaternion& orientation, double length);
   void Show(bool shown) { this->Shown = shown; }
 
@@ -60,7 +62,7 @@ public:
 private:
   /** Sets the colour and the lighting. */
   void Finish(double red, double green, double blue);
-  /** Turns the shape's z to a direction other than zero. */
+  /** Moves the shape to `from`, and turns its z axis to a direction other than zero. */
   void Aim(const Vector3& from, const Vector3& direction);
 
   vtkNew<vtkPolyDataMapper> Mapper;

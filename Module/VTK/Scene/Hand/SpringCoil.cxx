@@ -17,10 +17,11 @@ constexpr double FullTurn = 6.283185307179586; ///< rad
 constexpr int Windings = 8;
 constexpr int WindingSides = 24;    ///< sides of a winding
 constexpr double WireRadius = 0.09; ///< in radii of the proxy
-constexpr double RestRadius = 0.5;  ///< radius of the windings of a coil at rest
-/// Below this distance, in radii of the proxy, the proxy hides the spring.
+/** radius of the windings of a coil at rest, in radii of the proxy */
+constexpr double RestRadius = 0.5;
+/// A spring shorter than this (in radii of the proxy) is not drawn, because the proxy hides it.
 constexpr double Shortest = 0.2;
-/// Below this winding radius, in radii of the proxy, the wire is drawn straight.
+/// The wire is drawn straight if its windings are narrower than this (in radii of the proxy).
 constexpr double LeastWinding = 0.03;
 
 } // namespace

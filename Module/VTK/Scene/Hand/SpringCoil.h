@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The spring between proxy and tip, as a coil that the hand stretches.
+ * Draws the spring between proxy and tip as a coil that the hand stretches.
  */
 #ifndef SpringCoil_h
 #define SpringCoil_h
@@ -17,16 +17,16 @@ namespace VolumeHaptics
 {
 
 /**
- * A wire from the proxy to the tip. Its slack part is straight. Its stretched part is a coil of a
- * wire of constant length, so that its windings open and get narrower as it is stretched. If the
- * wire is too short for that, it is straight.
+ * Draws a wire from the proxy to the tip. The slack part of the distance is straight. The stretched
+ * part is a coil of a wire of constant length, so that its windings open and get narrower as it is
+ * stretched. If the wire is too short for that, it is straight.
  */
 class SpringCoil
 {
 public:
   SpringCoil();
 
-  /** `slack` is the part of the distance that gives no force, `radius` the proxy's radius. */
+  /** `slack` is the part of the distance that gives no force. `radius` is the proxy's radius. */
   void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
   void Show(bool shown) { this->Marker.Show(shown); }
 
@@ -43,7 +43,7 @@ private:
   vtkNew<vtkTubeFilter> Tube;
   SceneMarker Marker;
   ///@{
-  /** The parameters of the wire. */
+  /** The arguments of the last Place(). */
   Vector3 Proxy;
   Vector3 Tip;
   double Slack = 0.0;

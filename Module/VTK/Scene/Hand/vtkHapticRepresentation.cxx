@@ -61,29 +61,32 @@ constexpr double ScaleBottom = 0.02;
 struct vtkHapticRepresentation::vtkInternals
 {
   vtkNew<vtkHapticStateSource> Source;
-  /// Numbered as in vtkHapticStateSource, from TIP on.
+  /// The spheres are numbered as in vtkHapticStateSource, beginning at TIP.
   SceneMarker Spheres[4] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
     { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 } };
   SpringCoil Spring;
-  /// Numbered as in vtkHapticStateSource, from FORCE on.
+  /// The arrows are numbered as in vtkHapticStateSource, beginning at FORCE.
   SceneMarker Arrows[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
-  /// Second heads for arrows that are shorter than their forces, in the order of the arrows.
+  /// Second heads mark arrows that are shorter than their forces. They are numbered like the
+  /// arrows.
   SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   DrawnNeedle Needle;
   DrawnTool Tool;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
-  /// The orientation of a stylus without a measured one, by the camera of the last frame.
+  /// The orientation of a stylus if the device measures none. It follows from the camera of the
+  /// last frame.
   Quaternion Leaning = NoOrientation;
   double MostLength = VTK_DOUBLE_MAX;
   LandingRing Landing;
-  /// Volumes are drawn with coarse rays; markers outside would cut holes into them.
+  /// Draw markers over a volume with coarse rays, because otherwise they would cut holes into the
+  /// volume.
   bool IsOverVolumes = false;
   bool HasState = false;
-  bool WasFelt = false;  ///< felt something in the last frame
+  bool WasFelt = false;  ///< whether forces were shown in the last frame
   bool HasLetGo = false; ///< whether the tip has not moved since it was last felt
   Vector3 LetGoAt;
   vtkSmartPointer<vtkPolyData> Trail;
@@ -95,7 +98,7 @@ struct vtkHapticRepresentation::vtkInternals
   double Bounds[6];
 
   ///@{
-  /** Draw the markers on the free side of a touched surface, and the markers inside. */
+  /** Draw the markers on the free side of a touched surface, or the markers inside it. */
   void RenderOutside(vtkViewport* viewport)
   {
     this->Spheres[vtkHapticStateSource::PROXY].RenderOpaque(viewport);
@@ -150,7 +153,8 @@ bool AreRaysCoarse(vtkRenderer* renderer)
 
 /// The length of the stylus if StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
-/// The direction of a leaning stylus's handle: a unit vector.
+/// The direction of a leaning stylus's handle, as a unit vector: to the right, up and to the
+/// viewer.
 constexpr double LeanRight = 0.48;
 constexpr double LeanUp = 0.6;
 constexpr double LeanBack = 0.64;
@@ -158,7 +162,7 @@ constexpr double LeanBack = 0.64;
 constexpr double ArrowRadii = 30.0;
 /// The end of the second head, as a fraction of the arrow's length.
 constexpr double SecondHead = 0.8;
-/// Colours by contact; the colour-blind can tell them apart, too.
+/// Colours by contact. Colour-blind people can distinguish them, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
 /** Whether the proxy is on the viewer's side of the touched surface. */
@@ -250,8 +254,8 @@ void vtkHapticRepresentation::UpdateMarkers()
   vtkPolyData* const state = d.Source->GetOutput();
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
-  // A hand that has let go feels nothing, even with the tip in a surface. It leaves no markers
-  // behind, unless the application moves the tip.
+  // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
+  // markers, unless the application moves the tip.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(Source::TIP) : Vector3{};
   if (std::exchange(d.WasFelt, isFelt) && !isFelt)
@@ -296,7 +300,7 @@ void vtkHapticRepresentation::UpdateMarkers()
       this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
     for (int i = 0; i < 3; ++i)
     {
-      // Points of the spring come before points of the arrows.
+      // In the source's points, the points of the spring come before the points of the arrows.
       const vtkIdType point = Source::SPRING + 2 + 2 * i;
       const Vector3 from = at(point);
       const Vector3 whole = at(point + 1) - from;
@@ -499,7 +503,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Landing.RenderHidden(viewport);
     d.Needle.RenderHidden(viewport);
     d.Tool.RenderHidden(viewport);
-    d.Stylus.RenderHidden(viewport); // draw first, so that it covers no marker
+    d.Stylus.RenderHidden(viewport); // draw it before the others, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
       sphere.RenderHidden(viewport);

@@ -5,30 +5,31 @@
  * @brief   the hand in the scene: tip, proxy and forces
  *
  * Draws the latest state of a vtkHapticDevice: the tip at the hand, the proxy that the surface
- * holds back, the spring between them, and the forces:
+ * holds back, the spring between tip and proxy, and the forces:
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
- * It shows the state of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. It
- * can also show a trace or a recording, as a line coloured by any of its arrays: see SetTrail.
+ * The state is that of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. The
+ * class can also show a trace or a recording as a line, coloured by one of its arrays: see
+ * SetTrail.
  *
  * - **The tip** is white.
  * - **The proxy** is grey while it is free, amber while it sticks, green while it slides and
  *   magenta while it is pushed through a surface. In contact, a patch around it has the same
  *   colour; it grows with the force like the contact area of a soft fingertip.
- * - **The spring** is a coil, which opens as it is stretched, and a straight wire where it is slack
- *   (vtkHapticState::GetSlack).
- * - **Forces** are arrows: on the tip the whole force on the hand (white), on the proxy the forces
- *   of the surface (blue) and of friction (orange). A text in the lower right corner shows the
- *   length of a newton.
+ * - **The spring** is a coil that opens as it is stretched. Its slack part
+ *   (vtkHapticState::GetSlack) is a straight wire.
+ * - **Forces** are arrows: the whole force on the hand (white) at the tip, the forces of the
+ *   surface (blue) and of friction (orange) at the proxy. A text in the lower right corner shows
+ *   the length of a newton.
  * - **The stylus** has its point in the proxy, with the orientation that the device measures
  *   (vtkHapticState::GetTipOrientation). If the device measures none, the stylus leans towards the
  *   viewer, as a pen in the right hand.
  *
- * While a virtual device is not armed, spring, arrows and a leaning stylus are hidden. After it was
- * disarmed, nothing is shown until its tip moves. Markers behind a surface or inside the volume are
- * drawn faintly.
+ * While a virtual device is not armed, the spring, the arrows and a leaning stylus are hidden.
+ * After it was disarmed, nothing is shown until its tip moves. Markers behind a surface or inside
+ * the volume are drawn faintly.
  *
  * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
  */
@@ -58,7 +59,10 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the proxy, world units. Default 1.5; the other markers are in proportion. */
+  /**
+   * Radius of the proxy, world units. Default 1.5. The sizes of the other markers are proportional
+   * to it.
+   */
   vtkSetClampMacro(Radius, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
@@ -119,9 +123,9 @@ public:
 
   ///@{
   /**
-   * Whether a stylus is shown at the proxy. Default on. A vtkHapticNeedle in tissue is shown
-   * instead, with its track in the colours of the labels, a vtkHapticPointShell with its mesh, and
-   * a vtkHapticBurr with its head, which turns while it spins.
+   * Whether a stylus is shown at the proxy. Default on. Some tools are shown instead of the stylus:
+   * a vtkHapticNeedle in tissue with its track in the colours of the labels, a vtkHapticPointShell
+   * with its mesh, and a vtkHapticBurr with its head, which turns while it spins.
    */
   vtkSetMacro(StylusVisibility, bool);
   vtkGetMacro(StylusVisibility, bool);
@@ -129,8 +133,8 @@ public:
 
   ///@{
   /**
-   * Length of the stylus, world units, 0 or more. Default 0: 25 times Radius; a stylus that leans
-   * towards the viewer is then at most a third of the distance to the viewer long.
+   * Length of the stylus, world units, 0 or more. Default 0: 25 times Radius, but at most a third
+   * of the distance to the viewer for a stylus that leans towards the viewer.
    */
   vtkSetClampMacro(StylusLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StylusLength, double);
@@ -151,7 +155,8 @@ public:
   ///@{
   /**
    * Whether a ring shows where the tip would first touch if it moved along the line of sight, with
-   * the distance; in contact, the ring is the edge of the patch on the touched surface. Default on.
+   * a text of the distance. In contact, the ring is the edge of the patch on the touched surface.
+   * Default on.
    */
   vtkSetMacro(LandingVisibility, bool);
   vtkGetMacro(LandingVisibility, bool);
@@ -160,9 +165,9 @@ public:
 
   ///@{
   /**
-   * Whether the shapes that the modes of PRIMITIVES hold the hand on are shown, each mode in its
-   * colour: the line of a flow through the proxy, a core line, fibre, vessel or guide; fronts as
-   * discs; and a tensor as an ellipsoid, longer than the proxy so that its axes can be seen.
+   * Whether the shapes are shown on which the modes of PRIMITIVES hold the hand, each in the colour
+   * of its mode: the line of a flow through the proxy, a core line, fibre, vessel or guide; fronts
+   * as discs; and a tensor as an ellipsoid, longer than the proxy so that its axes can be seen.
    * Default on. See vtkHapticState::GetFollowed.
    */
   vtkSetMacro(FollowedVisibility, bool);
@@ -170,16 +175,19 @@ public:
   ///@}
 
   ///@{
-  /** The length of these lines to either side of the proxy (voxels), 1 to 1000. Default 48. */
+  /**
+   * The length of the lines of FollowedVisibility to either side of the proxy (voxels), 1 to 1000.
+   * Default 48.
+   */
   vtkSetClampMacro(FollowedReach, double, 1.0, 1000.0);
   vtkGetMacro(FollowedReach, double);
   ///@}
 
   ///@{
   /**
-   * A line through the points of a trace (default none), coloured by one of its point arrays
-   * (default "Force"; vectors by their length) through a lookup table (default: blue to red over
-   * the array's range).
+   * A line through the points of a trace (default: no line). Its colours show one of the trace's
+   * point arrays (default "Force"; the length of vectors) by a lookup table (default: blue to red
+   * over the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();
@@ -190,8 +198,8 @@ public:
 
   ///@{
   /**
-   * Give the bounds of the markers, draw them, and release their graphics resources; the renderer
-   * calls these.
+   * Compute the bounds of the markers, draw them, and release their graphics resources; the
+   * renderer calls these.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;

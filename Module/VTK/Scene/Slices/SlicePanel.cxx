@@ -36,7 +36,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Finds the index axis nearest to each axis of the world; each index axis is used once. */
+/**
+ * Assigns an index axis to each axis of the world, so that their directions are as similar as
+ * possible.
+ */
 std::array<SignedAxis, 3> MatchWorldAxes(vtkMatrix3x3* direction)
 {
   std::array<int, 3> order{ 0, 1, 2 };
@@ -97,8 +100,8 @@ FeltSamples GetSliceSamples(vtkHapticDevice* device)
 }
 
 constexpr double CrossGap = 7.0;     ///< gap in the crosshair around the tip, pixels
-constexpr double SliceMargin = 1.03; ///< height of the viewport relative to the slice
-constexpr int LeastLettered = 120;   ///< least size of a viewport with letters at its sides, pixels
+constexpr double SliceMargin = 1.03; ///< height of the viewport as a multiple of the slice's height
+constexpr int LeastLettered = 120;   ///< pixels: a smaller viewport has no letters at its sides
 
 void SetUpSliceText(vtkTextActor* actor, double grey)
 {
@@ -109,7 +112,7 @@ void SetUpSliceText(vtkTextActor* actor, double grey)
   actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
-/** A line along the left and the lower edge, which separates a panel from its neighbours. */
+/** Makes a line along the left and the lower edge, which separates a panel from its neighbours. */
 void SetUpSliceFrame(vtkActor2D* actor)
 {
   vtkNew<vtkPoints> points;
@@ -204,7 +207,7 @@ bool SliceImage::PollRemoval(vtkHapticDevice* device)
     ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
-  // While the data time runs, all tissue is felt.
+  // While the data time runs, no tissue is removed: all of it is felt.
   const bool isFelt = filter && !device->GetPlayback()->HasTimeSteps() && this->Samples && !large &&
     filter->GetTouchedImage() && this->Samples == filter->GetBaker().GetTouched()[0].Array;
   RemovedTissue removed = isCoarse || isFelt ? GetRemoved(filter) : RemovedTissue();
@@ -252,7 +255,8 @@ void SliceImage::CopyLeftPart(const int part[6], vtkDataArray* left) const
   place->CopyStructure(this->Image);
   if (this->IsCarved() && this->Cover == CarvedCover::Nearest)
   {
-    // The image is the volume, or a region of the volume, which may have been moved since.
+    // The image is the removed tissue's volume, or a region of it, and may have been moved since.
+    // So use the volume's position.
     place->CopyStructure(this->Removed.Volume);
     place->SetExtent(this->Image->GetExtent());
   }
@@ -346,7 +350,7 @@ std::array<double, 2> SliceImage::EstimateUsualValues() const
   constexpr double below = 0.01;
   constexpr double above = 0.995;
   const vtkIdType count = this->Samples->GetNumberOfTuples();
-  // Use an odd step, so that it does not take the same column of each row.
+  // Use an odd step, because an even step could hit the same column of each row.
   const vtkIdType step = (count / most) | 1;
   std::vector<double> values;
   for (vtkIdType i = 0; i < count; i += step)
@@ -532,7 +536,7 @@ void SlicePanel::PlaceCrosshair()
   {
     const double shown =
       axis == this->Axes.Through.Axis ? this->Mapper->GetSliceNumber() : this->Index[axis];
-    // Draw in front of the slice.
+    // The crosshair lies a little in front of the slice, so that the slice does not hide it.
     centre[axis] = this->Spacing[axis] * shown - 0.01 * camera->GetDistance() * back[axis];
   }
   vtkNew<vtkPoints> points;
@@ -609,7 +613,7 @@ std::array<double, 3> SlicePanel::ComputeIndex(int x, int y) const
   const int* const size = this->Renderer->GetSize();
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   const double pixel = 2.0 * camera->GetParallelScale() / size[1];
-  // The middle of the pixel, relative to the middle of the viewport.
+  // Use the middle of the pixel, relative to the middle of the viewport.
   const double across = pixel * (x + 0.5 - origin[0] - 0.5 * size[0]);
   const double upwards = pixel * (y + 0.5 - origin[1] - 0.5 * size[1]);
   const SliceAxes& axes = this->Axes;
@@ -622,7 +626,7 @@ std::array<double, 3> SlicePanel::ComputeIndex(int x, int y) const
   {
     index[axis] = at[axis] / this->Spacing[axis];
   }
-  // Use the position in the slice, not its middle, if the tip has not moved across it.
+  // Perpendicular to the slice, use the crosshair's own position instead of the slice's middle.
   index[axes.Through.Axis] = this->Index[axes.Through.Axis];
   return index;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One slice of an image in a renderer of its own, with a crosshair and texts.
+ * Draws one slice of an image in a renderer of its own, with a crosshair and texts.
  */
 #ifndef SlicePanel_h
 #define SlicePanel_h
@@ -41,34 +41,38 @@ struct SignedAxis
 /** The layout of one slice on the screen. */
 struct SliceAxes
 {
-  SignedAxis Through; ///< direction of a step of the wheel
-  SignedAxis Right;   ///< right on the screen
+  SignedAxis Through; ///< direction in which a step of the wheel moves the slice
+  SignedAxis Right;   ///< direction that points to the right on the screen
   SignedAxis Up;
   const char* Name = "";                              ///< "Axial", or the name of an index, "k"
-  std::array<const char*, 4> Sides{ "", "", "", "" }; ///< left, right, bottom, top
+  std::array<const char*, 4> Sides{ "", "", "", "" }; ///< texts at the left, right, bottom and top
 };
 
 /**
- * Returns the slices along the index axes k, j and i of an image. If the world's axes point to a
- * patient's left, back and head: the axial, coronal and sagittal slice as radiologists look at
- * them, each along the index axis nearest to the world's axis.
+ * Returns the slices along the index axes k, j and i of an image. If `anatomical`, the world's axes
+ * point to a patient's left, back and head, and the result is the axial, coronal and sagittal slice
+ * as radiologists look at them, each along the index axis nearest to the world's axis.
  */
 std::array<SliceAxes, 3> ComputeSliceAxes(vtkImageData* image, bool anatomical);
 
-/** The image whose slices are shown: the data that a device feels now. */
+/**
+ * The image whose slices are shown. It is the data that a device feels now, unless the application
+ * has chosen an image.
+ */
 class SliceImage
 {
 public:
   /**
-   * Updates the image: the application's choice, or else the image of the device's filter (of a
-   * moving volume, the time step at the data time; of a volume larger than memory, the coarse
-   * level). Returns whether the samples or their geometry have changed. Does not copy samples.
+   * Updates the image: the application's choice, or if it is null, the image of the device's
+   * filter. If that is a moving volume, the image is the time step at the data time; if it is
+   * larger than memory, the coarse level. Returns whether the samples or their geometry have
+   * changed. Does not copy samples.
    */
   bool Update(vtkHapticDevice* device, vtkImageData* chosen);
 
   /**
-   * Checks how much tissue a tool of the device's filter has removed from the shown image. Returns
-   * whether the removed tissue has changed.
+   * Checks what a tool of the device's filter has removed from the shown image. Returns whether the
+   * removed tissue has changed.
    */
   bool PollRemoval(vtkHapticDevice* device);
 
@@ -76,14 +80,14 @@ public:
   bool HasSamples() const { return this->Samples != nullptr; }
 
   /**
-   * Returns the image along its own axes, with its origin in index (0, 0, 0) and without its
-   * direction, so that a slice of it is a rectangle: VTK 9.1's mappers of slices ignore directions.
+   * Returns the image along its own axes: its index (0, 0, 0) is at the origin, and it has no
+   * direction, because VTK 9.1's mappers of slices ignore directions. So each slice is a rectangle.
    */
   vtkImageData* GetPlain() const { return this->Plain; }
 
   /**
-   * Returns an image with a slice across one of its axes: the plain image, or if tissue was
-   * removed, an image of that slice alone, with the remaining tissue.
+   * Returns an image that contains slice `number` perpendicular to an axis. It is the plain image,
+   * or if tissue was removed, an image of that slice alone, with the remaining tissue.
    */
   vtkImageData* GetLayer(int axis, int number);
 
@@ -94,7 +98,10 @@ public:
   }
 
   ///@{
-  /** Convert from the world to continuous indices, within the image, and back. */
+  /**
+   * Convert between positions in the world and continuous indices. Indices from ComputeIndex() and
+   * Clamp() lie within the image.
+   */
   std::array<double, 3> ComputeIndex(const double world[3]) const;
   void ComputeWorld(const std::array<double, 3>& index, double world[3]) const;
   ///@}
@@ -102,8 +109,8 @@ public:
   std::array<double, 3> GetCentre() const;
 
   /**
-   * Returns the value of the nearest sample after tissue was removed: the chosen component, or the
-   * magnitude of all components if UsesMagnitude is true.
+   * Returns the value of the nearest sample, after the removal of tissue. It is the chosen
+   * component, or the magnitude of all components if UsesMagnitude() is true.
    */
   double GetValue(const std::array<double, 3>& index) const;
   /**
@@ -115,8 +122,8 @@ public:
   int GetComponent() const { return this->Component; }
 
   /**
-   * Returns the values below which 1 %, and above which 0.5 %, of some samples lie, with all
-   * tissue.
+   * Returns two values: 1 % of some samples lie below the first, 0.5 % above the second. Removed
+   * tissue counts as if it was there.
    */
   std::array<double, 2> EstimateUsualValues() const;
 
@@ -132,13 +139,13 @@ private:
   void CopyLeftPart(const int part[6], vtkDataArray* left) const;
   double GetValueOf(vtkDataArray* samples, vtkIdType id) const;
 
-  vtkSmartPointer<vtkImageData> Image; ///< placed in the world
+  vtkSmartPointer<vtkImageData> Image; ///< the image, placed in the world
   vtkSmartPointer<vtkDataArray> Samples;
   vtkNew<vtkImageData> Plain;
   RemovedTissue Removed;
   CarvedCover Cover = CarvedCover::Nearest;
-  std::array<Layer, 3> Layers; ///< one per axis
-  vtkMTimeType Time = 0;       ///< time of image and samples when they were fetched
+  std::array<Layer, 3> Layers; ///< one slice for each axis
+  vtkMTimeType Time = 0;       ///< modification time of image and samples when they were fetched
   int Component = 0;
   bool IsMagnitude = false;
 };
@@ -154,23 +161,23 @@ public:
   /** Sets an image without direction: see SliceImage::GetPlain. */
   void SetImage(vtkImageData* plain, const SliceAxes& axes, vtkImageProperty* look);
   void Hide();
-  /** Sets another image with the shown slice: see SliceImage::GetLayer. */
+  /**
+   * Replaces the shown image by one that contains the shown slice, such as SliceImage::GetLayer().
+   */
   void SetLayer(vtkImageData* layer);
 
   /**
-   * Shows the slice of a continuous index, with the crosshair there. The lines have the colours of
-   * the panels whose slices they are, in the order of the index axes.
+   * Shows the slice at a continuous index, with a crosshair there. Each line of the crosshair is
+   * another panel's slice, and has that panel's colour. `colors` are in the order of the index
+   * axes.
    */
   void Show(
     const std::array<double, 3>& index, const std::array<std::array<unsigned char, 3>, 3>& colors);
-  /** Sets the texts: the upper left one begins with the panel's name, in its colour. */
+  /** Sets the texts. The upper left text begins with the panel's name, in the panel's colour. */
   void SetTexts(const std::string& title, const std::string& facts, const std::string& below);
   void SetColor(const std::array<unsigned char, 3>& color);
 
-  /**
-   * Fits the whole slice into the middle of the viewport, whatever its size. Cheap if nothing
-   * changed.
-   */
+  /** Fits the whole slice into the middle of the viewport. Takes no time if nothing has changed. */
   void Fit();
 
   /**

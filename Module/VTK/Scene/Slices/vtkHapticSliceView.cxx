@@ -37,7 +37,7 @@ using SliceIndex = std::array<double, 3>;
 constexpr std::array<SliceColor, 3> PanelColors = { { { 240, 110, 96 }, { 118, 196, 108 },
   { 232, 208, 96 } } };
 
-/** The least motion of the tip that the slices follow, voxels along an axis. */
+/** The distance (voxels along an axis) by which the tip has to move before the slices follow. */
 constexpr double LeastTipMotion = 0.5;
 
 std::string WriteSliceValue(double number)
@@ -67,8 +67,8 @@ struct vtkHapticSliceView::vtkInternals
   SliceIndex Position{}; ///< position of the crosshair
   SliceIndex Tip{};      ///< the tip when the slices last followed it
   bool HasTip = false;
-  bool HasUsual = false;    ///< usual values of the image, or of a previous image
-  vtkMTimeType Updated = 0; ///< time when the settings were last shown
+  bool HasUsual = false;    ///< whether Usual was computed, from this image or a previous one
+  vtkMTimeType Updated = 0; ///< time when the settings were last applied
 
   std::vector<vtkRenderer*> GetColumn() const
   {
@@ -198,7 +198,7 @@ void vtkHapticSliceView::SetRenderWindow(vtkRenderWindow* window)
     window->AddObserver(vtkCommand::StartEvent, d.StartObserver);
   }
   this->Modified();
-  this->Update(); // the mouse may arrive before the first frame
+  this->Update(); // update now, because the mouse may be used before the first frame
 }
 
 //------------------------------------------------------------------------------
@@ -356,7 +356,7 @@ bool vtkHapticSliceView::vtkInternals::PollTip()
   {
     motion = std::max(motion, std::abs(tip[axis] - this->Tip[axis]));
   }
-  // Ignores where the tip rests before the first touch.
+  // Ignore the position where the tip rests before the first touch.
   const int status = device->GetStatus();
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   const bool follows = this->HasTip ? motion >= LeastTipMotion : isArmed;
@@ -392,7 +392,8 @@ bool vtkHapticSliceView::vtkInternals::UpdateImage()
   const bool stays = hadSamples && this->HasUsual;
   this->Position = stays ? this->Shown.ComputeIndex(world) : this->Shown.GetCentre();
   const std::array<double, 2> usual = this->Shown.EstimateUsualValues();
-  // Time steps of a moving volume, and regions of a large volume, do not change window and level.
+  // Extend the usual values, so that neither time steps of a moving volume nor regions of a large
+  // volume make the brightness jump.
   this->Usual[0] = this->HasUsual ? std::min(this->Usual[0], usual[0]) : usual[0];
   this->Usual[1] = this->HasUsual ? std::max(this->Usual[1], usual[1]) : usual[1];
   this->HasUsual = true;

@@ -13,9 +13,10 @@
  *   slices->SetRenderWindow(window);
  *   style->SetSliceView(slices);
  *
- * Before each picture of the window the slices follow the tip, within the image and in steps of
- * half a voxel, without a call by the program. With the last line above, a click moves the tip to
- * its place, and a key of vtkInteractorStyleHaptic shows and hides the slices.
+ * The slices follow the tip before each frame of the window, without a call by the program. They
+ * stay within the image, and move once the tip has moved by half a voxel. With the last line above,
+ * a click moves the tip to its position, and a key of vtkInteractorStyleHaptic shows and hides the
+ * slices.
  *
  * Slices lie along the image's own axes, so that nothing is interpolated between them, even if the
  * image is oblique. They show the felt time step of a moving volume, and the coarse level of a
@@ -51,8 +52,8 @@ public:
 
   ///@{
   /**
-   * The device whose tip the slices follow, as of its last UpdateState(), and whose image they
-   * show.
+   * The device whose image the slices show, and whose tip they follow. The tip is that of the
+   * device's last UpdateState().
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
@@ -60,22 +61,23 @@ public:
 
   ///@{
   /**
-   * An image to show instead of the image of the device's filter, such as a larger one. Default:
-   * none.
+   * An image to show instead of the image of the device's filter, for example a larger image.
+   * Default: none.
    */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
-  /** The window in which the slices are; nullptr removes them. The window is not kept alive. */
+  /** The window that shows the slices; nullptr removes them. The window is not kept alive. */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
 
   ///@{
   /**
-   * Name the tissue of a range of values: see vtkHapticHeadUpDisplay::AddTissue. Default: no names.
+   * A head-up display that names the tissue of a range of values: see
+   * vtkHapticHeadUpDisplay::AddTissue. Default: none, so that tissue has no name.
    */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
@@ -117,20 +119,23 @@ public:
 
   ///@{
   /**
-   * The range of values from black to white, 0 or more. Default 0: nearly all values of the image,
-   * and the level is not used.
+   * The range of values from black to white, 0 or more. Default 0: the range contains nearly all
+   * values of the image, and ColorLevel is not used.
    */
   vtkSetClampMacro(ColorWindow, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ColorWindow, double);
   ///@}
 
   ///@{
-  /** The value in the middle of the range. Default 0. */
+  /** The value in the middle of the range from black to white. Default 0. */
   vtkSetMacro(ColorLevel, double);
   vtkGetMacro(ColorLevel, double);
   ///@}
 
-  /** Get window and level of the picture, also where the values of the image have chosen them. */
+  /**
+   * Get the range of values from black to white that is shown, and its middle, also if they were
+   * computed from the image.
+   */
   void GetShownWindowLevel(double windowLevel[2]) VTK_SIZEHINT(2);
 
   ///@{
@@ -148,35 +153,38 @@ public:
 
   ///@{
   /**
-   * The position of the crosshair (world), which is in the image; without an image, the origin.
-   * After it was set, the slices stay there until the tip moves by half a voxel.
+   * The position of the crosshair (world). It lies within the image; without an image, it is the
+   * origin. After it was set, the slices stay there until the tip moves by half a voxel.
    */
   void SetPosition(const double position[3]) VTK_SIZEHINT(3);
   void GetPosition(double position[3]) VTK_SIZEHINT(3);
   ///@}
 
   /**
-   * Get the slice at a position of the window (pixels from its lower left corner); -1 if there is
-   * none.
+   * Get the number of the slice at a position of the window (pixels from its lower left corner); -1
+   * if there is none.
    */
   int FindSlice(int x, int y);
 
   /**
    * Convert a position in the window (pixels) to the world position that the slice shows there, or
-   * the nearest one in the image. False if there is no image.
+   * to the nearest position in the image. Returns false if there is no image.
    */
   bool FindPosition(int slice, int x, int y, double position[3]) VTK_SIZEHINT(3);
 
   /**
-   * Move a position (world) across a slice by a number of voxels, towards a patient's head, back or
-   * left, within the image. False if there is no image.
+   * Move a position (world) perpendicular to a slice by a number of voxels, towards a patient's
+   * head, back or left, within the image. Returns false if there is no image.
    */
   bool MoveAcross(int slice, double voxels, double position[3]) VTK_SIZEHINT(3);
 
-  /** Get the text of a slice, its lines in the order in which they are shown. */
+  /** Get the text of a slice. Its lines are in the order in which they are shown. */
   std::string GetText(int slice);
 
-  /** Follow the tip. The window calls this before each picture. True if the slices have changed. */
+  /**
+   * Move the slices to the tip. The window calls this before each frame. Returns whether the slices
+   * have changed.
+   */
   bool Update();
 
 protected:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The look of a CT volume in the explorer and in ParaView's plugin: the eye sees the surface that a
+ * The look of a CT volume in the explorer and in ParaView's plugin: it shows the surface that a
  * hand meets first, in the colours of skin and bone.
  */
 #ifndef CTLook_h
@@ -13,26 +13,26 @@
 namespace VolumeHaptics
 {
 
-/** Between two stops, opacity and colour change linearly. */
+/** A stop of the look. Between two stops, opacity and colour change linearly. */
 struct LookStop
 {
   double Value;
-  double Opacity; ///< opacity of a layer of LookLayer
+  double Opacity; ///< opacity of a layer of thickness LookLayer
   std::array<double, 3> Color;
 };
 
 /**
  * The thickness (voxels) of the layer to which opacities refer. With this thickness, half of the
- * picture comes from the first half voxel, and rays in steps of a voxel do not make visible steps.
+ * picture comes from the first half voxel, and rays that sample once per voxel show no steps.
  */
 constexpr double LookLayer = 4.0;
 /** The opacity of felt tissue. */
 constexpr double LookOpaque = 0.998;
 
 /**
- * The opacity rises from zero to full on the edge from air to fat and skin, where a hand meets it.
- * Hidden tissue is not felt; so the foam and the blankets around a body, which are hardly visible,
- * are not felt either.
+ * Hounsfield units between which the opacity rises from zero to full: the edge from air to fat and
+ * skin, where a hand meets a body. Hidden tissue is not felt, so the foam and the blankets around a
+ * body, which are hardly visible, are not felt either.
  */
 constexpr double CTLookClear = -350.0;
 constexpr double CTLookSkin = -300.0;

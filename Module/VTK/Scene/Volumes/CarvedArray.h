@@ -3,7 +3,7 @@
 /**
  * @file
  * The remaining values of an array from which a tool has removed tissue, brick by brick, for
- * display. The array itself is never written to, because the servo reads it.
+ * display. The array itself is never changed, because the servo reads it.
  */
 #ifndef CarvedArray_h
 #define CarvedArray_h
@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** Returns the nearest value that a type can hold. */
+/** Returns the value of a type that is nearest to a number. */
 template <typename T>
 T NearestOf(double value)
 {
@@ -37,22 +37,23 @@ T NearestOf(double value)
   {
     using Limits = std::numeric_limits<T>;
     const double rounded = std::round(value);
-    // The largest 64-bit integers are no doubles. NaN becomes the lowest value.
+    // The limits of 64-bit integers are rounded when they become doubles, so compare before the
+    // cast. NaN becomes the lowest value.
     return !(rounded > static_cast<double>(Limits::lowest())) ? Limits::lowest()
       : rounded >= static_cast<double>(Limits::max())         ? Limits::max()
                                                               : static_cast<T>(rounded);
   }
 }
 
-/** The array of an image; one component has lost tissue. */
+/** The array of an image, of which one component has lost tissue. */
 struct CarvedArray
 {
-  vtkSmartPointer<vtkDataArray> Array; ///< the array of the image's points, x first
+  vtkSmartPointer<vtkDataArray> Array; ///< the array of the image's points, along x first
   int Component = 0;
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * The index of the array's first sample among the removed fractions; not 0 for a region of a
-   * volume.
+   * The indices of the array's first sample in the volume whose tissue is removed. They are not 0
+   * if the array is a region of that volume.
    */
   std::int64_t First[3] = { 0, 0, 0 };
   std::shared_ptr<TissueRemoval> Removal;
@@ -67,7 +68,7 @@ struct CarvedArray
   }
 };
 
-/** A part of an array: indices count from its first sample. */
+/** A box of an array. Its indices count from the array's first sample. */
 struct ArrayBox
 {
   std::int64_t Low[3];
@@ -76,28 +77,30 @@ struct ArrayBox
   std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
-/** What to read of a brick: its fractions, or all tissue as if nothing was removed. */
+/** What to read of a brick: the remaining tissue, or all tissue as if nothing was removed. */
 enum class BrickContent : std::uint8_t
 {
   Left,
   Whole
 };
 
-/** Computes the box of a brick's samples. False if none of them is in the array. */
+/** Computes the box of a brick's samples. Returns false if none of them is in the array. */
 bool ComputeBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
 
 /**
- * Writes the tuples of a brick, x first, in the array's own type: integers are rounded, and values
- * beyond the type's range become its limits.
+ * Writes the tuples of a brick, along x first, in the array's own type. Integers are rounded, and
+ * values beyond the type's range become its limits.
  */
 void CopyBrick(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, std::vector<unsigned char>& to);
 
-/** Writes the tuples of CopyBrick() as float, each component times its scale plus its bias. */
+/**
+ * Writes the tuples of CopyBrick() as float, each component multiplied by its scale, plus its bias.
+ */
 void CopyBrickAsFloat(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, const float* scale, const float* bias, std::vector<unsigned char>& to);
 
-/** The changed bricks of a removal that are not shown yet. */
+/** Collects the changed bricks of a removal until they are shown. */
 class FollowedBricks
 {
 public:
@@ -118,8 +121,8 @@ public:
   FollowedBricks& operator=(const FollowedBricks&) = delete;
 
   /**
-   * Checks for changes; returns whether there are any. If there are more followers than the bricks
-   * support, any change marks all bricks.
+   * Collects the bricks that have changed; returns whether there are any. If the removal has no
+   * room for another follower, any change marks all bricks.
    */
   bool Poll()
   {
@@ -152,7 +155,7 @@ public:
     }
     return isAny;
   }
-  /** Calls f(brick) for each waiting brick, and forgets them. */
+  /** Calls f(brick) for each collected brick, and forgets the collected bricks. */
   template <typename F>
   void Drain(F&& f)
   {
@@ -163,7 +166,7 @@ public:
     }
     this->Waiting.clear();
   }
-  /** Calls f(brick) for all existing bricks, and forgets the waiting ones. */
+  /** Calls f(brick) for all existing bricks, and forgets the collected ones. */
   template <typename F>
   void DrainAll(F&& f)
   {
@@ -176,12 +179,14 @@ public:
   }
 
 private:
-  /** Number of followers that the bricks must still have room for: a recording needs one. */
+  /**
+   * Number of followers for which the removal must still have room, because a recording needs one.
+   */
   static constexpr int KeptFree = 1;
 
   std::shared_ptr<TissueRemoval> Removal;
   int Follower;
-  std::uint64_t Changes = 0; ///< number of changes at the last look, if this is no follower
+  std::uint64_t Changes = 0; ///< number of changes at the last poll, if this is no follower
   std::vector<bool> Waits;
   std::vector<std::uint32_t> Waiting;
 };

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether an image is a part of a volume. */
+/** Whether an image's extent lies in a volume's extent. */
 bool IsPartOf(vtkImageData* image, vtkImageData* volume)
 {
   const int* const part = image->GetExtent();
@@ -34,20 +34,20 @@ bool IsPartOf(vtkImageData* image, vtkImageData* volume)
     part[4] >= whole[4] && part[5] <= whole[5];
 }
 
-/** A range of fractions along an axis, without End. */
+/** A range of fractions along an axis; End is excluded. */
 struct SampleSpan
 {
   std::int64_t Begin;
   std::int64_t End;
 };
 
-/** The fractions that belong to the samples of a part of an image, by axis. */
+/** The fractions of tissue that belong to the samples of a part of an image, for each axis. */
 class TissueRaster
 {
 public:
   /**
-   * Finds the fractions for a part of an image. False if the axes of image and volume are not
-   * parallel.
+   * Computes the fractions for a part of an image. Returns false if the axes of image and volume
+   * are not parallel.
    */
   bool Compute(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
   {
@@ -66,7 +66,7 @@ public:
         step[b] -= origin[b];
       }
       const double across = std::abs(step[(a + 1) % 3]) + std::abs(step[(a + 2) % 3]);
-      // False for NaN, too.
+      // This is also false for NaN.
       if (!(across <= Rounding * step[a]))
       {
         return false;
@@ -77,7 +77,7 @@ public:
     }
     return true;
   }
-  /** Returns the samples to which a range of fractions belongs, along an axis. */
+  /** Returns the image's samples along an axis that have fractions in a range. */
   SampleSpan ComputeSamples(int axis, std::int64_t begin, std::int64_t end) const
   {
     const std::vector<SampleSpan>& all = this->Axes[axis];
@@ -87,7 +87,7 @@ public:
       first, all.end(), [end](const SampleSpan& one) { return one.Begin < end; });
     return { first - all.begin(), last - all.begin() };
   }
-  /** Returns the mean of a sample's fractions, in bytes. */
+  /** Returns the mean of a sample's fractions, from 0 to CarvedBricks::Whole. */
   double ComputeFraction(
     const CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k) const
   {
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  static constexpr double Rounding = 1e-6; ///< voxels
+  static constexpr double Rounding = 1e-6; ///< voxels: tolerance for parallel axes
 
   static void Map(vtkImageData* from, vtkImageData* to, const double index[3], double mapped[3])
   {
@@ -140,7 +140,10 @@ private:
   std::vector<SampleSpan> Axes[3];
 };
 
-/** Calls f for each row of a part of an image. */
+/**
+ * Calls f for each row of a part of an image, with the row's first sample in the image, its first
+ * sample in the part, and its length.
+ */
 template <typename F>
 void ForEachRow(const int extent[6], const int part[6], F&& f)
 {
@@ -182,7 +185,7 @@ void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDa
     });
 }
 
-/** Subtracts the removed fraction of one component from the samples that have lost tissue. */
+/** Subtracts the removed tissue from one component of the samples that have lost tissue. */
 template <typename T>
 void CarvePart(
   const RemovedTissue& removed, const TissueRaster& raster, const int part[6], vtkDataArray* left)
@@ -193,7 +196,7 @@ void CarvePart(
   const std::int64_t ny = part[3] - part[2] + 1;
   const int components = left->GetNumberOfComponents();
   auto* const values = static_cast<T*>(left->GetVoidPointer(0)) + removed.Component;
-  // The fractions of a sample may lie in several bricks.
+  // The fractions of a sample may lie in several bricks, so mark the samples that are done.
   std::vector<bool> isDone(static_cast<std::size_t>(left->GetNumberOfTuples()), false);
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)
@@ -266,11 +269,11 @@ bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
   {
     return false;
   }
-  // Take it from the last model's whole volume; the image may be a region of it.
+  // Compare with the whole volume of the last model, because the image may be a region of it.
   vtkImageData* const volume = RemovalData::Of(removal).Geometry;
   if (!IsPartOf(image, volume))
   {
-    return false; // a new volume, without a model yet
+    return false; // the volume is new, and has no model yet
   }
   const int* const whole = volume->GetExtent();
   const int* const extent = image->GetExtent();

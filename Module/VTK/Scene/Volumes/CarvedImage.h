@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The remaining values of an image from which a tool has removed tissue; the image may have fewer
- * samples than the felt volume. For small images and parts of images: each change writes all values
- * anew.
+ * The remaining values of an image from which a tool has removed tissue. The image may have fewer
+ * samples than the felt volume. This is for small images and parts of images, because each change
+ * rewrites all values.
  */
 #ifndef CarvedImage_h
 #define CarvedImage_h
@@ -24,15 +24,15 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** The tissue removed from a volume at one time, and its place. */
+/** The tissue that was removed from a volume up to one time, and where the volume is. */
 struct RemovedTissue
 {
-  std::shared_ptr<TissueRemoval> Removal; ///< null: nothing
+  std::shared_ptr<TissueRemoval> Removal; ///< null: nothing was removed
   vtkSmartPointer<vtkImageData> Volume;   ///< place and extent of the volume, without samples
-  vtkMTimeType VolumeTime = 0;            ///< time of Volume
+  vtkMTimeType VolumeTime = 0;            ///< modification time of Volume
   int Component = 0;                      ///< the component that has lost tissue
   double Air = 0.0;                       ///< value of a sample without tissue
-  std::uint64_t Changes = 0;              ///< number of the bricks' changes
+  std::uint64_t Changes = 0;              ///< number of changes of the removal's bricks
 
   bool IsSame(const RemovedTissue& other) const
   {
@@ -43,47 +43,50 @@ struct RemovedTissue
 };
 
 /**
- * Returns the removed tissue of the whole volume; the samples in memory may be a region of it, or
- * none. Empty while all tissue remains, and for a new volume without a model.
+ * Returns the tissue that was removed from the whole volume. The samples in memory may be a region
+ * of it, or none. The result is empty while all tissue remains, and for a new volume without a
+ * model.
  */
 RemovedTissue GetRemoved(vtkVolumeHapticsFilter* filter);
 
 /**
- * Collects in `carved` what was removed from the filter's present volume, without an update. False
- * if no tissue was removed from it.
+ * Collects in `carved` what was removed from the filter's present volume, without an update.
+ * Returns false if no tissue was removed from it.
  */
 bool CollectCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
-/** The tissue of the volume that a sample of an image stands for. */
+/** Which samples of the volume a sample of an image stands for. */
 enum class CarvedCover : std::uint8_t
 {
-  Nearest, ///< the nearest sample of the volume
-  Voxel    ///< the mean of the volume's samples in the sample's voxel
+  Nearest, ///< the nearest sample
+  Voxel    ///< all samples in the image's voxel: their mean is shown
 };
 
 /**
- * Writes the remaining values of a part of an image, x first. All tissue remains if the axes of the
- * image and the volume are not parallel.
- * @param place  the image where it lies in the world of the volume
- * @param whole  its array, with all tissue
+ * Writes the remaining values of a part of an image, along x first. If the axes of the image and
+ * the volume are not parallel, writes the values of all tissue.
+ * @param place  the image, placed in the world of the volume
+ * @param whole  the array of the image, with all tissue
  * @param part   the extent to write
  * @param left   an array of the same type
  */
 void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* place,
   vtkDataArray* whole, const int part[6], vtkDataArray* left);
 
-/** An image with scalars of the remaining tissue. */
+/** A copy of an image whose scalars are those of the remaining tissue. */
 class CarvedImage
 {
 public:
   /**
-   * Updates the copy of an image, which may be null. Returns whether Get() is a new image. An image
-   * that is the same object with the same time is not checked again.
+   * Updates the copy of an image, which may be null. Returns whether Get() returns another image
+   * than before. Does not check an image again if it is the same object with the same modification
+   * time.
    */
   bool Update(
     vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover);
   /**
-   * Returns the image itself while nothing is removed; otherwise a copy, which no longer changes.
+   * Returns the image itself while nothing is removed; otherwise returns a copy that will not
+   * change.
    */
   vtkImageData* Get() const { return this->Left; }
 

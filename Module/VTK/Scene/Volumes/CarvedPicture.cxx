@@ -44,7 +44,7 @@ vtkImageData* GetImage(vtkVolumeMapper* mapper, int port)
     : nullptr;
 }
 
-/** Returns what a mapper shows of the image on a port. */
+/** Returns the array that a mapper shows of the image on a port. */
 vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
 {
   vtkImageData* const image = GetImage(mapper, port);
@@ -64,12 +64,12 @@ bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
 }
 
 /**
- * The most renderings in a row that may show all tissue; if there are more, VTK uploads the array
- * in each rendering.
+ * The most renderings in a row that may show all tissue. After more of them, VTK is assumed to
+ * upload the array in each rendering.
  */
 constexpr int MostMissed = 3;
 
-/** Whether VTK fills the textures of a type from the array itself, or from floats made of it. */
+/** Whether VTK fills textures from arrays of this type, or from floats computed from them. */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -94,7 +94,7 @@ public:
     for (std::size_t i = 0; i < std::size(Names); ++i)
     {
       state->vtkglGetIntegerv(Names[i], &this->Before[i]);
-      // VTK caches these, and may not have noticed what others have set.
+      // VTK caches these settings, and may not know that others have changed them.
       state->vtkglPixelStorei(Names[i], this->Before[i]);
       state->vtkglPixelStorei(Names[i], Names[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
     }
@@ -128,7 +128,7 @@ private:
   int Buffer = 0;
 };
 
-/** Whether a mapper now draws in a way that uses no texture of its image. */
+/** Whether a mapper currently draws in a way that uses no texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
@@ -204,11 +204,11 @@ void CarvedCopy::CopyImage()
   this->Left = CopyArray(this->Carved.Array);
   if (this->Left->HasInformation())
   {
-    // The copy belongs to this picture.
+    // The copy itself is no touched array.
     this->Left->GetInformation()->Remove(vtkHapticRemoval::TOUCHED_ARRAY());
   }
   this->Copy->ShallowCopy(this->Image);
-  // Arrays keep their indices, because a mapper may select an array by index.
+  // Keep the indices of arrays, because a mapper may select an array by index.
   vtkPointData* const from = this->Image->GetPointData();
   vtkPointData* const to = this->Copy->GetPointData();
   to->Initialize();
@@ -269,7 +269,7 @@ void CarvedCopy::WriteBrick(std::uint32_t brick)
   }
   CopyBrick(this->Carved, brick, BrickContent::Left, box, this->Buffer);
   const auto tuple = static_cast<std::int64_t>(
-    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes
+    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes of a tuple
   auto* const values = static_cast<unsigned char*>(this->Left->GetVoidPointer(0));
   const unsigned char* from = this->Buffer.data();
   for (std::int64_t k = box.Low[2]; k < box.Low[2] + box.Size[2]; ++k)
@@ -350,8 +350,8 @@ bool CarvedTexture::DetectUpload()
     this->HasFailed = true;
     return false;
   }
-  // The block's pointer is valid only after an upload: VTK does not reset it when it releases the
-  // texture.
+  // The block's pointer is valid only after an upload, because VTK does not reset it when it
+  // releases the texture.
   if (this->Texture && this->UploadTime == volume->UploadTime.GetMTime())
   {
     return false;
@@ -400,7 +400,7 @@ void CarvedTexture::EndRendering()
   vtkOpenGLGPUVolumeRayCastMapper* const mapper = this->Mapper;
   if (!mapper || mapper->AssembledInputs.empty())
   {
-    return; // nothing was drawn
+    return; // the mapper has drawn nothing
   }
   vtkVolumeTexture* const volume = this->FindVolume();
   bool isLate = false;
@@ -412,7 +412,8 @@ void CarvedTexture::EndRendering()
   {
     this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.DrainAll(f); });
   }
-  // Without a texture, this rendering built the shader, and the next rendering will send the event.
+  // If there is no texture, this rendering built the shader without sending the event that the next
+  // one sends.
   const bool wasMissed = isLate || !this->Texture;
   this->Missed = wasMissed ? this->Missed + 1 : 0;
   this->HasFailed = this->HasFailed || this->Missed > MostMissed;
@@ -464,7 +465,7 @@ void CarvedTexture::Restore()
   vtkOpenGLRenderWindow* const window = texture ? texture->GetContext() : nullptr;
   if (!window || texture->GetHandle() == 0)
   {
-    return; // VTK uploads the array before drawing it again
+    return; // nothing to restore: VTK uploads the array before it draws it again
   }
   window->PushContext();
   if (this->IsAtHand())
@@ -538,7 +539,7 @@ void CarvedPictures::Collect(
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    // Null if the mapper has a picture's copy, or shows something else.
+    // This is null if the mapper has the copy of another picture, or shows another array.
     vtkDataArray* const shown = GetShownArray(mapper, array.Array);
     const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
     {
@@ -580,7 +581,7 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
       this->Collect(one, array, now);
     }
   }
-  // The end of a picture changes the shown tissue, too.
+  // Pictures that end also change what is shown.
   bool isNew = std::any_of(this->All.begin(), this->All.end(),
     [](const std::unique_ptr<CarvedPicture>& one) { return one != nullptr; });
   this->All = std::move(now);

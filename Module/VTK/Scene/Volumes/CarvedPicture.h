@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets a volume mapper show what a tool has left of the array that it shows.
+ * Makes a volume mapper show what a tool has left of the mapper's array.
  *
- * vtkOpenGLGPUVolumeRayCastMapper, also within a vtkSmartVolumeMapper, gets only the changed bricks
- * of its texture. For any other mapper, a copy of the image replaces its input. The
- * application's image is never written to. At the end the mapper shows all tissue again.
+ * For vtkOpenGLGPUVolumeRayCastMapper, also within a vtkSmartVolumeMapper, only the changed bricks
+ * are written into its texture. For any other mapper, a copy of the image replaces its input. The
+ * application's image is never changed. At the end the mapper shows all tissue again.
  *
- * Results that VTK computes from the image itself remain those of all tissue: the range of values,
- * and the contours with which vtkGPUVolumeRayCastMapper::UseDepthPass begins its rays.
+ * VTK still computes some results from all tissue of the image: the range of values, and the
+ * contours at which vtkGPUVolumeRayCastMapper::UseDepthPass begins its rays.
  */
 #ifndef CarvedPicture_h
 #define CarvedPicture_h
@@ -39,23 +39,23 @@ class vtkVolumeTexture;
 namespace VolumeHaptics
 {
 
-/** Returns the port whose image has an array that the mapper shows; -1 if there is none. */
+/** Returns the mapper's port with the image whose array is shown; -1 if the array is not shown. */
 int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
 /**
- * Returns the array that a mapper shows, if it is the touched array or is shown instead of it: see
- * vtkHapticRemoval::TOUCHED_ARRAY(). Null otherwise.
+ * Returns the array that a mapper shows if it is the touched array, or an array that is shown
+ * instead: see vtkHapticRemoval::TOUCHED_ARRAY(). Otherwise returns null.
  */
 vtkDataArray* GetShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
 
 /**
- * Shows what a tool has left of an image by a copy that replaces a mapper's input: for mappers
- * whose texture can't be written to. It needs the memory of the array once more, and VTK uploads
- * or prepares all of it after each change.
+ * Shows what a tool has left of an image by a copy that replaces a mapper's input. It is for
+ * mappers whose texture can't be changed, since it needs the memory of the array once more, and VTK
+ * uploads or prepares the whole array after each change.
  */
 class CarvedCopy
 {
 public:
-  /** Borrows the array and the bricks. */
+  /** `carved` and `bricks` must outlive this object. */
   CarvedCopy(vtkVolumeMapper* mapper, const CarvedArray& carved, FollowedBricks& bricks)
     : Mapper(mapper)
     , Carved(carved)
@@ -66,7 +66,8 @@ public:
   CarvedCopy& operator=(const CarvedCopy&) = delete;
 
   /**
-   * Copies the image if it is new or modified, else the waiting bricks. Returns whether it changed.
+   * Copies the image if it is new or modified; otherwise only the collected bricks. Returns whether
+   * the copy changed.
    */
   bool Update();
   bool IsCopy(vtkDataObject* image) const { return this->Input.IsImage(image); }
@@ -74,7 +75,7 @@ public:
   vtkAlgorithmOutput* GetReplaced() const { return this->Input.GetReplaced(); }
 
 private:
-  /** Replaces the input that shows the array; false if no input does. */
+  /** Replaces the input that shows the array. Returns false if no input shows it. */
   bool Replace();
   void CopyImage();
   void WriteBrick(std::uint32_t brick);
@@ -83,9 +84,9 @@ private:
   const CarvedArray& Carved;
   FollowedBricks& Bricks;
   vtkSmartPointer<vtkImageData> Image; ///< the application's image
-  vtkMTimeType ImageTime = 0;          ///< time of the image when it was copied
+  vtkMTimeType ImageTime = 0;          ///< modification time of the image when it was copied
   vtkSmartPointer<vtkImageData> Copy;
-  vtkSmartPointer<vtkDataArray> Left; ///< the copy's array
+  vtkSmartPointer<vtkDataArray> Left; ///< the copy's array of remaining values
   ReplacedInput Input;                ///< restores the mapper's own input at the end
   std::vector<unsigned char> Buffer;
 };
@@ -94,33 +95,36 @@ private:
  * Writes removed tissue into the texture of an array that a vtkOpenGLGPUVolumeRayCastMapper draws,
  * a brick at a time.
  *
- * It observes the mapper's rendering events and works within them: there the texture exists, and
- * its OpenGL context is current. Before each rendering it sends the changed bricks. If VTK has
- * uploaded the array anew, with all tissue, it sends all bricks before anything is drawn. If VTK
- * builds its shader in the same rendering, as in a window's first one, there is no event between
- * upload and drawing; then that rendering shows all tissue, and another one is requested.
+ * It works within the mapper's rendering events, because then the texture exists, and its OpenGL
+ * context is current. Before each rendering it sends the changed bricks. If VTK has uploaded the
+ * array again, with all tissue, it sends all bricks before anything is drawn. But if VTK builds its
+ * shader in the same rendering, as in a window's first one, there is no event between upload and
+ * drawing. That rendering shows all tissue, and another rendering is requested.
  */
 class CarvedTexture
 {
 public:
-  /** Borrows the array and the bricks. */
+  /** `carved` and `bricks` must outlive this object. */
   CarvedTexture(
     vtkOpenGLGPUVolumeRayCastMapper* mapper, const CarvedArray& carved, FollowedBricks& bricks);
-  /** Leaves the texture as it is. */
+  /** The texture stays as it is: call Restore() before if needed. */
   ~CarvedTexture();
   CarvedTexture(const CarvedTexture&) = delete;
   CarvedTexture& operator=(const CarvedTexture&) = delete;
 
-  /** Whether the last rendering did not show everything, so that another one is needed. */
+  /**
+   * Returns whether the last rendering did not show all changes, so that another one is needed.
+   * Resets the answer.
+   */
   bool DrainFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**
-   * Whether bricks can't be written to the texture: the texture is divided into blocks or does not
-   * hold the array, it can't show the value of removed tissue, because this is beyond the array's
-   * range, or VTK uploads it in each rendering.
+   * Whether bricks can't be written to the texture. That is so if the texture is divided into
+   * blocks or does not hold the array, if it can't show the value of removed tissue because the
+   * value is beyond the array's range, or if VTK uploads the texture in each rendering.
    */
   bool IsImpossible() const { return this->HasFailed; }
   /**
-   * Forgets the texture. Call this if the mapper shows something else; it may show the array again
+   * Forgets the texture. Call this if the mapper shows another array; it may show this array again
    * later.
    */
   void Forget();
@@ -130,7 +134,7 @@ public:
 private:
   void HandleRendering(unsigned long event);
   void EndRendering();
-  /** Detects whether VTK has uploaded another texture, or the same texture anew. */
+  /** Detects whether VTK has uploaded another texture, or the same texture again. */
   bool DetectUpload();
   /** Whether the last texture can be written to now. */
   bool IsAtHand() const;
@@ -145,7 +149,7 @@ private:
   vtkNew<vtkCallbackCommand> Observer;
   vtkWeakPointer<vtkTextureObject> Texture;
   vtkMTimeType UploadTime = 0; ///< time of the texture when all bricks were sent
-  vtkTimeStamp Begin;          ///< begin of the rendering
+  vtkTimeStamp Begin;          ///< time when the rendering began
   int Missed = 0;              ///< number of renderings in a row that showed all tissue
   bool IsFrameDue = false;
   bool HasFailed = false;
@@ -155,7 +159,7 @@ private:
 class CarvedPicture
 {
 public:
-  /** @param shown the array that the mapper shows; null stands for the touched array itself */
+  /** @param shown the array that the mapper shows; null if it shows the touched array itself */
   CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDataArray* shown = nullptr);
   ~CarvedPicture();
   CarvedPicture(const CarvedPicture&) = delete;
@@ -173,7 +177,7 @@ public:
   vtkDataArray* GetShown() const { return this->Carved.Array; }
   /** Whether an image is the copy that replaces the mapper's own image. */
   bool IsCopy(vtkDataObject* image) const { return this->Copy && this->Copy->IsCopy(image); }
-  /** Returns the image that the copy replaces; null if there is none. */
+  /** Returns the image that the copy replaces; null if no copy is shown. */
   vtkAlgorithmOutput* GetReplaced() const
   {
     return this->Copy ? this->Copy->GetReplaced() : nullptr;
@@ -195,8 +199,8 @@ class CarvedPictures
 {
 public:
   /**
-   * Updates the volumes that show the arrays, in all renderers of a renderer's window. Returns
-   * whether a frame should be drawn. Other volumes show all of their tissue again.
+   * Updates the volumes that show the arrays, in all renderers of a renderer's window; volumes that
+   * no longer show them get all of their tissue back. Returns whether a frame should be drawn.
    */
   bool Update(vtkRenderer* renderer, const std::vector<CarvedArray>& arrays);
   /** Makes all volumes show all of their tissue again. */
@@ -204,8 +208,8 @@ public:
 
   ///@{
   /**
-   * Return the first input of a mapper, as the application has set it, and its image; null if there
-   * is none.
+   * Return the first input of a mapper as the application has set it, or the image of that input;
+   * null if there is no input.
    */
   vtkAlgorithmOutput* GetGivenInput(vtkVolumeMapper* mapper) const;
   vtkImageData* GetImage(vtkVolumeMapper* mapper) const;

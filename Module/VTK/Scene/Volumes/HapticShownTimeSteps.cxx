@@ -38,8 +38,8 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 }
 
 /**
- * Whether an array is a component of another array, as far as some samples show: a mask of the same
- * shape, for example, is none.
+ * Whether an array seems to be a component of another array. Only some samples are compared, which
+ * excludes, for example, a mask of the same shape.
  */
 bool IsComponentOf(vtkDataArray* array, vtkDataArray* timeSteps)
 {
@@ -116,7 +116,7 @@ void HapticShownTimeSteps::Collect(vtkRenderer* renderer, vtkHapticDevice* devic
       now.push_back({ volume, mapper, input, nullptr, nullptr });
     }
   }
-  // Forget volumes that have left the scene, or show something else.
+  // Volumes that have left the scene, or that show other data, are forgotten.
   this->Restore();
   this->All = std::move(now);
 }

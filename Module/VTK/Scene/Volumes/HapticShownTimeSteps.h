@@ -4,9 +4,9 @@
  * @file
  * Makes the volumes of a scene show a moving volume in its felt state.
  *
- * The source of the image reads time steps ahead of the hand, so its output is not the felt time
- * step. Volumes that show the felt image get a picture instead: the time step nearest to the
- * servo's time.
+ * The source of the image reads time steps in advance, so its output is not the felt time step.
+ * Volumes that show the felt image get another image instead: the time step nearest to the servo's
+ * time.
  */
 #ifndef HapticShownTimeSteps_h
 #define HapticShownTimeSteps_h
@@ -26,26 +26,26 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** Whether a shown image is the given image, or has its scalars. */
+/** Whether a shown image is a given image, or has its scalars. */
 bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
 
 class HapticShownTimeSteps
 {
 public:
   /**
-   * Finds the volumes that show the image of a device's filter; call this before time steps are
-   * read. Such a volume has the image, or its scalars; or if the image's components are time steps,
-   * an image of its shape with one of them.
+   * Collects the volumes that show the image of a device's filter; call this before time steps are
+   * read. The data of such a volume are the image, an image with the same scalars, or if the
+   * image's components are time steps, an image of the same shape with one of these components.
    */
   void Collect(vtkRenderer* renderer, vtkHapticDevice* device);
   /**
-   * Shows the time step at the device's time in these volumes. Returns whether the time step
+   * Makes these volumes show the time step at the device's time. Returns whether the time step
    * changed.
    */
   bool Show(vtkHapticDevice* device);
-  /** Restores what the volumes showed. */
+  /** Makes these volumes show their own images again. */
   void Restore();
-  /** Whether an image is one of the pictures made here. */
+  /** Whether an image is one of the time steps shown here. */
   bool IsPicture(vtkImageData* image) const;
 
 private:
@@ -53,9 +53,11 @@ private:
   {
     vtkWeakPointer<vtkVolume> Volume;
     vtkWeakPointer<vtkVolumeMapper> Mapper;
-    vtkWeakPointer<vtkImageData> Image;    ///< the application's image
-    vtkSmartPointer<vtkImageData> Picture; ///< shown now; null if the volume does not move yet
-    vtkSmartPointer<vtkAlgorithm> Before;  ///< the mapper's input; its connection keeps no producer
+    vtkWeakPointer<vtkImageData> Image; ///< the application's image
+    /** the shown time step; null if the volume does not move yet */
+    vtkSmartPointer<vtkImageData> Picture;
+    /** producer of the mapper's input; kept alive here, because a connection does not keep it */
+    vtkSmartPointer<vtkAlgorithm> Before;
     int Port = 0;
   };
   static void Restore(Shown& shown);

@@ -104,7 +104,7 @@ const Difference Differences[] = {
     "are. Cure: vtkResampleToImage as the input of the mapper." },
 };
 
-/** Whether corners of an image have different positions in a scene and in the world. */
+/** Whether corners of an image have different positions in the scene and in the felt image. */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
   const int* const here = shown->GetExtent();
@@ -131,7 +131,7 @@ bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* 
   return false;
 }
 
-/** Whether a mapper's regions leave out a part of an image. */
+/** Whether a mapper's cropping regions leave out a part of an image. */
 bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
 {
   constexpr int everything = 0x7ffffff;
@@ -139,7 +139,7 @@ bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
   {
     return false;
   }
-  // The planes are in the image's own coordinates; the middle region is bit 13.
+  // The planes are in the image's own coordinates. The middle region is bit 13.
   double planes[6];
   double bounds[6];
   mapper->GetCroppingRegionPlanes(planes);
@@ -172,7 +172,7 @@ bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
   return false;
 }
 
-/** Whether a filter leaves out the regions that a mapper leaves out. */
+/** Whether a filter leaves out the same regions as a mapper. */
 bool FeelsCropping(
   vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt)
 {
@@ -249,11 +249,11 @@ bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
   return isDrawn && TouchesIsosurface(filter);
 }
 
-/** Whether most of a face of an image is opaque, as far as some samples show. */
+/** Whether most of a face of an image is opaque, judged from some samples. */
 bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int face,
   vtkPiecewiseFunction* opacity)
 {
-  constexpr int looks = 24; // samples along an axis
+  constexpr int looks = 24; // number of samples along an axis
   constexpr double opaque = 0.5;
   const int axis = face / 2;
   const int others[2] = { (axis + 1) % 3, (axis + 2) % 3 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the volumes of a scene that show the felt image differently from how it is felt.
+ * Detects volumes of a scene that look different from how they are felt.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h
@@ -26,15 +26,19 @@ class CarvedPictures;
 class HapticShownTimeSteps;
 struct DrawnVolume;
 
-/** Warns of volumes that are shown otherwise than felt, of each difference once while it lasts. */
+/**
+ * Warns of volumes that are shown differently from how they are felt. Warns of each difference once
+ * while it lasts.
+ */
 class HapticShownVolumes
 {
 public:
   /**
    * Returns a warning for each visible volume of a renderer that shows the image, or an image with
-   * the same scalars, otherwise than the filter feels it. It names the new differences since the
-   * last call, and the cures. These volumes also count as showing the image: time steps of a moving
-   * volume, copies of what a tool has left of it, and the followed volume.
+   * the same scalars, differently from how the filter feels it. A warning names the differences
+   * that are new since the last call, and their cures. Some volumes also count as showing the
+   * image: time steps of a moving volume, copies of what a tool has left of it, and the followed
+   * volume.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
@@ -49,7 +53,10 @@ private:
   unsigned int DetectDifferences(const DrawnVolume& drawn, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
     const CarvedPictures& carved, vtkVolume* followed);
-  /** Counts blanks in the drawn data: cells alone, or points and cells. */
+  /**
+   * Return whether the drawn data have blanked cells, or, if points are drawn, blanked points or
+   * cells.
+   */
   bool HasBlanks(vtkImageData* image, bool areCells);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
   /** Whether the followed volume is opaque up to all faces of its image. */
@@ -62,14 +69,17 @@ private:
     vtkMTimeType Time = 0;
     bool HasAny = false;
   };
-  Blanks Last[2]; ///< the blanks of points and of cells; stored, because counting takes a pass over
-                  ///< the image
+  /**
+   * for points and for cells: whether there are blanks; stored, because finding out takes a pass
+   * over the image
+   */
+  Blanks Last[2];
   struct Filled
   {
     vtkMTimeType Time = 0;
     bool IsTrue = false;
   };
-  Filled LastFilled; ///< state of the followed volume
+  Filled LastFilled; ///< whether the followed volume is opaque up to all faces
 };
 
 } // namespace VolumeHaptics

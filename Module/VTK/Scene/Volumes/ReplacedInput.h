@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An image that replaces the input of a volume mapper for a time.
+ * An image that temporarily replaces the input of a volume mapper.
  */
 #ifndef ReplacedInput_h
 #define ReplacedInput_h
@@ -27,9 +27,9 @@ public:
   ReplacedInput(const ReplacedInput&) = delete;
   ReplacedInput& operator=(const ReplacedInput&) = delete;
 
-  /** Replaces a mapper's input, or the replacement already there, by an image. */
+  /** Replaces a mapper's input by an image, also if another image replaces it already. */
   void Put(vtkVolumeMapper* mapper, int port, vtkImageData* image);
-  /** Restores the mapper's own input, unless the application has set another one. */
+  /** Restores the mapper's own input, unless the application has set another input. */
   void GiveBack();
   /** Whether the mapper shows the image. */
   bool IsShown() const;
@@ -38,7 +38,10 @@ public:
     return mapper == this->Mapper && this->IsShown();
   }
   bool IsImage(vtkDataObject* image) const { return image && image == this->Image; }
-  /** Updates the replaced input, which the mapper no longer updates. Null if there is none. */
+  /**
+   * Updates the replaced input, because the mapper no longer updates it. Returns its image; null if
+   * there is none.
+   */
   vtkImageData* UpdateReplaced() const;
   /** Returns the replaced input; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const
@@ -50,7 +53,8 @@ private:
   vtkWeakPointer<vtkVolumeMapper> Mapper;
   int Port = 0; ///< port of the mapper
   vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkAlgorithm> Before; ///< the mapper's input; its connection keeps no producer
+  /** producer of the mapper's input; kept alive here, because a connection does not keep it */
+  vtkSmartPointer<vtkAlgorithm> Before;
   int BeforePort = 0;
 };
 

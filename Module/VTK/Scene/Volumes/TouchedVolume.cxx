@@ -51,7 +51,7 @@ enum Kind
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
 
-/** Whether values have opacity: a table over their range. */
+/** Whether values have opacity, from a table over their range. */
 class OpacityTable
 {
 public:
@@ -86,8 +86,8 @@ void HideBinary(const T* mask, vtkUnsignedCharArray* flags)
 }
 
 /**
- * Hides voxels by label: by the opacity of the label's own function, if it has one, at the voxel's
- * value.
+ * Hides the voxels without opacity. A voxel's opacity at its value is that of its label's own
+ * function, or of the common function if the label has none.
  */
 void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedCharArray* flags)
 {
@@ -114,7 +114,7 @@ void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedChar
   }
 }
 
-/** Hides the voxels outside all isosurfaces: those below the lowest one. */
+/** Hides the voxels below the lowest isosurface, which are outside all of them. */
 void HideBelow(const DrawnImage& drawn, vtkUnsignedCharArray* flags)
 {
   vtkContourValues* const values = drawn.Property->GetIsoSurfaceValues();
@@ -160,7 +160,7 @@ void Connect(vtkVolumeHapticsFilter* filter, vtkAlgorithmOutput* input)
   }
 }
 
-/** Whether a filter asks for an array of data that are no image. */
+/** Whether a filter already asks for this array of data that are no image. */
 bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
 {
   vtkInformation* const asked = filter->GetInputArrayInformation(0);
@@ -428,7 +428,7 @@ bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
   {
     const int next = (axis + 1) % 3;
     const double together = std::abs(Dot(columns[axis], columns[next]));
-    // False for NaN, too.
+    // This is also false for NaN.
     if (!(together <= rounding * spacing[axis] * spacing[next]) || !(spacing[axis] > 0.0))
     {
       return false;
@@ -563,7 +563,7 @@ void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCha
     this->Placed->Initialize();
     this->Placed->SetExtent(extent);
     points->ShallowCopy(shown->GetCellData());
-    points->RemoveArray(name); // the flags of the points are others
+    points->RemoveArray(name); // these flags belong to points, not to cells
   }
   else
   {
@@ -590,7 +590,7 @@ void TouchedVolume::Place(
   vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Get(drawn);
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
-  // A sheared image stays at its own place: the style warns of it.
+  // Leave a sheared image where it is: the interactor style warns of it.
   if (!PlaceImage(this->Drawn.Matrix, shown, place))
   {
     place->CopyStructure(shown);

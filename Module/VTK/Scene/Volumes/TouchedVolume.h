@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets a filter feel what a vtkVolume shows.
+ * Makes a filter feel what a vtkVolume shows.
  */
 #ifndef TouchedVolume_h
 #define TouchedVolume_h
@@ -33,7 +33,7 @@ class vtkVolumeProperty;
 namespace VolumeHaptics
 {
 
-/** An image, and the objects that decide what it shows. */
+/** An image, and the objects that determine how it is shown. */
 struct DrawnImage
 {
   vtkAbstractVolumeMapper* Mapper;
@@ -42,19 +42,19 @@ struct DrawnImage
   vtkDataArray* Array; ///< the drawn array; null if there is none
   bool AreCells;       ///< whether the drawn array belongs to the cells
   int Component;
-  bool IsIsosurface; ///< whether an isosurface is felt, so that it needs no flags
+  bool IsIsosurface; ///< whether an isosurface is felt, for which no flags are needed
 };
 
 class DrawnVoxels
 {
 public:
   /**
-   * Returns flags of the image's points, or of its cells if these are drawn. Hidden points or cells
-   * have the flag vtkDataSetAttributes::HIDDENPOINT. Null if the image's own flags are enough. The
-   * array stays the same until something changes.
+   * Returns flags of the image's points, or of its cells if the drawn array belongs to cells.
+   * Hidden points or cells have the flag vtkDataSetAttributes::HIDDENPOINT. Returns null if the
+   * image's own flags are sufficient. The array stays the same until something changes.
    */
   vtkUnsignedCharArray* Get(const DrawnImage& drawn);
-  /** Whether the flags decide alone, without the property's scalar opacity. */
+  /** Whether the flags alone decide what is felt, without the property's scalar opacity. */
   bool ReplacesOpacity() const { return this->HasOpacity; }
 
 private:
@@ -84,8 +84,7 @@ vtkImageData* GetBinaryMask(vtkAbstractVolumeMapper* mapper);
 vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
 /**
- * Whether a mask fits an image: it has one voxel for each voxel of the image, wherever it is
- * placed.
+ * Whether a mask fits an image: whether it has as many voxels along each axis, wherever it lies.
  */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
@@ -101,24 +100,23 @@ public:
   TouchedVolume();
   ~TouchedVolume();
 
-  /** Follows a volume from now on; null follows none, and leaves the filter unchanged. */
+  /** Sets the volume to follow. Null follows no volume, and leaves the filter unchanged. */
   void Set(vtkVolume* volume) { this->Volume = volume; }
   vtkVolume* Get() const { return this->Volume; }
 
   /**
-   * Searches the drawn volumes for this volume: they tell its place and its mapper. False if it is
-   * not among them; its own matrix then gives its place.
+   * Searches the drawn volumes for this volume, to get its position and its mapper. Returns false
+   * if it is not among them; then its own matrix gives its position.
    */
   bool FindPlace(const std::vector<DrawnVolume>& drawn);
   /** Whether FindPlace() has found data that a mapper shows. */
   bool HasData() const { return this->Drawn.GetData() != nullptr; }
 
   /**
-   * Passes to the filter what has changed of: the volume's data at their place; the array and the
-   * component that are drawn; opacity, cropping and clipping planes; and the hidden voxels. Images
-   * of a moving volume, which the mapper shows instead of its own input, are ignored. A copy that
-   * shows what a tool has left of the image stands for the image. Data that are no image keep their
-   * place.
+   * Passes changes of the volume to the filter: its data, as they are placed; the drawn array and
+   * component; opacity, cropping and clipping planes; and hidden voxels. Ignores the time steps of
+   * a moving volume that the mapper shows instead of its own input. Replaces a copy that shows what
+   * a tool has left by the image itself. Data that are no image keep their position.
    */
   void Update(vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
     const CarvedPictures& carved);
@@ -127,57 +125,55 @@ private:
   /** Returns the drawing mapper's input, as the application set it; null if there is none. */
   vtkAlgorithmOutput* GetGivenInput(const CarvedPictures& carved) const;
   void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
-  /**
-   * Makes the filter touch the array that the mapper draws, and the drawn one of its components.
-   */
+  /** Makes the filter touch the array that the mapper draws, and a component that is drawn. */
   void ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter);
   int ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
   /**
-   * Copies the image. If `flags` are given, they replace those of its points. If `areCells`, the
-   * copy is an image of the cells' centres, with the cell arrays as point arrays.
+   * Copies the image. If `flags` is given, it replaces the flags of the image's points. If
+   * `areCells`, the copy has a point at each cell's centre, with the cell arrays as point arrays.
    */
   void CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags);
   void Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter);
 
   vtkSmartPointer<vtkVolume> Volume;
   DrawnVolume Drawn;
-  vtkNew<vtkImageData> Placed; ///< the image where the volume's matrix puts it
-  vtkMTimeType PlacedTime = 0; ///< the image's change time when it was placed
+  vtkNew<vtkImageData> Placed; ///< the image, moved to where the volume's matrix puts it
+  vtkMTimeType PlacedTime = 0; ///< the image's modification time when it was placed
   bool ArePlacedCells = false;
   vtkSmartPointer<vtkUnsignedCharArray> PlacedFlags;
   DrawnVoxels Voxels;
 };
 
 /**
- * Writes the place of an image under a matrix to another image: origin, spacing and direction.
- * False if the matrix shears the voxels, so that they are no boxes.
+ * Writes to `placed` where a matrix puts an image: origin, spacing and direction. Returns false if
+ * the matrix shears the voxels, because they would be no boxes.
  */
 bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed);
 
 /**
- * Returns the array of its data that a mapper shows (of composite data, the array of the first
- * block); null if there is none.
+ * Returns the array that a mapper shows of its data; null if there is none. For composite data, it
+ * is the array of the first block. Sets `areCells` if the array belongs to cells.
  */
 vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
 
 /** Whether a filter touches an isosurface, at its IsoValue. */
 bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
 
-/** Whether a filter feels an array of its image, or one that the array stands for. */
+/** Whether a filter feels this array of its image, or the array that this array is shown for. */
 bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array);
 
-/** Whether a component of an array has opacity somewhere. */
+/** Whether a component of an array has opacity for any value. */
 bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component);
 
 /**
- * Returns the component of an array that a mapper draws with opacity; if there are several, the
- * wanted one if it is among them.
+ * Returns a component of an array that a mapper draws with opacity: the wanted component if
+ * possible.
  */
 int ChooseDrawnComponent(
   vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted);
 
 /**
- * Copies the planes of a mapper's regions to the axes of another image of the same shape, or of the
+ * Converts a mapper's cropping planes to the axes of another image of the same shape, or of the
  * image of its cells' centres.
  */
 void MapCropping(

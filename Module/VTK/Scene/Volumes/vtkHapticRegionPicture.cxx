@@ -46,7 +46,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Flags of vtkVolumeMapper::SetCroppingRegionFlags; none includes the box itself. */
+/**
+ * The parts behind and before the box, as flags of vtkVolumeMapper::SetCroppingRegionFlags. The
+ * flag of the box itself is never set.
+ */
 struct RegionParts
 {
   int Behind = 0;
@@ -54,8 +57,8 @@ struct RegionParts
 };
 
 /**
- * Computes the flags for a box (lower and upper bounds along x, y and z) and an eye, or a direction
- * to an eye that is infinitely far away.
+ * Computes which parts are behind or before a box (lower and upper bounds along x, y and z). `eye`
+ * is the eye's position, or the direction to an eye that is infinitely far away.
  */
 RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDirection)
 {
@@ -67,7 +70,7 @@ RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDire
     bool isBox = true;
     for (int a = 0; a < 3; ++a)
     {
-      // The plane between part and box has the eye on the box's side.
+      // The part is behind the box if the eye is on the box's side of the plane between them.
       const double above = side[a] > 0 ? (isDirection ? eye[a] : eye[a] - box[2 * a + 1])
                                        : (isDirection ? -eye[a] : box[2 * a] - eye[a]);
       isBehind = isBehind || (side[a] != 0 && above <= 0.0);
@@ -82,18 +85,18 @@ RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDire
 }
 
 /**
- * Copies the samples of a region for display, on a thread of its own. All functions are for the
- * owner.
+ * Copies the samples of a region for display, on a thread of its own. Only the owner's thread may
+ * call its functions.
  */
 class FineBox
 {
 public:
   /**
-   * Follows an image; null for none. Of a large image, copies every n-th sample along each axis, up
-   * to the wanted number.
+   * Starts copying an image if it is new; null stands for no image. If the image has more than
+   * `mostVoxels`, copies only every n-th sample along each axis.
    */
   void Update(vtkImageData* image, vtkIdType mostVoxels);
-  /** Returns the last finished copy, in the image's place; null if there is none. */
+  /** Returns the last finished copy, placed like the image; null if there is none. */
   vtkImageData* GetCopy() const { return this->Copy; }
 
 private:
@@ -110,15 +113,15 @@ private:
 
   void ApplyCopy(const std::vector<char>& bytes);
 
-  vtkSmartPointer<vtkDataArray> Source; ///< source of the copy in work, or of the last one
-  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in work
+  vtkSmartPointer<vtkDataArray> Source; ///< the array that is being copied, or was copied last
+  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the unfinished copy
   vtkSmartPointer<vtkImageData> Copy;
-  Key Of;    ///< key of the copy in work, or of the last copy
+  Key Of;    ///< key of the unfinished copy, or of the last copy
   Key Shown; ///< key of Copy
   KeyedWork<Key, Bytes> Work;
 };
 
-/** Every n-th sample of an extent along each axis. */
+/** A box of every n-th sample of an extent along each axis. */
 struct SparseBox
 {
   SparseBox(const int extent[6], vtkIdType mostVoxels)
@@ -196,8 +199,8 @@ void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
       image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], origin);
     this->Next->SetOrigin(origin);
     this->Next->SetDirectionMatrix(image->GetDirectionMatrix());
-    // A region never changes. It is kept until the next one is there, so that no other array gets
-    // its address.
+    // The samples of a region never change. The array is kept until the next region comes, so that
+    // no other array gets its address, which is the key.
     const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
     const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
     this->Work.Poll(key,
@@ -209,7 +212,7 @@ void FineBox::Update(vtkImageData* image, vtkIdType mostVoxels)
   {
     this->ApplyCopy(**made);
     this->Shown = key;
-    this->Work.Forget(); // releases its memory
+    this->Work.Forget(); // releases the memory of the work's result
   }
 }
 
@@ -228,7 +231,7 @@ using namespace VolumeHaptics;
 namespace
 {
 /**
- * The parts of the coarse volume in front of the box; the mapper of the parts behind draws them.
+ * Draws the parts of the coarse volume in front of the box, with the mapper of the parts behind it.
  */
 class FrontParts : public vtkVolume
 {
@@ -262,8 +265,8 @@ private:
 vtkStandardNewMacro(FrontParts);
 
 /**
- * Returns the matrix from the plain block of an image's voxels, which all mappers draw alike, to
- * the image's place.
+ * Returns in `toWorld` the matrix from an axis-aligned block of an image's voxels, which all
+ * mappers draw alike, to the image's position.
  */
 void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
@@ -279,8 +282,8 @@ void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 }
 
 /**
- * Computes the box of a block in other coordinates; false if it would not be parallel to their
- * axes.
+ * Computes the box of a block in other coordinates. Returns false if it would not be parallel to
+ * their axes.
  */
 bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
 {
@@ -312,7 +315,10 @@ bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
   return true;
 }
 
-/** Scales the other mapper's distances between samples and rays to voxels of another size. */
+/**
+ * Copies the quality of a mapper to another mapper. Sample distances are scaled to the size of the
+ * other mapper's voxels.
+ */
 void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
 {
   to->SetBlendMode(from->GetBlendMode());
@@ -358,15 +364,16 @@ public:
   }
 
   vtkImageData* GetFine() const { return this->LeftFine.Get(); }
-  /** Shows the remaining tissue in the region's copy, which lies in the world. */
+  /** Shows the remaining tissue in the region's copy, which is placed in the world. */
   void UpdateFine(vtkImageData* copy, const RemovedTissue& removed)
   {
     this->LeftFine.Update(copy, copy, removed, CarvedCover::Nearest);
   }
 
   /**
-   * Shows the remaining tissue in the coarse image, all of which is copied and uploaded. So it does
-   * nothing after changes within the box, where only the fine image is visible.
+   * Shows the remaining tissue in the coarse image. Does nothing after changes within the box,
+   * where only the fine image is visible, because each change copies and uploads the whole coarse
+   * image.
    */
   void UpdateCoarse(vtkImageData* copy, const RemovedTissue& removed)
   {
@@ -394,7 +401,8 @@ public:
     this->CoarseBox = copy;
     const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
     RemovedTissue made = removed;
-    made.Changes = this->CoarseMade.Changes; // the bricks report these changes
+    // leave out this number, because HasChangesOutside() has counted the changes
+    made.Changes = this->CoarseMade.Changes;
     const vtkMTimeType time = std::max(own->GetMTime(), this->Volume->GetMatrix()->GetMTime());
     const bool isElse = this->CoarseTime != time || !made.IsSame(this->CoarseMade);
     if (!hasChanged && !isOtherBox && !isElse)
@@ -403,7 +411,7 @@ public:
     }
     if (isElse)
     {
-      this->LeftCoarse = {}; // its source no longer exists
+      this->LeftCoarse = {}; // the image from which it was copied no longer exists
     }
     this->CoarseTime = time;
     this->CoarseMade = removed;
@@ -430,7 +438,7 @@ public:
   /** Whether bricks have changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
-    // The box in fractions of tissue, reduced by a brick on each side. Empty without a copy.
+    // The box in indices of the volume, made smaller by a brick on each side. Empty without a copy.
     double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
     if (copy)
     {
@@ -476,7 +484,10 @@ public:
     this->Front->VisibilityOff();
   }
 
-  /** Draws the box between the parts of the coarse volume; false if that fails. */
+  /**
+   * Draws the box between the coarse parts behind it and before it. Returns false if that is not
+   * possible.
+   */
   bool Refine(vtkImageData* copy)
   {
     vtkVolumeMapper* const coarse = this->GetCoarseMapper();
@@ -575,11 +586,11 @@ public:
   CarvedImage LeftCoarse;
   ReplacedInput CoarseInput;
   ///@{
-  /** The data from which LeftCoarse was made. */
+  /** The state from which LeftCoarse was made. The next five members belong to it. */
   std::shared_ptr<TissueRemoval> Carved;
   std::unique_ptr<FollowedBricks> Bricks;
   vtkSmartPointer<vtkImageData> CoarseBox;
-  RemovedTissue CoarseMade; ///< removed tissue in the coarse image
+  RemovedTissue CoarseMade; ///< the removed tissue that the coarse image shows
   vtkMTimeType CoarseTime = 0;
   ///@}
   bool HasCropped = false;
@@ -671,7 +682,7 @@ void vtkHapticRegionPicture::SetRenderer(vtkRenderer* renderer)
   if (renderer)
   {
     renderer->AddObserver(vtkCommand::StartEvent, this->Internals->Observer);
-    // Add these after the coarse volume, in this order.
+    // Props are drawn in the order of this list, so add these after the coarse volume.
     renderer->AddViewProp(this->Internals->Fine);
     renderer->AddViewProp(this->Internals->Front);
   }

@@ -4,8 +4,8 @@
  * @class   vtkHapticRegionPicture
  * @brief   shows a large volume coarsely, and finely where its samples are in memory
  *
- * A vtkVolume shows the coarse image of a vtkHapticRegionSource. This class cuts the box of the
- * resident region out of the coarse image, and shows the felt samples there:
+ * A vtkVolume shows the coarse image of a vtkHapticRegionSource. In the box of the resident region,
+ * this class shows the felt samples instead:
  *
  *   coarse->SetMapper(mapper); // of source->GetCoarseImage()
  *   renderer->AddVolume(coarse);
@@ -14,14 +14,15 @@
  *   picture->SetVolume(coarse);
  *   picture->SetRenderer(renderer);
  *
- * From then on the box follows the hand, before each picture. A thread copies the samples of the
- * box, so that neither servo nor GUI thread waits; at most two copies exist, the shown and the next
- * one. Only the coarse image is shown where it replaces late samples, and if the axes of the two
- * images are not parallel.
+ * From then on, the box follows the hand: it is updated before each frame. A thread copies the
+ * samples of the box, so that neither the servo nor the GUI thread waits. At most two copies exist:
+ * the shown one and the next one. The coarse image alone is shown while samples are late, and if
+ * the axes of the two images are not parallel.
  *
  * The planes of the box divide the coarse volume around it into 26 parts. The parts behind the box
- * are drawn first, then the box, then the parts in front of it, so that the picture looks like one
- * volume from all sides. The mappers of box and parts have the class of the volume's mapper.
+ * are drawn first, then the box, then the parts in front of it, so that they look like one volume
+ * from all sides. The mappers of the box and of the parts have the same class as the volume's
+ * mapper.
  *
  * @sa vtkHapticRegionSource
  */
@@ -55,10 +56,10 @@ public:
 
   ///@{
   /**
-   * The filter that feels the source. Tissue that its tools have removed (vtkHapticBurr) is then
-   * shown neither finely nor coarsely: the volume's mapper gets a copy of its image in which each
-   * coarse voxel has the mean of what is left. The mapper gets its image back when this object
-   * releases the volume. Default: none, so that all tissue is shown.
+   * The filter that feels the source. If it is set, tissue that its tools have removed
+   * (vtkHapticBurr) is shown neither finely nor coarsely. For this, the volume's mapper gets a copy
+   * of its image in which each coarse voxel has the mean of the remaining tissue; it gets its image
+   * back when this object releases the volume. Default: none, so that all tissue is shown.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
@@ -66,8 +67,8 @@ public:
 
   ///@{
   /**
-   * The volume that shows the coarse image. The image of its mapper has no direction of its own;
-   * the volume's matrix may turn it. This class sets the mapper's cropping. Default: none.
+   * The volume that shows the coarse image. The image of its mapper must have no direction of its
+   * own, but the volume's matrix may turn it. This class sets the mapper's cropping. Default: none.
    */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
@@ -75,8 +76,8 @@ public:
 
   ///@{
   /**
-   * The renderer that shows the box; nullptr removes it. The renderer is not kept alive. Default:
-   * none.
+   * The renderer in which the box is shown; nullptr removes the box. The renderer is not kept
+   * alive. Default: none.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -84,15 +85,15 @@ public:
 
   ///@{
   /**
-   * The most voxels of the box, 1000 to 2^30. Default 262144. A larger box shows every second voxel
-   * along each axis, or every third one, and so on, because mappers compute all gradients within
-   * one picture.
+   * The most voxels that the box shows, 1000 to 2^30. Default 262144. Of a larger box, only every
+   * second or third voxel (and so on) along each axis is shown, because mappers compute all
+   * gradients within one frame.
    */
   vtkSetClampMacro(MaximumVoxels, vtkIdType, 1000, 1073741824);
   vtkGetMacro(MaximumVoxels, vtkIdType);
   ///@}
 
-  /** Follow source and camera. The renderer calls this before each picture. */
+  /** Update the box for the source and the camera. The renderer calls this before each frame. */
   void Update();
 
   /** Get whether a box is shown finely. */
