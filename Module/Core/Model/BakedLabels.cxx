@@ -43,7 +43,8 @@ void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::u
   MixMemory& memory) const noexcept
 {
   const LabelMaterial* const material = this->Table.Find(label);
-  // At the border, some voxels of a cell may have labels although the position itself has none.
+  // A cell without a label is not remembered: at the border, some voxels of the cell may have
+  // labels.
   memory.Baked = label == NoLabel ? 0 : baked;
   memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
   memory.HasMaterial = material != nullptr;
@@ -67,7 +68,8 @@ void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) 
       }
     }
   };
-  // Mostly there are two labels; no branch depends on their places.
+  // A cell mostly has two labels. Their fractions are added up without a branch that depends on
+  // where they are.
   const std::int64_t first = cell.Label[0];
   std::int64_t second = first;
   double fractions[2] = { 0.0, 0.0 };

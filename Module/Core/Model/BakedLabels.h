@@ -19,13 +19,13 @@ namespace VolumeHaptics
 {
 
 /**
- * The material of the last cell whose eight voxels have one label. The next position mostly lies in
- * the same cell. The memory saves time and changes no result.
+ * The material of the last cell whose eight voxels have one label. The next position is mostly in
+ * the same cell, so that the lookup is faster. The memory changes no result.
  */
 struct MixMemory
 {
-  std::uint64_t Baked = 0; ///< the number of the BakedVolume that used it; 0: none
-  Vector3 Low;             ///< the cell's smallest indices
+  std::uint64_t Baked = 0; ///< number of the BakedVolume that used the memory; 0 if none did
+  Vector3 Low;             ///< smallest indices of the cell
   bool HasMaterial = false;
   LabelMaterial Material;
 
@@ -41,13 +41,13 @@ struct MixMemory
 struct BakedLabels
 {
   LabelView View;
-  Affine3 IndexToWorld;                ///< maps View's indices to the world; not singular
+  Affine3 IndexToWorld;                ///< maps View's indices to the world; can be inverted
   std::shared_ptr<const void> Samples; ///< keeps the memory of the label image alive
   LabelTable Table;
   std::shared_ptr<const ForbiddenZone> Zone; ///< null if no label is forbidden
   /**
-   * If not null, View is its finer grid, and "label image" stands for this grid everywhere here.
-   * The zone belongs to the image itself.
+   * The finer grid that View shows, or null. If it is not null, "label image" means this grid
+   * everywhere in this struct, but Zone belongs to the original image.
    */
   std::shared_ptr<const FineLabels> Fine;
   ///@{
@@ -56,17 +56,17 @@ struct BakedLabels
   Affine3 ImageToWorld;
   ///@}
 
-  /** Replaces the view by a finer grid of the image; null changes nothing. */
+  /** Replaces the view by a finer grid of the image. Does nothing for null. */
   void Refine(std::shared_ptr<const FineLabels> fine);
 
-  /** Computes the distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
+  /** Returns the distance to forbidden labels, as ForbiddenZone::Compute. Zone must not be null. */
   ForbiddenPlace ComputeForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
    * Replaces the functions' values at a position by the materials of the labels there, mixed by the
-   * trilinear fractions of the eight voxels around it. The fraction of labels without a value keeps
-   * the functions' value; if no label has one, the values stay the same to the bit. `baked` is the
-   * number of the volume with these labels.
+   * trilinear weights of the eight voxels around it. Where a label does not set a value, the
+   * functions' value counts with the label's weight. If no label sets a value, it does not change
+   * by a bit. `baked` is the number of the volume with these labels.
    */
   void Mix(const Vector3& labelIndex, std::uint64_t baked, MixMemory& memory,
     MaterialTable::Values& values) const noexcept

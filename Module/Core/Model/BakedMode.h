@@ -53,21 +53,21 @@ enum class ModeKind : std::uint8_t
   Surface
 };
 
-/** The field that a kind of mode reads. */
+/** The data that a kind of mode reads. */
 enum class ModeInput : std::uint8_t
 {
   Vectors,
   Tensors,
-  Scalars, ///< the modes that the model feels
+  Scalars, ///< the scalars that the model feels
   Line,    ///< ModeDescription::Guide
   Surface  ///< ModeDescription::GuideSurface
 };
 
-/** Facts of a kind of mode; ModePrimitives.cxx has its primitives. */
+/** Facts about a kind of mode. ModePrimitives.cxx computes its primitives. */
 struct ModeFacts
 {
   ModeInput Input;
-  int Primitives; ///< number of primitives of an active mode, wherever the mode is read
+  int Primitives; ///< number of primitives that an active mode adds to a tick
   bool HasLine;   ///< whether the hand is free along a line
   bool HasFront;  ///< whether the hand is free on a surface
 };
@@ -89,11 +89,11 @@ constexpr ModeFacts FactsOf(ModeKind kind) noexcept
   return facts[static_cast<std::size_t>(kind)];
 }
 
-/** Where a GuideSurface holds the hand. */
+/** The side of a GuideSurface on which it holds the hand. */
 enum class GuideSide : std::uint8_t
 {
   Surface, ///< on the surface
-  Outside, ///< on the side to which normals point, or on the surface itself
+  Outside, ///< on the side to which the normals point, or on the surface itself
   Inside
 };
 
@@ -104,16 +104,15 @@ struct ModeDescription
   VectorView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Volume.Data alive
   VectorAxes Axes = VectorAxes::World;
-  Polyline First = ConstantPolyline(2.0);  ///< N
-  Polyline Second = ConstantPolyline(0.0); ///< N
-  bool IsActive = true;                    ///< if false, the mode adds no primitives, but keeps its
-                                           ///< number
-  bool IsDark = false;                     ///< Ridge: the vessel is darker than its surroundings
-  double SnapDistance = 3.0;               ///< Ridge: the distance (voxels) up to which the whole
-                                           ///< strength holds
-  std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
+  Polyline First = ConstantPolyline(2.0);  ///< first strength in N; see the table above
+  Polyline Second = ConstantPolyline(0.0); ///< second strength in N
+  bool IsActive = true; ///< whether the mode adds primitives; an inactive mode still has its number
+  bool IsDark = false;  ///< for Ridge: whether vessels are darker than their surroundings
+  /** For Ridge: largest distance (voxels) at which the mode holds with all of its strength. */
+  double SnapDistance = 3.0;
+  std::shared_ptr<const GuidePath> Guide; ///< for Guide: the line; not null
   ///@{
-  /** For a GuideSurface: the surface; not null. */
+  /** For GuideSurface: the surface; not null. */
   std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   GuideSide Side = GuideSide::Surface;
   ///@}
@@ -136,7 +135,7 @@ struct BakedMode
   {
   }
 
-  /** Returns whether the mode has what its kind reads. */
+  /** Returns whether the mode has the data that its kind reads. */
   bool IsValid() const noexcept
   {
     switch (FactsOf(this->Kind).Input)
@@ -161,7 +160,7 @@ struct BakedMode
   const std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
   const bool IsActive;
   const bool IsDark;
-  const double SnapDistance; ///< distance in voxels
+  const double SnapDistance; ///< in voxels
   const std::shared_ptr<const GuidePath> Guide;
   const std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   const GuideSide Side;

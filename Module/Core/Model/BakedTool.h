@@ -4,9 +4,10 @@
  * @file
  * The interface of the tools in the hand, baked for the servo tick.
  *
- * Without a tool, the hand feels with a point. A kind of tool is a class in a folder of Core/Tools;
- * nothing outside its folder names it, but for the list of states in Core/State/ToolStates.h. What
- * passes from tick to tick is in ServoState, and in ToolMemory if its size depends on the tool.
+ * Without a tool, the hand feels with a point. Each kind of tool is a class in a folder of
+ * Core/Tools. Outside its folder it is named only in the list of states in Core/State/ToolStates.h.
+ * ServoState holds the state that a tool passes from tick to tick, and ToolMemory the data whose
+ * size depends on the tool.
  */
 #ifndef BakedTool_h
 #define BakedTool_h
@@ -25,14 +26,16 @@ class ToolMemory;
 struct ServoState;
 struct TickRecord;
 
-/** An array that only traces of some tools have. */
+/** A column (array) of a trace that only some tools have. */
 struct ToolColumn
 {
   const char* Name;
-  const char* Unit; ///< unit as in a column's title, such as " (mm^3)"; empty if there is none
+  const char* Unit; ///< unit as in a column's title, such as " (mm^3)"; empty without a unit
   int Components;
-  bool IsRecorded; ///< whether recordings have the array, too
-  /** Writes the array's numbers for a tick to `numbers`; 0 for a record of another tool. */
+  bool IsRecorded; ///< whether recordings have the array as well
+  /**
+   * Writes the array's numbers for a tick to `numbers`, or zeros if the record is of another tool.
+   */
   void (*Read)(const HapticModel& model, const TickRecord& record, double* numbers);
 };
 using ToolColumns = std::vector<ToolColumn>;
@@ -50,35 +53,35 @@ public:
   }
   virtual ~ToolTick() = default;
 
-  /** Makes one tick of the method, which feels with a point. */
+  /** Computes the tick of the method that feels with a point. */
   virtual void FeelPoint() const noexcept = 0;
 
   const HapticModel& Model;
   ServoState& State;
-  TickRecord& Record;       ///< the tick's record, which has the tip
-  ToolMemory* const Memory; ///< made by MakeMemory() of the model's tool; null if there is none
+  TickRecord& Record;       ///< record of the tick; its tip is already set
+  ToolMemory* const Memory; ///< memory from MakeMemory() of the model's tool; null if it needs none
 };
 
-/** A tool as a tick reads it. Immutable. The functions without noexcept are not for ticks. */
+/** A tool as a tick reads it. Immutable. A tick calls only the functions that are noexcept. */
 class BakedTool
 {
 public:
   virtual ~BakedTool() = default;
 
-  /** Returns whether another tool feels the same as this one. */
+  /** Returns whether another tool feels like this one. */
   virtual bool IsSame(const BakedTool& other) const = 0;
 
   /**
-   * Advances the state by a tick, and writes the record. Returns whether the tool's own law holds
-   * the hand, so that releases of the method's proxy are not felt.
+   * Computes a tick: advances the state and writes the record. Returns whether the tool's own law
+   * holds the hand, so that the release of the method's proxy (ProxyRelease.h) must not be felt.
    */
   virtual bool Step(const ToolTick& tick) const noexcept = 0;
 
   ///@{
   /**
-   * Carries the tool's state from its model to the next model, which may have another tool or none;
-   * if that is not possible, lets go of the hand. `memory` belongs to the next tool. Returns
-   * whether the method begins anew. Afterwards, Begin() of the next tool is called.
+   * Moves the tool's state from its model to the next model, which may have another tool or none.
+   * If that is impossible, drops the states that hold the hand. `memory` belongs to the next tool.
+   * Returns whether the method must begin anew. Then Begin() of the next tool is called.
    */
   virtual bool Carry(const HapticModel& /*from*/, const HapticModel& /*to*/, ServoState& /*state*/,
     ToolMemory* /*memory*/) const noexcept
@@ -88,19 +91,16 @@ public:
   virtual void Begin(ServoState& /*state*/) const noexcept {}
   ///@}
 
-  /**
-   * Returns `last` if it can go on with this tool, otherwise a new memory; null if the tool needs
-   * none.
-   */
+  /** Returns `last` if this tool can use it, otherwise new memory; null if the tool needs none. */
   virtual std::shared_ptr<ToolMemory> MakeMemory(const std::shared_ptr<ToolMemory>& /*last*/) const
   {
     return nullptr;
   }
 
-  /** Appends the memory that a tick reads. */
+  /** Appends the ranges of memory that a tick of this tool reads. */
   virtual void AppendTables(std::vector<MemoryRange>& tables) const = 0;
 
-  /** Returns the arrays that only traces of this tool have. */
+  /** Returns the columns that only traces of this tool have. */
   virtual const ToolColumns& GetColumns() const
   {
     static const ToolColumns none;
@@ -108,17 +108,20 @@ public:
   }
 
   /**
-   * Returns the largest distance (world units) between the tip and a point that touches; less than
-   * 0 if only the method's point touches.
+   * Returns the largest distance (world units) between the tip and a point of the tool that
+   * touches. Returns a negative number if only the method's point touches.
    */
   virtual double GetReach() const noexcept { return -1.0; }
-  /** Returns the stiffness (N m/rad) of the spring that turns the hand; 0 if nothing turns it. */
+  /**
+   * Returns the stiffness (N m/rad) of the spring that turns the hand; 0 if the tool exerts no
+   * torque.
+   */
   virtual double GetTurningStiffness() const noexcept { return 0.0; }
   /** Returns whether the tool writes to BakedVolume::Removal. */
   virtual bool RemovesTissue() const noexcept { return false; }
   /**
-   * Returns whether the tool spins while these buttons are pressed, or because the program orders
-   * it.
+   * Returns whether the tool spins while these buttons are pressed. `isOrdered`: whether the
+   * program makes it spin.
    */
   virtual bool Spins(std::uint32_t /*buttons*/, bool /*isOrdered*/) const noexcept { return false; }
 };

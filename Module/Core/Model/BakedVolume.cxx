@@ -17,8 +17,8 @@ namespace
 
 /**
  * Chooses the weights of the Gaussian. PRECISE holds its proxy on levels of the estimator's own
- * value, so the normals must be normal to these levels. LOCAL_SURFACE and the ridges of PRIMITIVES
- * depend on how the normals turn, too.
+ * value, so its normals must be perpendicular to these levels. LOCAL_SURFACE and the ridges of
+ * PRIMITIVES also depend on how the normals change from place to place.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
@@ -28,7 +28,10 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
-/** Makes one stiffness for all materials that have any stiffness. */
+/**
+ * Returns the function of stiffness. With SameShape, all materials with any stiffness get the same
+ * one.
+ */
 Polyline MakeStiffness(const HapticModelDescription& d)
 {
   if (!d.Settings.SameShape)
@@ -61,7 +64,7 @@ std::shared_ptr<const LabelWalls> MakeWalls(
   {
     return nullptr;
   }
-  // The default radius of 2 gives a scale of 1.4 voxels.
+  // With the default radius of 2, the kernel's standard deviation is 1.4 voxels.
   return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1,
     labels->Fine ? labels->Fine->GetFractions() : nullptr);
 }
@@ -80,7 +83,7 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
   return modes;
 }
 
-/** The most time steps that a tick may cross; the servo has no time for more. */
+/** Limit of the time steps that a tick crosses, because the servo has no time for more. */
 constexpr int MostTimeStepsCrossed = 4;
 
 TimeStepSeries MakeSeries(const HapticModelDescription& d)
@@ -107,12 +110,12 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
     if (!timeSteps.empty())
     {
       FieldTimeStep& last = timeSteps.back();
-      // The first time step follows the last one.
+      // In a loop, the first time step follows the last one.
       last.Interval = timeStep.Time > last.Time ? timeStep.Time - last.Time : series.LoopInterval;
     }
     timeSteps.push_back({ timeStep.Time, 0.0, false, FieldSampler(timeStep.View, kernel),
       timeStep.Samples, {}, timeStep.DisplacementSamples, timeStep.Mesh });
-    // The motion of the material from the last time step back to the first one is not known.
+    // The material's motion from the last time step back to the first one is not known.
     if (timeStep.Displacements.Data && timeStep.Time < series.Last)
     {
       timeSteps.back().Motion.emplace(timeStep.Displacements, timeStep.View, indexToWorld);
@@ -206,12 +209,13 @@ BakedVolume::BakedVolume(
 
 std::size_t BakedVolume::FindTimeStep(double time) const noexcept
 {
-  // Earlier times belong to the time steps after the last one of the series.
+  // If the time steps cross the end of a loop, data times before the first one belong to the time
+  // steps after that end.
   const double front = this->TimeSteps.front().Time;
   const double turn = front < this->TimeSteps.back().Time ? -HUGE_VAL : front;
   const auto isBefore = [turn, time](double other)
   { return (time < turn) == (other < turn) ? time < other : other < turn; };
-  // Never the last time step, because no time step follows it.
+  // The search never returns the last time step, because no time step follows it.
   std::size_t timeStep = 0;
   for (std::size_t above = this->TimeSteps.size() - 1; above - timeStep > 1;)
   {
@@ -226,9 +230,9 @@ double BakedVolume::ComputeFraction(std::size_t timeStep, double time) const noe
   const FieldTimeStep& before = this->TimeSteps[timeStep];
   if (timeStep + 1 == this->TimeSteps.size())
   {
-    return 0.0; // the only one
+    return 0.0; // there is only one time step
   }
-  // A time span may end where the series begins again.
+  // The time may lie behind the end of a loop, if the time steps end there.
   const bool isPast = time < before.Time && this->TimeSteps[timeStep + 1].Time < before.Time;
   return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
 }
@@ -286,7 +290,7 @@ Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to)
     std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   if (isSpanOfLoop && (isOverEnd || (from < front) != (to < front)))
   {
-    // Both times are in one tick, which crosses the end of the loop.
+    // Both times are in one tick that crosses the end of the loop, where no motion is known.
     return index;
   }
   const auto within = [&](double time)
@@ -295,7 +299,7 @@ Vector3 BakedVolume::TrackMaterial(const Vector3& index, double from, double to)
   const double begin = within(from);
   Vector3 at = index;
   std::size_t timeStep = this->FindTimeStep(begin);
-  // Time leaves this time step backwards.
+  // If time runs backwards from the beginning of this time step, the motion is in the previous one.
   timeStep -= end < begin && begin == this->TimeSteps[timeStep].Time && timeStep > 0 ? 1 : 0;
   double time = begin;
   for (int i = 0; i < MostTimeStepsCrossed && time != end && timeStep + 1 < this->TimeSteps.size();
@@ -338,7 +342,7 @@ int BakedVolume::CollectMeshWays(double from, double to, MeshWay ways[MostMeshWa
     ways[0] = way(first, begin, end);
     return 1;
   }
-  // The first time step may follow the last one.
+  // In a loop, the first time step may follow the last one.
   const bool isOverEnd = std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   const bool isForward = (to > from) != isOverEnd;
   const std::size_t before = isForward ? first : last;

@@ -29,27 +29,29 @@ namespace VolumeHaptics
 struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
-  double Interval; ///< data time to the next time step; 0: no next time step
-  bool BlendsNext; ///< whether FieldSampler::BlendsSamples() holds for the next time step
+  double Interval; ///< data time from this time step to the next one; 0 if there is none
+  bool BlendsNext; ///< whether FieldSampler::BlendsSamples() holds for this and the next time step
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
-  /** The motion of the material until the next time step, if it is known. */
+  /** Motion of the material to the next time step, if it is known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
-  /**
-   * The isosurface, which moves to the next time step; null if there is no mesh, or no next time
-   * step.
-   */
+  /** Isosurface that moves to the next time step. Null if there is no mesh or no next time step. */
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
-/** The mesh of a time step, and the fractions (0 to 1) of the time step between which it moves. */
+/**
+ * The way of a time step's mesh: the mesh moves between two fractions (0 to 1) of the way to the
+ * next time step.
+ */
 struct MeshWay
 {
   const SurfaceMesh* Mesh; ///< null if there is no mesh
   double From;
   double To;
-  /** Whether the mesh's points move with the material, not only with their level. */
+  /**
+   * Whether the points of the mesh move with the material. If not, they move only with the level.
+   */
   bool IsMaterial;
 };
 
@@ -57,10 +59,10 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** Makes the same volume with other time steps of the series, without baking again. */
+  /** Makes the same volume with other time steps of its series. Nothing is baked again. */
   BakedVolume(const BakedVolume& other, const std::vector<VolumeTimeStep>& timeSteps,
     const TimeStepSeries& series);
-  /** Makes the same volume, which does not move, with another removal, without baking again. */
+  /** Makes the same volume, which must not move, with another removal. Nothing is baked again. */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
@@ -70,23 +72,24 @@ struct BakedVolume
 
   const GradientKernel Kernel;
   /**
-   * Null if no tool removes tissue. A tick may change the object that it points to, but not the
-   * pointer.
+   * The tissue that a tool removes; null if no tool removes tissue. A tick changes the object, but
+   * not the pointer.
    */
   const std::shared_ptr<TissueRemoval> Removal;
-  const FieldSampler Field;    ///< the first time step, if there are several
-  const TimeStepSeries Series; ///< the series of which Time steps are a part
+  /** Samples of the volume, or of the first time step if the volume moves. */
+  const FieldSampler Field;
+  const TimeStepSeries Series; ///< the series that contains TimeSteps
   /**
-   * The time steps in ascending time; those after the end of a loop come last. Empty if the volume
-   * does not move.
+   * The time steps in the order of their times. If they cross the end of a loop, the time steps
+   * after that end come last. Empty if the volume does not move.
    */
   const std::vector<FieldTimeStep> TimeSteps;
-  const bool HasMotion;                 ///< whether a motion of the material is known
-  const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
+  const bool HasMotion;          ///< whether the material's motion is known for any time step
+  const MaterialTable Materials; ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const bool IsDistinctFromNoise;       ///< see HapticMaterial
   const Affine3 IndexToWorld;
-  const double LargestSpacing; ///< world units
+  const double LargestSpacing; ///< in world units
   const HapticSettings Settings;
   const double ResidentShare;                      ///< see HapticModelDescription
   const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
@@ -95,14 +98,15 @@ struct BakedVolume
   /** The walls between labels; null if all surfaces come from the scalars. */
   const std::shared_ptr<const LabelWalls> Walls;
   const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
-  /** Whether surfaces depend on more than the scalars: labels or a cut. */
+  /** Whether surfaces depend on labels or on a cut, and not only on the scalars. */
   const bool HasOtherSurfaces;
-  const std::vector<BakedMode> Modes;          ///< for HapticMethod::Primitives
-  const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
+  const std::vector<BakedMode> Modes; ///< modes of HapticMethod::Primitives
+  /** Tool in the hand; null if the hand feels with a point. */
+  const std::shared_ptr<const BakedTool> Tool;
 
   /**
-   * Returns the fraction of the force that is felt at an index of a cut volume: see
-   * CutPlace::Fraction.
+   * Returns the fraction of the force that is felt at an index (CutPlace::Fraction); 1 without a
+   * cut.
    */
   double KeptFraction(const Vector3& index) const noexcept
   {
@@ -112,16 +116,17 @@ struct BakedVolume
   /** Returns whether surfaces and materials come from the volume's scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * Returns the volume at a data time. Before the first time step and after the last one, the
-   * volume stands still. `memory` holds the last gradients.
+   * Returns the field at a data time. Before the first time step and after the last one, the field
+   * does not change. `memory` stores the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
     return this->IsMoving() ? this->BlendTimeSteps(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * Returns the step between two data times that lie between the same two time steps; none if the
-   * material's motion is known, if a time step is at either time, or if samples are not blended.
+   * Returns the step between two data times. Both must lie between the same two time steps. Returns
+   * none if the material's motion is known, if a time step is at either time, or if the samples of
+   * the two time steps are not blended.
    */
   std::optional<FieldStep> ComputeStep(
     double before, double now, TickMemory& memory) const noexcept;
@@ -131,23 +136,25 @@ struct BakedVolume
       this->TimeSteps.size() == 1 };
   }
   /**
-   * Returns the number of the time step at or before a data time, which At blends with the next
-   * one.
+   * Returns the index of the last time step that is not later than a data time. At() blends it with
+   * the next time step.
    */
   std::size_t FindTimeStep(double time) const noexcept;
-  /** Returns the number of the time step that is nearest to a data time. */
+  /** Returns the index of the time step nearest to a data time. */
   std::size_t FindNearestTimeStep(double time) const noexcept;
   /**
-   * Follows the material at an index to another data time, and returns its index there, within the
-   * volume; the same index if the motion is not known. Crosses at most four time steps.
+   * Returns the index to which the material at an index moves between two data times. The result
+   * lies in the volume. Returns the same index if the motion is not known. Crosses at most four
+   * time steps.
    */
   Vector3 TrackMaterial(const Vector3& index, double from, double to) const noexcept;
 
   ///@{
   /**
-   * Collects the meshes on the way from one data time to another, and returns their number: the
-   * mesh of the time step in which the way begins, and the mesh of the time step in which the way
-   * ends. If the way crosses more time steps, or the end of a series, collects only the last mesh.
+   * Writes the ways of the meshes between two data times to `ways`, and returns their number. If
+   * both times are in one time step, or in two consecutive ones, these are the ways within them. If
+   * there are more time steps between them, or the end of a series, it is only the last mesh, which
+   * then does not move.
    */
   static constexpr int MostMeshWays = 2;
   int CollectMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
@@ -157,17 +164,17 @@ struct BakedVolume
   {
     return this->Labels ? this->Labels->Zone.get() : nullptr;
   }
-  /** Returns whether the label image makes surfaces. */
+  /** Returns whether labels make surfaces: walls, or a zone around forbidden labels. */
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /**
-   * Identifies volume, material and settings. Only regions of one volume, and parts of one series
-   * of time steps, may share a number.
+   * Number that identifies volume, material and settings. Only models of regions of one volume, or
+   * of time steps of one series, share a number.
    */
   const std::uint64_t Number;
 
 private:
   /**
-   * Copies a volume with another removal and other time steps; `shown` is the first time step, or
+   * Copies a volume, with another removal and other time steps. `shown` is the first time step, or
    * the volume if it does not move.
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
@@ -175,7 +182,7 @@ private:
     const TimeStepSeries& series);
 
   FieldAtTime BlendTimeSteps(double time, TickMemory* memory) const noexcept;
-  /** Returns the fraction of the way from this time step to the next one, at a data time. */
+  /** Returns the fraction (0 to 1) of the way from a time step to the next one at a data time. */
   double ComputeFraction(std::size_t timeStep, double time) const noexcept;
 };
 

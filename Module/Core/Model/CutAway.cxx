@@ -9,7 +9,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int Strides[3] = { 1, 3, 9 }; // the step from a region to the next one along each axis
+// steps between the numbers of neighbouring regions along each axis
+constexpr int Strides[3] = { 1, 3, 9 };
 
 double ComponentOf(const Vector3& v, int axis) noexcept
 {
@@ -117,14 +118,14 @@ CutPlace CutAway::ComputeHidden(const Vector3& index) const noexcept
   const Vector3 gradient = Transpose(this->WorldToIndex) * Vector3{ slope[0], slope[1], slope[2] };
   const double steepness = Norm(gradient);
   CutPlace place;
-  constexpr double flat = 1e-6; // where t is 0 or 1
+  constexpr double flat = 1e-6; // tolerance of t for 0 and 1
   if (!(steepness > 0.0) || kept < flat || kept > 1.0 - flat)
   {
     place.Depth = kept > 0.5 ? HUGE_VAL : -HUGE_VAL;
     return place;
   }
   place.Normal = (1.0 / steepness) * gradient;
-  // Where t is 1, half a voxel behind the face, everything is felt.
+  // At half a voxel behind the face, t is 1 and all of the force is felt.
   place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
   place.Depth = (2.0 * kept - 1.0) * place.Voxel;
   return place;
@@ -208,7 +209,7 @@ CutPlace CutAway::ComputeRegion(const Vector3& index) const noexcept
     place.Normal = aside > farthest ? this->GetNormal(face) : place.Normal;
     farthest = std::max(farthest, aside);
   }
-  // Beside an edge, the shortest way to the region is oblique.
+  // In front of an edge, the normal is the oblique direction of the shortest way to the region.
   if (distance > 0.0)
   {
     const Vector3 shortest = this->ComputeBeyond(index, there).Direction(this->Axes);
@@ -241,7 +242,7 @@ Vector3 CutAway::StopAtFaces(const Vector3& from, const Vector3& to) const noexc
     const double aside = beyond.Behind(face);
     if (aside > axis.WorldPerIndex)
     {
-      return to; // inside the kept part
+      return to; // `from` is in the kept part, not at a face
     }
     const double behind = after.Behind(face);
     if (this->HasFace(away, face) && !this->IsAt(face, aside) && behind > 0.0)

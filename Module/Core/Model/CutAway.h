@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The part of a volume that is cut away: nothing is felt there.
+ * The part of a volume that is cut away, where nothing is felt.
  *
- * Planes cut, as those of vtkAbstractMapper::SetClippingPlanes do, and the 27 regions between two
- * planes of constant index along each axis, as those of vtkVolumeMapper::SetCroppingRegionPlanes
- * do, and voxels that are hidden one by one. The rest is kept. With s_i the signed distance to a
- * plane, positive in the part that it keeps, and s_0 the distance to the faces of the regions,
+ * The cut consists of planes, as those of vtkAbstractMapper::SetClippingPlanes, of regions, as
+ * those between the planes of vtkVolumeMapper::SetCroppingRegionPlanes (two planes of constant
+ * index along each axis, 27 regions), and of voxels that are hidden one by one. The rest is kept.
+ * Let s_i be the signed distance to a plane, positive in the part that the plane keeps, and s_0 the
+ * signed distance to the faces of the regions. Then
  *
  *   depth(x) = min_i s_i(x)
  *
- * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. Axes
- * of the index are perpendicular to one another in the world. For hidden voxels, let t be the
- * fraction of the eight surrounding voxels that are kept, interpolated linearly: faces are where t
- * = 1/2, halfway between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a
- * voxel, if t is neither 0 nor 1.
+ * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. The
+ * axes of the index must be perpendicular to one another in the world. For hidden voxels, let t be
+ * the fraction of the eight surrounding voxels that are kept, interpolated linearly. Their faces
+ * are where t = 1/2, halfway between a hidden voxel and a kept one. If t is neither 0 nor 1, the
+ * depth there is t - 1/2 times the length of a voxel.
  */
 #ifndef CutAway_h
 #define CutAway_h
@@ -35,8 +36,8 @@ namespace VolumeHaptics
 /** A plane that keeps the side to which its normal points. */
 struct CutPlane
 {
-  Vector3 Normal; ///< world; a unit vector
-  double Offset;  ///< Dot(Normal, x) on the plane
+  Vector3 Normal; ///< unit vector in the world
+  double Offset;  ///< Dot(Normal, x) for any x (world) on the plane
 
   friend bool operator==(const CutPlane& a, const CutPlane& b) noexcept
   {
@@ -51,7 +52,10 @@ struct CutRegions
   static constexpr std::uint32_t All = (std::uint32_t{ 1 } << 27) - 1;
   double Low[3] = {};
   double High[3] = {};
-  /** Bit x + 3 y + 9 z keeps a region; x is 0 below Low[0], 2 above High[0] and 1 in between. */
+  /**
+   * Bit x + 3 y + 9 z is set if region (x, y, z) is kept. x is 0 below Low[0], 1 from Low[0] to
+   * High[0], and 2 above High[0].
+   */
   std::uint32_t Kept = All;
 
   friend bool operator==(const CutRegions& a, const CutRegions& b) noexcept
@@ -61,18 +65,19 @@ struct CutRegions
   }
 };
 
-/** Voxels that are hidden one by one, as flags of an image's points. */
+/** Voxels that are hidden one by one: a flag for each point of an image. */
 struct HiddenVoxels
 {
   const std::uint8_t* Flags = nullptr; ///< x first; null if no voxel is hidden
-  std::uint8_t Hidden = 0;             ///< the bit of a hidden voxel
-  std::int64_t First[3] = {};          ///< the index of the first flag
+  std::uint8_t Hidden = 0;             ///< bit of a flag that is set for a hidden voxel
+  std::int64_t First[3] = {};          ///< index of the voxel with the first flag
   std::int64_t Dimensions[3] = {};
   std::shared_ptr<const void> Holder; ///< keeps the memory of Flags alive
-  std::uint64_t Version = 0;          ///< changes with the flags
+  std::uint64_t Version = 0;          ///< a number that changes whenever the flags change
 
   /**
-   * Returns 1 if a voxel is kept, else 0. Outside the image, the nearest voxel in the image counts.
+   * Returns 1 if a voxel is kept, else 0. Outside the image, returns it for the nearest voxel in
+   * the image.
    */
   double IsKept(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
 
@@ -85,20 +90,19 @@ struct HiddenVoxels
 /** A position relative to the nearest face of the kept part. */
 struct CutPlace
 {
-  double Depth = HUGE_VAL; ///< world units; below 0 in the part that is cut away
-  Vector3 Normal;          ///< world; a unit vector, into the kept part
-  double Voxel = 1.0;      ///< the length of an index step along Normal, world units
+  double Depth = HUGE_VAL; ///< depth (world units); below 0 in the part that is cut away
+  Vector3 Normal;          ///< unit vector in the world, into the kept part
+  double Voxel = 1.0;      ///< length of an index step along Normal in world units
   /**
-   * For regions: the faces of the nearest region that is cut away, if the position is on or behind
-   * these faces, or at most `TouchDistance` in front of them; in a hollow corner there are several.
-   * Bit 2 axis stands for the face towards the lower index, bit 2 axis + 1 for the one towards the
-   * higher index.
+   * Faces of the nearest region that is cut away. A bit is set if the position is on or behind the
+   * face, or at most `TouchDistance` in front of it. In a hollow corner several bits are set. Bit 2
+   * axis is the face towards the lower index, and bit 2 axis + 1 the face towards the higher index.
    */
   std::uint32_t Faces = 0;
 
   /**
-   * Returns the fraction of the force that is felt: falls from 1 to 0 over the last voxel in front
-   * of a face.
+   * Returns the fraction of the force that is felt. It falls from 1 to 0 over the last voxel in
+   * front of a face.
    */
   double Fraction() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
 };
@@ -107,22 +111,26 @@ struct CutPlace
 class CutAway
 {
 public:
-  static constexpr double TouchDistance = 5e-3; ///< voxels
+  /** Distance in voxels at which a position touches a face. */
+  static constexpr double TouchDistance = 5e-3;
 
-  /** @param isSolid whether faces hold like the material behind them */
+  /** @param isSolid whether the faces hold like the material behind them */
   CutAway(std::vector<CutPlane> planes, const CutRegions& regions, const Affine3& indexToWorld,
     bool isSolid, HiddenVoxels hidden = {});
 
   CutPlace Compute(const Vector3& index) const noexcept;
-  /** Returns the normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
+  /**
+   * Returns the normal of a face in CutPlace::Faces: a unit vector in the world, into the kept
+   * part.
+   */
   Vector3 GetNormal(int face) const noexcept
   {
     return face % 2 == 0 ? -this->Axes[face / 2].Normal : this->Axes[face / 2].Normal;
   }
   /**
-   * Returns the end of a motion (in index space) that begins in a region that is cut away, or at
-   * one of the region's faces. The motion stops at the next face, because solid faces hold once
-   * they are touched. The faces of planes form no hollow corner, and stop no motion.
+   * Returns where a motion (index space) ends that begins in a region that is cut away, or at one
+   * of its faces. The motion stops at the next face, because solid faces hold once they are
+   * touched. Only regions stop a motion: the faces of planes form no hollow corners.
    */
   Vector3 StopAtFaces(const Vector3& from, const Vector3& to) const noexcept;
   bool IsSolid() const noexcept { return this->HasSolidFaces; }
@@ -136,12 +144,12 @@ public:
 private:
   struct Axis
   {
-    Vector3 Normal;       ///< normal of the axis's planes; world, a unit vector
-    double WorldPerIndex; ///< the distance between planes of consecutive indices
+    Vector3 Normal;       ///< unit vector (world) normal to the planes of constant index
+    double WorldPerIndex; ///< distance between planes of consecutive indices
   };
   /**
-   * A region as seen from a position. Low and High tell how far (world units) the position is
-   * behind the region's planes.
+   * A region as seen from a position: the distances (world units) of the position behind the
+   * region's lower and higher plane along each axis.
    */
   struct Beyond
   {
@@ -160,29 +168,29 @@ private:
   };
 
   bool IsKept(int region) const noexcept { return (this->Regions.Kept >> region & 1U) != 0; }
-  /** Returns whether a position at this distance behind a face touches the face. */
+  /** Returns whether a position at a distance behind a face touches the face. */
   bool IsAt(int face, double aside) const noexcept
   {
     return aside > -TouchDistance * this->Axes[face / 2].WorldPerIndex;
   }
   int FindRegionOf(const Vector3& index) const noexcept;
   /**
-   * Returns the number of the nearest kept or cut region, and writes how far the index is from it
-   * to `distance`. Returns -1 if there is no such region.
+   * Returns the number of the nearest kept region (or cut region, if not isKept), and writes the
+   * distance from the index to this region to `distance`. Returns -1 if there is no such region.
    */
   int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
-  /** Returns whether a kept part lies behind a face of a region that is cut away. */
+  /** Returns whether a region that is cut away has a kept region behind a face. */
   bool HasFace(int region, int face) const noexcept;
   Beyond ComputeBeyond(const Vector3& index, int region) const noexcept;
   CutPlace ComputeRegion(const Vector3& index) const noexcept;
   CutPlace ComputeHidden(const Vector3& index) const noexcept;
 
   const std::vector<CutPlane> Planes;
-  std::vector<double> Voxels; ///< the length of a voxel along the normal of each plane
+  std::vector<double> Voxels; ///< for each plane, the length of a voxel along its normal
   const CutRegions Regions;
   const Affine3 IndexToWorld;
   const Matrix3 WorldToIndex;
-  Axis Axes[3]; ///< axes in the order of the index
+  Axis Axes[3]; ///< the axes of the index
   const bool HasSolidFaces;
   const HiddenVoxels Hidden;
 };

@@ -15,18 +15,21 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The kernel radius of the walls that locate the boundary. */
+/** Kernel radius (voxels) of the walls that locate the boundary. */
 constexpr int BoundaryRadius = 3;
-/** s^2 / 2 of the walls' kernel, in voxels. */
+/** s^2 / 2 in voxels squared, where s is the standard deviation of the walls' kernel. */
 constexpr double HalfVariance = 0.5 * 0.355 * 0.355 * (BoundaryRadius + 1) * (BoundaryRadius + 1);
-/** The number of voxels that the box extends beyond the stand-off. */
+/** Number of voxels by which the box exceeds the stand-off. */
 constexpr std::int64_t Margin = 6;
-/** The fraction of a voxel beyond which a tangent plane ends at an edge. */
+/**
+ * Distance (voxels) from the nearest point at which the boundary's tangent plane ends, so that the
+ * distance around an edge is that to the point.
+ */
 constexpr double PlanePart = 0.75;
-/** The wall value at a forbidden voxel below which smoothing has removed the voxel. */
+/** Wall value at a forbidden voxel below which smoothing has removed the voxel. */
 constexpr double TakenAway = -0.38;
 
-/** A box of voxels of the label image; 1 where they are forbidden. */
+/** A box of voxels of the label image. `Is` is 1 for forbidden voxels. */
 struct Mask
 {
   std::int64_t First[3];
@@ -50,7 +53,7 @@ struct Mask
   }
 };
 
-/** Thrown when the work is ended; never leaves this file. */
+/** Exception that ends the work. It is caught in this file. */
 struct Ended
 {
 };
@@ -63,7 +66,7 @@ void Check(const ForbiddenZone::Progress& goesOn)
   }
 }
 
-/** Calls visit(i, j, k) for every forbidden voxel. */
+/** Calls visit(i, j, k) for each forbidden voxel. */
 template <typename Visit>
 void VisitForbidden(const VolumeView& view, const LabelTable& table,
   const ForbiddenZone::Progress& goesOn, Visit&& visit)
@@ -103,8 +106,8 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table,
 }
 
 /**
- * Makes the box of forbidden voxels with everything within the stand-off; returns false if there
- * are none.
+ * Makes the box of all forbidden voxels and of everything within the stand-off. Returns false if no
+ * voxel is forbidden.
  */
 bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
   double standOff, const ForbiddenZone::Progress& goesOn, Mask& mask)
@@ -127,7 +130,7 @@ bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& in
   {
     return false;
   }
-  // Rows of the inverse: index steps per world unit, also if the axes are not at right angles.
+  // The rows of the inverse are index steps per world unit, even if the axes are not perpendicular.
   const Matrix3 steps = Inverse(indexToWorld.Linear);
   double voxels = 1.0;
   for (int a = 0; a < 3; ++a)
@@ -153,9 +156,9 @@ bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& in
 }
 
 /**
- * A point of the boundary, in index steps of the box, and the outward normal, in the world. A voxel
- * of a speck or a thin vessel that smoothing would remove has no normal: it is a ball of half a
- * voxel.
+ * A point of the boundary (index steps of the box) and the outward normal (world). The normal is 0
+ * for a voxel that smoothing would remove, as in a speck or a thin vessel: such a point is a ball
+ * with a diameter of one voxel.
  */
 struct BoundaryPoint
 {
@@ -163,7 +166,7 @@ struct BoundaryPoint
   Vector3 Normal;
 };
 
-/** Returns the direction outwards, in index steps; zero without a wall. */
+/** Returns the outward direction (index steps) at a position, or zero if there is no wall. */
 Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
 {
   const LabelWall wall = walls.Compute(at);
@@ -176,7 +179,7 @@ double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector
 {
   constexpr double h = 3.0;
   constexpr double most = 0.5;
-  // Directions along the boundary only: a thin part has a second boundary behind it.
+  // Differentiate only along the boundary, because a thin part has a second boundary behind it.
   const Vector3 u = UnitAcross(normal);
   const Vector3 v = Cross(normal, u);
   double divergence = 0.0;
@@ -189,9 +192,7 @@ double ComputeCurvature(const LabelWalls& walls, const Vector3& at, const Vector
   return std::clamp(divergence, -most, most);
 }
 
-/**
- * Follows the gradient from a voxel to the boundary. Returns false if there is no boundary nearby.
- */
+/** Goes from a voxel along the gradient to the boundary. Returns false if no boundary is near. */
 bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& gradientToWorld,
   BoundaryPoint& point)
 {
@@ -220,7 +221,9 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
   return true;
 }
 
-/** Spreads the nearest boundary points from voxel to voxel through a box. */
+/**
+ * Finds the nearest boundary point of each voxel in a box, by passing points from voxel to voxel.
+ */
 class NearestPoints
 {
 public:
@@ -245,7 +248,7 @@ public:
           return;
         }
         const bool isForbidden = mask.Is[static_cast<std::size_t>(mask.Index(i, j, k))] != 0;
-        // If there is no boundary nearby, smoothing has removed a thin part.
+        // Without a boundary nearby, the voxel belongs to a thin part that smoothing has removed.
         const bool isTaken = isForbidden && walls.Compute(voxel).Value < TakenAway;
         if (isTaken || !FindBoundary(walls, voxel, gradientToWorld, point))
         {
@@ -268,7 +271,7 @@ public:
 
   bool IsEmpty() const { return this->Points.empty(); }
 
-  /** Returns the distance (world units); below 0 inside a label. */
+  /** Returns the distance (world units) of a voxel; below 0 inside a label. */
   double DistanceAt(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const BoundaryPoint& point = this->Points[static_cast<std::size_t>(
@@ -293,7 +296,7 @@ private:
     const std::int64_t* const n = this->Box.Size;
     if (i < 1 || j < 1 || k < 1 || i + 1 >= n[0] || j + 1 >= n[1] || k + 1 >= n[2])
     {
-      return false; // in the margin
+      return false; // the outermost voxels are all in the margin
     }
     const std::uint8_t here = at(i, j, k);
     return at(i - 1, j, k) != here || at(i + 1, j, k) != here || at(i, j - 1, k) != here ||
@@ -330,7 +333,7 @@ private:
     }
   }
 
-  /** Offers each voxel the points of its neighbours. */
+  /** Replaces each voxel's nearest point if a neighbour's point is nearer. */
   void Sweep(bool isBackward)
   {
     const std::int64_t* const n = this->Box.Size;
@@ -427,7 +430,7 @@ ForbiddenPlace ForbiddenZone::Compute(const Vector3& labelIndex) const noexcept
   const Vector3 index = labelIndex -
     Vector3{ static_cast<double>(this->First[0]), static_cast<double>(this->First[1]),
       static_cast<double>(this->First[2]) };
-  // False for NaN.
+  // IsInside() is false for NaN.
   if (!this->Field.IsInside(index))
   {
     return {};

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The distance to forbidden labels, baked once on the part of the label grid around them.
+ * The distance to forbidden labels. It is baked once, for the part of the label grid around these
+ * labels.
  *
  * The boundary of the labels is a level of their smoothed indicator (LabelWalls.h). Smoothing by s
- * moves the boundary in by s^2 kappa / 2, where kappa is the sum of the principal curvatures; the
- * zone moves it out again. Each voxel stores its distance to the boundary's tangent plane at the
- * nearest point or, beyond an edge, to the nearest point itself. Between voxels the distance is a
- * cubic B-spline.
+ * moves the boundary inward by s^2 kappa / 2, where kappa is the sum of the principal curvatures;
+ * the zone moves it outward again. Each voxel stores its distance to the tangent plane at the
+ * nearest point of the boundary or, beyond an edge, to this point itself. Between voxels the
+ * distance is a cubic B-spline.
  */
 #ifndef ForbiddenZone_h
 #define ForbiddenZone_h
@@ -24,27 +25,27 @@
 namespace VolumeHaptics
 {
 
-/** The distance of a position from forbidden labels. */
+/** The distance of a position from the forbidden labels. */
 struct ForbiddenPlace
 {
-  bool IsNear = false;   ///< if false, the stand-off is farther away
-  double Distance = 0.0; ///< world units; below 0 inside a label
-  Vector3 Gradient;      ///< the derivative of Distance, per index step of the label image
+  bool IsNear = false; ///< whether Distance is known; if not, the position is outside the stand-off
+  double Distance = 0.0; ///< distance in world units; below 0 inside a label
+  Vector3 Gradient;      ///< derivative of Distance per index step of the label image
 };
 
 class ForbiddenZone
 {
 public:
-  /** The most voxels of a zone: 0.5 GiB while it is baked. */
+  /** Limit of a zone's voxels; baking so many takes 0.5 GiB. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
 
-  /** A function that is called for every slice of voxels; if it returns false, the work ends. */
+  /** Function that is called for every slice of voxels. If it returns false, the work ends. */
   using Progress = std::function<bool()>;
 
   /**
-   * Makes the zone of a label image. Returns null if there is no forbidden label in the image, or
-   * if `goesOn` ended the work. Throws std::bad_alloc if the zone, with a stand-off in world units,
-   * has more than MostVoxels.
+   * Makes the zone of a label image. `standOff` is in world units. Returns null if no label in the
+   * image is forbidden, or if `goesOn` ended the work. Throws std::bad_alloc if the zone would have
+   * more than MostVoxels.
    */
   static std::shared_ptr<const ForbiddenZone> Make(const LabelView& view, const LabelTable& table,
     const Affine3& indexToWorld, double standOff, const Progress& goesOn = nullptr);
@@ -55,7 +56,7 @@ public:
   ForbiddenPlace Compute(const Vector3& labelIndex) const noexcept;
 
   double GetStandOff() const noexcept { return this->StandOff; }
-  /** Returns the distance (world units) over which the wall begins to hold. */
+  /** Returns the distance (world units) in front of the wall over which the wall begins to hold. */
   double GetTolerance() const noexcept { return this->Tolerance; }
   std::size_t GetMemorySize() const noexcept
   {
@@ -69,7 +70,7 @@ private:
 
   double StandOff = 0.0;
   double Tolerance = 0.0;
-  std::int64_t First[3] = {}; ///< the first voxel of the stored box, in the label image
+  std::int64_t First[3] = {}; ///< index of the stored box's first voxel in the label image
   std::vector<float> Distances;
   GradientKernel Kernel{ GradientEstimator::CubicBSpline, 1 };
   FieldSampler Field;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bounds on how fast a force changes with position and speed.
+ * Limits of stiffness and damping, that is, of how fast a force changes with position and speed.
  */
 #ifndef ForceCaps_h
 #define ForceCaps_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The largest stiffness and damping that a device can hold at its tick rate, whatever the material
- * and the settings; 0: no cap.
+ * Largest stiffness and damping that a device can render stably at its tick rate, whatever the
+ * material and the settings. 0 means no cap.
  */
 struct ForceCaps
 {
@@ -27,7 +27,7 @@ struct ForceCaps
   }
 };
 
-/** Returns the smaller of two caps, where 0 means no cap. */
+/** Returns the smaller one of two caps. 0 means no cap. */
 inline double TighterCap(double a, double b) noexcept
 {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the unit vector along a sum; `otherwise` if parts of the sum cancel. */
+/** Returns the unit vector along a sum, or `otherwise` if the parts of the sum cancel. */
 Vector3 UnitOf(const Vector3& sum, const Vector3& otherwise) noexcept
 {
   const double length = Norm(sum);
@@ -52,7 +52,7 @@ void GuideMesh::CollectFaces()
     const auto& [a, b, c] = this->Mesh->GetTriangle(static_cast<std::int32_t>(i)).Corner;
     Face& face = this->Faces[static_cast<std::size_t>(i)];
     const Vector3 cross = Cross(b - a, c - a);
-    const double area = Norm(cross); // twice the area; no triangle of the mesh is without one
+    const double area = Norm(cross); // twice the area; more than 0 for all triangles of a mesh
     const double length[3] = { Norm(c - b), Norm(a - c), Norm(b - a) };
     face.Normal = (1.0 / area) * cross;
     for (int e = 0; e < 3; ++e)
@@ -60,7 +60,7 @@ void GuideMesh::CollectFaces()
       face.AtEdge[e] = face.Normal;
       face.Height[e] = area / length[e];
     }
-    // At most up to the middle of the triangle, so that a place is near at most two edges.
+    // The turn ends at the middle of the triangle, so that a place is near at most two edges.
     face.Turn = std::min(0.5 * this->Rounding, area / (length[0] + length[1] + length[2]));
   }
 }
@@ -183,7 +183,7 @@ GuideMeshPlace GuideMesh::Find(const Vector3& position) const noexcept
   const Vector3& at = this->Mesh->GetPoints()[this->Mesh->GetCorners(place.Triangle)[nearest]];
   const Corner& corner = this->Corners[this->CornersOf[place.Triangle][nearest]];
   const double fraction = std::min(1.0, Norm(place.Point.Position - at) / corner.Turn);
-  // At a corner itself, no edge contributes.
+  // At a corner, the edges contribute nothing.
   const Vector3 along = sum > 0.0 ? (fraction / sum) * mixed : Vector3{};
   return { place.Point.Position, UnitOf(along + (1.0 - fraction) * corner.Normal, face.Normal),
     true };

@@ -33,21 +33,24 @@ namespace VolumeHaptics
 struct GuideMeshPlace
 {
   Vector3 Nearest;
-  Vector3 Normal; ///< unit; towards the side from which corners are seen counterclockwise
+  Vector3 Normal; ///< unit vector to the side from which the corners are counterclockwise
   bool IsThere = false;
 };
 
-/** A mesh with what guiding needs. Immutable. */
+/** A mesh with the normals that guiding needs. Immutable. */
 class GuideMesh
 {
 public:
   /**
-   * Makes a guide of a mesh; merges points at the same place. @param rounding in the units of the
-   * mesh
+   * Makes a guide of a mesh. Merges points at the same place.
+   * @param rounding in the units of the mesh
    */
   GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
 
-  /** Returns the place nearest to a finite position; no place if the mesh has no triangles. */
+  /**
+   * Returns the place nearest to a position, which must be finite. Returns no place if the mesh has
+   * no triangles.
+   */
   GuideMeshPlace Find(const Vector3& position) const noexcept;
 
   double GetRounding() const noexcept { return this->Rounding; }
@@ -57,7 +60,7 @@ private:
   struct Face
   {
     Vector3 Normal;
-    Vector3 AtEdge[3]; ///< normals at the edge opposite to each corner
+    Vector3 AtEdge[3]; ///< normals at the edges; each edge has the number of the opposite corner
     double Height[3] = { 0.0, 0.0, 0.0 };
     double Turn = 0.0;
   };
@@ -67,13 +70,13 @@ private:
     double Turn = 0.0;
   };
   /**
-   * The most boxes that a query visits: many more than a place near the mesh needs; takes some tens
-   * of microseconds.
+   * Limit of the boxes that a query visits. It is many more than a place near the mesh needs, and
+   * takes some tens of microseconds.
    */
   static constexpr int Budget = 2000;
 
   void CollectFaces();
-  /** Returns the corner numbers of the triangles; corners at the same place share a number. */
+  /** Returns the triangles' corners as numbers. Corners at the same place share a number. */
   std::vector<SurfaceMesh::Indices> MergeCorners();
   void ComputeCorners(const std::vector<SurfaceMesh::Indices>& merged);
   void CollectEdges(const std::vector<SurfaceMesh::Indices>& merged);

@@ -11,7 +11,8 @@ namespace
 {
 
 /**
- * Returns the direction between two consecutive directions; the second one if the line turns back.
+ * Returns the direction halfway between two consecutive directions, or the second one if the line
+ * turns back.
  */
 Vector3 DirectionBetween(const Vector3& a, const Vector3& b) noexcept
 {
@@ -99,7 +100,7 @@ void GuidePath::MakeBoxes()
     leaves *= 2;
   }
   this->FirstLeaf = leaves - 1;
-  // Boxes without segments are infinitely far away, and never visited.
+  // Boxes without segments are infinitely far away, so that no search visits them.
   this->Boxes.assign(
     2 * leaves - 1, { { Nowhere, Nowhere, Nowhere }, { -Nowhere, -Nowhere, -Nowhere } });
   for (std::size_t i = 0; i < this->Segments.size(); ++i)
@@ -127,12 +128,13 @@ double GuidePath::SquareDistance(std::size_t box, const Vector3& place) const no
 
 GuidePlace GuidePath::Find(const Vector3& place) const noexcept
 {
-  constexpr std::size_t deepest = 64; // the children of visited boxes, one per level
+  // size of the stack: at most one box per level of the tree waits, and one more
+  constexpr std::size_t deepest = 64;
   std::size_t waiting[deepest] = { 0 };
   std::size_t count = 1;
   double least = Nowhere;
   const Segment* nearest = &this->Segments.front();
-  double fraction = 0.0; // position along the segment
+  double fraction = 0.0; // distance of the nearest point from its segment's begin
   while (count > 0)
   {
     const std::size_t box = waiting[--count];

@@ -28,12 +28,12 @@ namespace VolumeHaptics
 struct GuidePlace
 {
   Vector3 Nearest;
-  Vector3 Direction; ///< unit, along the line
+  Vector3 Direction; ///< unit vector along the line
   bool IsNearEnd = false;
   ///@{
-  /** For a place on the first or the last segment of an open line: the line's end. */
+  /** End of the line, if the place is on the first or last segment of an open line. */
   Vector3 End;
-  Vector3 Outward; ///< unit, at the end
+  Vector3 Outward; ///< unit vector along the line at End, away from the line
   ///@}
 };
 
@@ -44,24 +44,24 @@ public:
   using Line = std::vector<Vector3>;
 
   /**
-   * Builds the guide from finite points. Repeated points are left out; so are lines of one point. A
-   * line that ends where it begins is closed.
+   * Builds the guide from finite points. Leaves out repeated points and lines of one point. A line
+   * that ends where it begins is closed.
    * @param rounding of corners, in the units of the points
    */
   GuidePath(const std::vector<Line>& lines, double rounding);
 
   bool IsEmpty() const noexcept { return this->Segments.empty(); }
-  /** Returns whether another guide has the same places and directions. */
+  /** Returns whether another guide has the same lines and directions. */
   bool IsSame(const GuidePath& other) const noexcept;
 
   /**
-   * Returns the nearest place on the guide, which must not be empty. A position that is not finite
-   * gives any place.
+   * Returns the place nearest to a position. The guide must not be empty. Returns any place if the
+   * position is not finite.
    */
   GuidePlace Find(const Vector3& place) const noexcept;
 
   ///@{
-  /** Return the memory that Find reads, and its size (bytes). */
+  /** Return the memory that Find reads and its size in bytes. */
   const void* GetSegments() const noexcept { return this->Segments.data(); }
   std::size_t GetSegmentsSize() const noexcept { return this->Segments.size() * sizeof(Segment); }
   const void* GetBoxes() const noexcept { return this->Boxes.data(); }
@@ -72,11 +72,12 @@ private:
   struct Segment
   {
     Vector3 Begin;
-    Vector3 Direction; ///< unit
+    Vector3 Direction; ///< unit vector
     double Length = 0.0;
-    Vector3 AtBegin; ///< the line's direction through its first point
+    /** Direction of the line at Begin; at a corner, between the directions of both segments. */
+    Vector3 AtBegin;
     Vector3 AtEnd;
-    double Turn = 0.0; ///< from a corner on, the direction turns over this length
+    double Turn = 0.0; ///< length from a corner over which the direction turns
     bool BeginsLine = false;
     bool EndsLine = false;
   };
@@ -90,7 +91,7 @@ private:
   void AddLine(const Line& line, double rounding);
   void MakeBoxes();
   /**
-   * Returns the square distance to box i of the tree, whose children are boxes 2 i + 1 and 2 i + 2.
+   * Returns the squared distance to box i of the tree. Its children are boxes 2 i + 1 and 2 i + 2.
    */
   double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
 

@@ -10,9 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A place nearer to the mesh than this fraction of the rounding has no direction of its own. */
+/** Within this fraction of the rounding from the mesh, a position has no direction of its own. */
 constexpr double LeastAway = 1e-9;
-/** The distance (voxels) from the border of the field over which holds fade. */
+/** Distance (voxels) from the field's border over which the hold fades. */
 constexpr double FieldFade = 2.0;
 
 } // namespace
@@ -93,7 +93,7 @@ GuideSurfacePlace GuideSurface::FindInField(const Vector3& position) const noexc
   const Vector3 gradient = Transpose(this->WorldToIndex.Linear) * sample.Gradient;
   const double slope = Norm(gradient);
   const double fraction = std::clamp(4.0 * slope - 1.0, 0.0, 1.0);
-  // Also false for NaN.
+  // The condition is false for NaN, too.
   if (!(fraction > 0.0 && std::isfinite(slope) && std::isfinite(sample.Value)))
   {
     return {};

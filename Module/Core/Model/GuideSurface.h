@@ -22,30 +22,33 @@
 namespace VolumeHaptics
 {
 
-/** The place on a guiding surface for a position. */
+/** The place on a guiding surface that is nearest to a position. */
 struct GuideSurfacePlace
 {
   Vector3 Anchor;
-  Vector3 Normal;        ///< unit; outwards, where distances grow
+  Vector3 Normal;        ///< unit vector outward, to where distances grow
   double Distance = 0.0; ///< distance from the surface to the position
-  double Fraction = 0.0; ///< factor on the holding strength, 0 to 1; 0 if no place was found
+  double Fraction = 0.0; ///< factor of the holding strength, 0 to 1; 0 if no place was found
 };
 
-/** A surface that guides. Immutable. All lengths are in world units. */
+/** A surface that guides a hand. Immutable. All lengths are in world units. */
 class GuideSurface
 {
 public:
   GuideSurface(std::shared_ptr<const GuideMesh> mesh, double distance);
-  /** Makes the levels of a distance field. `view` shows `samples`, which are kept alive. */
+  /**
+   * Makes a surface from a level of a distance field. `view` shows `samples`, which the surface
+   * keeps alive.
+   */
   GuideSurface(const VolumeView& view, std::shared_ptr<const void> samples,
     const Affine3& indexToWorld, double distance);
-  GuideSurface(const GuideSurface&) = delete; // the sampler borrows the kernel
+  GuideSurface(const GuideSurface&) = delete; // not copied, because Field refers to Kernel
   void operator=(const GuideSurface&) = delete;
 
-  /** Returns the place for a position. */
+  /** Returns the place that is nearest to a position. */
   GuideSurfacePlace Find(const Vector3& position) const noexcept;
 
-  /** Returns whether another surface is made of the same mesh or samples. */
+  /** Returns whether another surface is the same level of the same mesh or samples. */
   bool IsSame(const GuideSurface& other) const noexcept;
   std::size_t GetMemorySize() const noexcept;
 
@@ -53,7 +56,7 @@ private:
   GuideSurfacePlace FindOnMesh(const Vector3& position) const noexcept;
   GuideSurfacePlace FindInField(const Vector3& position) const noexcept;
 
-  std::shared_ptr<const GuideMesh> Mesh; ///< null for a field
+  std::shared_ptr<const GuideMesh> Mesh; ///< null if the surface is from a field
   std::shared_ptr<const void> Samples;
   GradientKernel Kernel;
   FieldSampler Field;

@@ -32,8 +32,8 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
 }
 
 /**
- * Returns whether voxels are cubes, apart from rounding, so that all directions have the same
- * length.
+ * Returns whether voxels are cubes apart from rounding, so that a voxel is equally long in all
+ * directions.
  */
 bool IsOfCubes(const Matrix3& indexToWorld)
 {
@@ -44,13 +44,15 @@ bool IsOfCubes(const Matrix3& indexToWorld)
     (1.0 - rounding) * largest;
 }
 
-/** Returns whether the solver is PAPER, whose r is one number in all directions. */
+/**
+ * Returns whether the solver is PAPER, for which the radius r is the same length in all directions.
+ */
 bool IsOfPaper(const HapticSettings& settings)
 {
   return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;
 }
 
-/** Returns KernelRadius voxels of the coarser image, in world units. */
+/** Returns the length of KernelRadius voxels of the coarser image in world units. */
 double ComputeLabelReach(const BakedVolume& baked)
 {
   return baked.Kernel.Radius *
@@ -67,7 +69,7 @@ double ComputeMostSteps(const HapticModel& model)
   return most;
 }
 
-/** Returns the size of the meshes (bytes). */
+/** Returns the size (bytes) of all meshes. */
 std::size_t GetMeshSize(const BakedVolume& baked)
 {
   std::size_t size = baked.Mesh ? baked.Mesh->GetMemorySize() : 0;
@@ -103,10 +105,11 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , WorldUnitsPerMeter(SimilarityScale(deviceToWorld))
   , VoxelsPerMeter{ Norm(this->DeviceToIndex.Linear.Row[0]),
     Norm(this->DeviceToIndex.Linear.Row[1]), Norm(this->DeviceToIndex.Linear.Row[2]) }
-  // The rows are at right angles to one another.
+  // The axes are perpendicular, so the length of a row is the number of index steps in 1 m.
   , MostVoxelsPerMeter(
       std::fmax(this->VoxelsPerMeter.X, std::fmax(this->VoxelsPerMeter.Y, this->VoxelsPerMeter.Z)))
-  // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
+  // A gradient transforms with the inverse transpose. The result is in world units along the
+  // device's axes, so that they are only rotated.
   , GradientToDevice(
       Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(this->Baked->IndexToWorld.Linear)))
   , FallbackNormal(

@@ -5,11 +5,12 @@
  * The immutable snapshot of everything that a servo tick reads.
  *
  * Spaces: *index* (0 ... samples - 1 along each axis of the array), *world* (the units of the
- * image, mm for CT) and *device* (metres; tip, proxy and force). Device and world differ by a
+ * image, mm for CT) and *device* (metres; tip, proxy and force). The map from device to world is a
  * similarity, so that a volume feels equally stiff at any size on the screen.
  *
  * A model is built outside the servo thread, and never changes afterwards. It keeps the scalar
- * array alive through HapticModelDescription::Samples and borrows its memory: nothing is copied.
+ * array alive through HapticModelDescription::Samples, and reads the array's own memory: nothing is
+ * copied.
  */
 #ifndef HapticModel_h
 #define HapticModel_h
@@ -22,14 +23,14 @@
 namespace VolumeHaptics
 {
 
-/** A baked volume, touched with a device that is placed in its world. */
+/** A baked volume, felt with a device that is placed in the volume's world. */
 class HapticModel
 {
 public:
   explicit HapticModel(const HapticModelDescription& description);
   ///@{
   /**
-   * Makes a model of the same volume, with another device or another placement, without baking
+   * Makes a model of the same volume with another device or another placement. Nothing is baked
    * again.
    */
   HapticModel(const HapticModel& other, const Affine3& deviceToWorld, const ForceCaps& deviceCaps);
@@ -39,12 +40,13 @@ public:
   HapticModel(const HapticModel&) = delete;
   HapticModel& operator=(const HapticModel&) = delete;
 
-  /** Below this stiffness (N/m) nothing is felt: the proxy follows the tip. */
+  /** Stiffness (N/m) below which nothing is felt, so that the proxy moves with the tip. */
   static constexpr double MinimumStiffness = 1e-3;
 
   const std::shared_ptr<const BakedVolume> Baked;
   /**
-   * The tighter of the user's and the device's caps: no stiffness or damping is felt above them.
+   * Largest stiffness and damping that are felt: the tighter ones of the user's and the device's
+   * caps.
    */
   const ForceCaps Caps;
 
@@ -53,68 +55,71 @@ public:
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
   const double WorldUnitsPerMeter;
-  /** The largest number of index steps along any axis for a vector of 1 m. */
+  /** For each axis, the number of index steps in 1 m along it. */
   const Vector3 VoxelsPerMeter;
-  const double MostVoxelsPerMeter; ///< index steps in 1 m along the axis of the smallest spacing
-  /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
+  /** Number of index steps in 1 m along the axis with the smallest spacing. */
+  const double MostVoxelsPerMeter;
+  /** Converts a gradient per index step to scalar units per world unit along the device's axes. */
   const Matrix3 GradientToDevice;
-  /** Stands in for the normal without a gradient: the volume's third axis. */
+  /** Normal where there is no gradient: the volume's third axis. */
   const Vector3 FallbackNormal;
   /**
    * Whether the kernel's length depends on the direction, because it is KernelRadius voxels along
-   * that direction. False for cubic voxels and with the solver PAPER.
+   * that direction. False for cubic voxels and for the solver PAPER.
    */
   const bool HasLengthByDirection;
   /** Whether the distinctness depends on the direction: HapticMaterial::IsDistinctFromNoise. */
   const bool HasNoiseByDirection;
   /**
-   * KernelRadius times the largest spacing, in metres: with the solver PAPER and for cubes, the
-   * distance of x_s and x_v from the proxy; otherwise, the largest such distance.
+   * KernelRadius times the largest spacing, in metres. With the solver PAPER or cubic voxels, this
+   * is the distance of x_s and x_v from the proxy; otherwise it is the largest such distance.
    */
   const double KernelLength;
   const double InverseRadius; ///< 1/KernelRadius
   /**
-   * Turns a gradient per index step, over its magnitude in device space, into x_s - x_p at
-   * KernelLength: see ComputeReach.
+   * Converts a gradient per index step, divided by its magnitude in device space, to x_s - x_p for
+   * the length KernelLength (see ComputeReach).
    */
   const Matrix3 GradientToReach;
-  /** The vector x_s - x_p, as index steps, where there is no gradient. */
+  /** x_s - x_p (index steps) where there is no gradient. */
   const Vector3 FallbackReach;
-  const ResidentBox Resident; ///< the resident samples in Baked->Field
+  const ResidentBox Resident; ///< the samples in memory in Baked->Field
   ///@{
-  /** Maps from an index of the volume, and from the device, to an index of the label image. */
+  /** Map an index of the volume, and a device position, to an index of the label image. */
   const Affine3 IndexToLabel;
   const Affine3 DeviceToLabel;
   ///@}
   /**
-   * Turns a gradient per index step of the label image into one per world unit, along the device's
+   * Converts a gradient per index step of the label image to one per world unit along the device's
    * axes.
    */
   const Matrix3 LabelGradientToDevice;
   /**
-   * The counterparts of HasLengthByDirection and KernelLength at a wall between labels:
-   * KernelRadius voxels of the coarser image.
+   * HasLengthByDirection and KernelLength at a wall between labels. The length is KernelRadius
+   * voxels of the coarser image.
    */
   const bool HasLabelLengthByDirection;
   const double LabelReach;
   /**
-   * The counterpart of GradientToReach for a gradient per index step of the label image, and
-   * LabelReach.
+   * GradientToReach for a gradient per index step of the label image and for the length LabelReach.
    */
   const Matrix3 LabelGradientToReach;
-  /** The most index steps in 1 m: of the volume or, if its walls are felt, of the label image. */
+  /**
+   * The largest number of index steps in 1 m along any axis. If labels are felt, the larger one of
+   * volume and label image.
+   */
   const double MostStepsPerMeter;
 
   /**
-   * Returns the length of KernelRadius voxels along a direction whose unit vector has these index
-   * steps.
+   * Returns the length (m) of KernelRadius voxels along a direction. `steps` are the index steps of
+   * its unit vector.
    */
   double KernelLengthOf(const Vector3& steps) const noexcept
   {
     return this->Baked->Kernel.Radius / std::fmax(Norm(steps), 1e-300);
   }
   /**
-   * Returns the distance (m) of x_s and x_v from a proxy whose surface has this normal (unit or
+   * Returns the distance (m) of x_s and x_v from a proxy on a surface with this normal (unit or
    * zero).
    */
   double KernelLengthAlong(const Vector3& normal) const noexcept
@@ -123,8 +128,8 @@ public:
                                       : this->KernelLength;
   }
   /**
-   * Returns x_s - x_p (index steps) for a vector in its direction; the same as GradientToReach for
-   * cubes.
+   * Returns x_s - x_p (index steps) for a vector in its direction that GradientToReach has
+   * returned. With cubic voxels it is that vector.
    */
   Vector3 ComputeReach(const Vector3& direction) const noexcept
   {
@@ -139,13 +144,13 @@ public:
     DistinctnessTable::Values values = this->Baked->Distinctness(magnitude);
     if (this->HasNoiseByDirection)
     {
-      // Returns 1 along the axis of the smallest spacing.
+      // For the axis with the smallest spacing, `voxels` is 1.
       const double voxels = Norm(this->DeviceToIndex.Linear * normal) / this->MostVoxelsPerMeter;
       values[0] = this->Baked->Distinctness(magnitude / std::fmax(voxels, 1e-300))[0];
     }
     return values;
   }
-  /** Does the same as KernelLengthAlong, at a wall between labels. */
+  /** Returns KernelLengthAlong at a wall between labels. */
   double LabelReachAlong(const Vector3& normal) const noexcept;
 
   bool IsCutAway(const Vector3& world) const noexcept
@@ -153,7 +158,9 @@ public:
     return this->Baked->Cut &&
       this->Baked->Cut->Compute(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
   }
-  /** Returns the index steps of a displacement (m), in the finer of the felt images. */
+  /**
+   * Returns the length of a displacement (m) in index steps of the finer one of the felt images.
+   */
   double StepsOf(const Vector3& displacement) const noexcept
   {
     const double steps = Norm(this->DeviceToIndex.Linear * displacement);
@@ -162,30 +169,33 @@ public:
       : steps;
   }
 
-  /** Returns 0 at the volume's border, rising to 1 one kernel radius inside. */
+  /**
+   * Returns the factor of surfaces near the volume's border: 0 at the border, 1 from one kernel
+   * radius inside.
+   */
   double BorderFade(const Vector3& index) const noexcept
   {
     const double fade = this->Baked->Field.DistanceToBorder(index) * this->InverseRadius;
     return fade < 1.0 ? (fade > 0.0 ? fade : 0.0) : 1.0;
   }
 
-  /** Returns V at a device position, and at a data time if the volume moves. */
+  /** Returns V at a device position and, if the volume moves, at a data time. */
   double ValueAtDevice(const Vector3& device, double time = 0.0) const noexcept
   {
     return this->Baked->At(time).Value(this->DeviceToIndex(device));
   }
 
-  /** Returns the label at a device position; NoLabel if there is none. */
+  /** Returns the label at a device position, or NoLabel if there is none. */
   std::int64_t LabelAtDevice(const Vector3& device) const noexcept
   {
     return this->Baked->Labels ? this->Baked->Labels->View.Nearest(this->DeviceToLabel(device))
                                : NoLabel;
   }
 
-  /** Returns the tables that every tick reads, without the samples and the mesh. */
+  /** Returns the tables that every tick reads. Samples and mesh are not among them. */
   std::vector<MemoryRange> GetTables() const;
 
-  /** Returns the size (bytes) of the model without the image. */
+  /** Returns the size (bytes) of the model without its image. */
   std::size_t GetMemorySize() const;
 };
 

@@ -28,37 +28,40 @@ class SurfaceMesh;
 struct BakedLabels;
 class CutAway;
 
-/** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
+/**
+ * Material as functions of the scalar, and as functions of the gradient magnitude per world unit.
+ */
 struct HapticMaterial
 {
-  Polyline Stiffness = ConstantPolyline(500.0);        ///< k, N/m
-  Polyline Friction = ConstantPolyline(0.0);           ///< mu
-  Polyline SurfaceStrength = ConstantPolyline(2.0);    ///< T_N, N
-  Polyline Viscosity = ConstantPolyline(0.0);          ///< R, N
-  Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1, of the gradient magnitude
-  Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
-  Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
+  Polyline Stiffness = ConstantPolyline(500.0);      ///< k, N/m
+  Polyline Friction = ConstantPolyline(0.0);         ///< mu
+  Polyline SurfaceStrength = ConstantPolyline(2.0);  ///< T_N, N
+  Polyline Viscosity = ConstantPolyline(0.0);        ///< R, N
+  Polyline Distinctness = ConstantPolyline(1.0);     ///< W_d, 0 to 1, of the gradient magnitude
+  Polyline ScalarVisibility = ConstantPolyline(1.0); ///< factor 0 or 1 of T_N and R
+  /** Factor 0 or 1 of T_N and R, by the gradient magnitude. */
+  Polyline GradientVisibility = ConstantPolyline(1.0);
   /**
    * Whether Distinctness is the ramp of MakeNoiseRamp. The larger the spacing along an axis, the
-   * less noise its gradient has; so W_d is taken at the rise over a voxel along the normal, divided
-   * by the smallest spacing (not with the solver PAPER).
+   * less noise the gradient along it has. So W_d is looked up for the rise over a voxel along the
+   * normal, divided by the smallest spacing (not with the solver PAPER).
    */
   bool IsDistinctFromNoise = false;
 };
 
-/** The samples of a volume that moves, at one instant. */
+/** A time step of a volume that moves. */
 struct VolumeTimeStep
 {
   double Time = 0.0; ///< data time, in the units of the data
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * The displacements to the next time step, on the points of View; none if they are not known, or
-   * if there is no next time step.
+   * Displacements to the next time step at the points of View. Empty if they are not known or if
+   * there is no next time step.
    */
   DisplacementView Displacements = {};
   std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps the displacements alive
-  /** The isosurface for HapticMethod::SurfaceProxy, which moves to the next time step. */
+  /** Isosurface for HapticMethod::SurfaceProxy, with its motion to the next time step. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
@@ -68,46 +71,43 @@ struct HapticModelDescription
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * The time steps of a volume that moves, by ascending time: at least two, or one of a Series.
-   * View is the first one, and all have its geometry. After the last time step of the series, the
-   * first one may follow again.
+   * Time steps of a volume that moves, in the order of their times: at least two, or one time step
+   * of Series. View is the first one, and all have its geometry. In a loop, the first time step may
+   * follow again after the last one of the series.
    */
   std::vector<VolumeTimeStep> TimeSteps;
-  /**
-   * The series of which the time steps are a part; with a LoopInterval of 0, they are the whole
-   * series.
-   */
+  /** The series that contains TimeSteps. If LoopInterval is 0, TimeSteps are the whole series. */
   TimeStepSeries Series;
-  Affine3 IndexToWorld;  ///< not singular
-  Affine3 DeviceToWorld; ///< a similarity, world units per metre
-  ForceCaps DeviceCaps;  ///< the user's caps are in Settings
+  Affine3 IndexToWorld;  ///< maps indices to the world; can be inverted
+  Affine3 DeviceToWorld; ///< a similarity, with the world units per metre as its factor
+  ForceCaps DeviceCaps;  ///< the device's caps; Settings has the user's caps
   GradientEstimator Estimator = GradientEstimator::Gaussian;
-  int KernelRadius = 2; ///< voxels
+  int KernelRadius = 2; ///< in voxels
   HapticMaterial Material;
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh;   ///< isosurface (world) of HapticMethod::SurfaceProxy
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   std::shared_ptr<const CutAway> Cut;        ///< null if all of the volume is felt
   /**
-   * For HapticMethod::Primitives, on the points of View. Modes that are not valid, or whose
-   * primitives exceed the limit of a tick, are not felt.
+   * Modes for HapticMethod::Primitives, whose samples are at the points of View. Modes that are not
+   * valid are not felt, nor are modes whose primitives exceed the limit of a tick.
    */
   std::vector<ModeDescription> Modes;
-  std::shared_ptr<const BakedTool> Tool; ///< null: the hand feels with a point
+  std::shared_ptr<const BakedTool> Tool; ///< tool in the hand; null if the hand feels with a point
   /**
-   * The tissue that a tool removes from the samples of View, which are then read as if it were
-   * absent; may be null. The thread that ticks writes to it. Not for a volume that moves.
+   * The tissue that a tool removes from the samples of View, or null. A tick reads the samples as
+   * if removed tissue were absent. The ticking thread writes to it. A volume that moves ignores it.
    */
   std::shared_ptr<TissueRemoval> Removal;
-  double AirValue = 0.0; ///< the value of a sample without tissue
+  double AirValue = 0.0; ///< value of a sample whose tissue was removed
   /**
-   * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other time
-   * steps, with the same material and settings: a servo goes on from that model as if both models
-   * were the whole volume.
+   * 0, or the BakedVolume::Number of another model that has the same material and settings and
+   * shows another region of the same volume, or other time steps of it. The servo continues from
+   * that model as if both models were the whole volume.
    */
   std::uint64_t Number = 0;
   /**
-   * The fraction of the force that is felt; below 1 if the samples stand in for the volume's own.
+   * Fraction of the force that is felt. It is below 1 if coarser samples replace the volume's own.
    */
   double ResidentShare = 1.0;
 };

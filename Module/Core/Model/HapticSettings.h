@@ -16,43 +16,43 @@ namespace VolumeHaptics
 
 enum class HapticMethod : std::uint8_t
 {
-  Proxy,        ///< the paper's section 3
-  ForceField,   ///< the paper's eq. 1
-  SurfaceProxy, ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
-  LocalSurface, ///< a plane or quadric that a slow loop renews; see LocalSurfaceSolver.h
-  Primitives    ///< modes for vectors, tensors, ridges and guides; see PrimitivesMethod.h
+  Proxy,        ///< the proxy of the paper's section 3
+  ForceField,   ///< the force field of the paper's eq. 1
+  SurfaceProxy, ///< a sphere on the triangles of a mesh (SurfaceProxy.h)
+  LocalSurface, ///< a plane or quadric that a slow loop renews (LocalSurfaceSolver.h)
+  Primitives    ///< modes for vectors, tensors, ridges and guides (PrimitivesMethod.h)
 };
 
-/** How Proxy advances the proxy in a tick. */
+/** How the method Proxy advances its proxy in a tick. */
 enum class HapticSolver : std::uint8_t
 {
   Paper,  ///< as published, with one gradient a tick
-  Precise ///< the same law, in balance at the proxy's end point; see PreciseSolver.h
+  Precise ///< by the same law, in balance at the proxy's end point (PreciseSolver.h)
 };
 
-/** The point at which a surface begins to hold; for HapticSolver::Precise. */
+/** Where a surface begins to hold. For HapticSolver::Precise. */
 enum class ContactAlignment : std::uint8_t
 {
-  Distinctness, ///< by W_d and T_N alone
-  Edge          ///< only from V(x_p) >= (V(x_s) + V(x_v))/2 on
+  Distinctness, ///< where W_d and T_N are above 0
+  Edge          ///< only where V(x_p) >= (V(x_s) + V(x_v))/2
 };
 
-/** The image whose surfaces are felt; for HapticMethod::Proxy. */
+/** The image whose surfaces are felt. For HapticMethod::Proxy. */
 enum class SurfaceGeometry : std::uint8_t
 {
   Scalars,
-  Labels, ///< only walls between labels; see LabelWalls.h
-  Both    ///< walls between labels where the scalars have no distinct surface
+  Labels, ///< only walls between labels (LabelWalls.h)
+  Both    ///< surfaces of the scalars and, where these are not distinct, walls between labels
 };
 
-/** The value that determines a surface's material; for HapticSolver::Precise. */
+/** The values that determine a surface's material. For HapticSolver::Precise. */
 enum class MaterialPlacement : std::uint8_t
 {
   Kernel, ///< V(x_s) and V(x_v), a kernel radius to either side of the proxy
-  FarSide ///< the values of the plateaus on either side of the edge; see FarSide.h
+  FarSide ///< values of the plateaus on both sides of the edge (FarSide.h)
 };
 
-/** The shape that stands in for the surface near the proxy; for HapticMethod::LocalSurface. */
+/** The shape that replaces the surface near the proxy. For HapticMethod::LocalSurface. */
 enum class LocalSurfaceShape : std::uint8_t
 {
   Plane,
@@ -60,8 +60,8 @@ enum class LocalSurfaceShape : std::uint8_t
 };
 
 /**
- * The side of a surface on which its structure lies: the side of higher values, the side of lower
- * values, or either.
+ * The side of a surface on which its structure is: the side of higher values, the side of lower
+ * values, or the side that the tip moves to.
  */
 enum class SurfaceSide : std::uint8_t
 {
@@ -76,24 +76,29 @@ struct HapticSettings
   HapticMethod Method = HapticMethod::Proxy;
   HapticSolver Solver = HapticSolver::Precise;
   ContactAlignment Alignment = ContactAlignment::Edge;
-  SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
+  SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< must be Scalars without labels
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
-  bool SameShape = false;           ///< one stiffness for all materials that have any
-  double ReleaseTime = 0.005;       ///< s, duration of a leap of Precise with FarSide; 0: at once
-  double CouplingStiffness = 500.0; ///< N/m, with SameShape and for Primitives
+  bool SameShape = false; ///< whether all materials with any stiffness have the same one
+  /**
+   * Duration (s) over which the force of a leap is spread, for Precise with FarSide; 0 for none.
+   */
+  double ReleaseTime = 0.005;
+  double CouplingStiffness = 500.0; ///< N/m; for SameShape and for Primitives
   double TickPeriod = 1e-3;         ///< s
-  double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand
-  ForceCaps Caps;                   ///< the user's; the device has its own: HapticModel::Caps
-  double MaximumForce = 0.0;        ///< N on the hand; 0: no limit
+  double TimeUnitsPerSecond = 1.0;  ///< data time per second of the hand
+  ForceCaps Caps;                   ///< the user's caps; HapticModel::Caps includes the device's
+  double MaximumForce = 0.0;        ///< largest force (N) on the hand; 0 for no limit
   double ForceFieldGain = 0.0;      ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0;   ///< C2 of eq. 1, N s/m
-  double IsoValue = 0.0;            ///< value of the surface of SurfaceProxy and LocalSurface
+  double IsoValue = 0.0;            ///< value at the surface of SurfaceProxy and LocalSurface
   bool HasIsoSurface = false;       ///< whether the mesh is the isosurface at IsoValue
-  double ProxyRadius = 0.5;         ///< world units, more than 0; for SurfaceProxy
-  bool ForceShading = true;         ///< for SurfaceProxy, if the mesh has normals
-  double LocalSurfaceRate = 60.0;   ///< Hz, the slow loop of LocalSurface
-  double RecoveryTime = 0.015;      ///< s, from one surface to the next, for LocalSurface
+  double ProxyRadius = 0.5;         ///< world units, more than 0, for SurfaceProxy
+  /** Whether SurfaceProxy interpolates the normals of a mesh that has them. */
+  bool ForceShading = true;
+  double LocalSurfaceRate = 60.0; ///< rate (Hz) of the slow loop of LocalSurface
+  /** Duration (s) of the change from one surface to the next, for LocalSurface. */
+  double RecoveryTime = 0.015;
   LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
 };
 

@@ -9,7 +9,10 @@
 namespace VolumeHaptics
 {
 
-/** Memories of the last label lookups, kept from tick to tick. They change no result. */
+/**
+ * Memories of the last label lookups. They are kept from tick to tick, make lookups faster, and
+ * change no result.
+ */
 struct LabelMemory
 {
   WallMemory Wall;  ///< memory of the lookup around the proxy

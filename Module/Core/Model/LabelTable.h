@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The material of a label. Unset values come from the functions of the scalar. */
+/** The material of a label. A value that is not set comes from the functions of the scalar. */
 struct LabelMaterial
 {
   /** The channels of MaterialTable that a label may have: k, mu, T_N and R. */
@@ -24,20 +24,21 @@ struct LabelMaterial
   std::array<double, Channels> Value{};
   std::array<bool, Channels> IsSet{};
   ///@{
-  /** tau, N per metre of a needle's shaft. */
+  /** Friction tau in N per metre of a needle's shaft. */
   double ShaftFriction = 0.0;
   bool HasShaftFriction = false;
   ///@}
   ///@{
-  /** U, J/mm^3 that it takes a burr to remove the tissue. */
+  /** Specific energy U (J/mm^3) that a burr needs to remove the tissue. */
   double SpecificEnergy = 0.0;
   bool HasSpecificEnergy = false;
   ///@}
-  bool IsFelt = true; ///< if false, T_N, R and tau are 0, and the label makes no surface
+  /** Whether the label is felt; if not, T_N, R and tau are 0, and it makes no surface. */
+  bool IsFelt = true;
   bool IsForbidden = false;
 };
 
-/** A label with its material. */
+/** A label and its material. */
 struct LabelledMaterial
 {
   std::int64_t Label = 0;
@@ -45,13 +46,12 @@ struct LabelledMaterial
 };
 
 /**
- * The place of a label in the order from soft to hard, which determines on which side of a wall its
- * structure lies: labels that are not felt, labels without an entry, labels with an entry; within
- * these by T_N, then by k; then by number.
+ * The place of a label in the order from soft to hard, by which a wall's structure lies on the side
+ * of the harder label. The order is by Kind, then by T_N, then by k, then by the label's number.
  */
 struct LabelOrder
 {
-  int Kind = 0; ///< 0: not felt; 1: without an entry; 2: with an entry
+  int Kind = 0; ///< 0 if the label is not felt, 1 if it has no entry, 2 if it has one
   double Strength = 0.0;
   double Stiffness = 0.0;
   std::int64_t Label = 0;
@@ -66,27 +66,27 @@ inline bool operator<(const LabelOrder& a, const LabelOrder& b) noexcept
 }
 
 /**
- * Materials by label: a hash table that is at most half full, so that a lookup takes one or two
- * probes for any number of labels.
+ * Materials by label, in a hash table that is at most half full, so that a lookup takes one or two
+ * probes however many labels there are.
  */
 class LabelTable
 {
 public:
   LabelTable() = default;
   /**
-   * Makes the table from entries with each label once. Sets the channels to 0 whose surfaces must
-   * not be felt.
+   * Makes the table from entries. Each label must occur once. For labels that are not felt, sets
+   * the channels that make surfaces to 0.
    */
   explicit LabelTable(const std::vector<LabelledMaterial>& entries);
 
-  /** Sets the stiffness (N/m) of all labels whose own stiffness is above a floor. */
+  /** Sets the stiffness (N/m) of all labels whose own stiffness exceeds `floor` (N/m). */
   void SetOneStiffness(double stiffness, double floor);
 
   bool IsEmpty() const noexcept { return this->Entries.empty(); }
   /** Returns whether any label has a specific energy. */
   bool HasSpecificEnergy() const noexcept { return this->AnySpecificEnergy; }
 
-  /** Returns the material of a label; null if it has none. */
+  /** Returns the material of a label, or null if it has none. */
   const LabelMaterial* Find(std::int64_t label) const noexcept
   {
     if (this->Entries.empty())
@@ -109,7 +109,7 @@ public:
 
   LabelOrder OrderOf(std::int64_t label) const noexcept
   {
-    constexpr int strength = 2; // the channels
+    constexpr int strength = 2; // channels of T_N and k
     constexpr int stiffness = 0;
     constexpr double none = -1.0;
     const LabelMaterial* const material = this->Find(label);
@@ -127,7 +127,7 @@ public:
   }
 
   ///@{
-  /** Returns the memory outside the object. */
+  /** Return the memory outside the object. */
   const void* GetEntries() const noexcept { return this->Entries.data(); }
   std::size_t GetEntriesSize() const noexcept
   {
@@ -148,17 +148,17 @@ public:
 
 private:
   /**
-   * Returns where the search for a label begins: the highest bits of a product depend on all bits
-   * of the label.
+   * Returns the slot where the search for a label begins. It has the highest bits of a product,
+   * because these depend on all bits of the label.
    */
   std::size_t Home(std::int64_t label) const noexcept
   {
-    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U; // 2^64 over the golden ratio, odd
+    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U; // odd number near 2^64 / golden ratio
     return static_cast<std::size_t>((static_cast<std::uint64_t>(label) * golden) >> this->Shift);
   }
 
   std::vector<LabelledMaterial> Entries;
-  std::vector<std::uint32_t> Places; ///< 1 + the index in Entries; 0: free
+  std::vector<std::uint32_t> Places; ///< 1 + index in Entries; 0 for a free slot
   std::size_t Mask = 0;
   int Shift = 63;
   bool AnySpecificEnergy = false;

@@ -11,13 +11,13 @@
 namespace VolumeHaptics
 {
 
-/** The taps of a kernel at a position. Taps beyond the image repeat the voxel at its border. */
+/** The taps of a kernel at a position. Taps outside the image repeat the voxel at the border. */
 struct LabelWalls::Taps
 {
   static constexpr int Most = GradientKernel::MaximumTaps;
 
   int Count;
-  /** Along each axis: the weights of the value, then the weights of the derivative. */
+  /** For each axis, the weights of the value, followed by the weights of the derivative. */
   double Weights[3][2 * Most];
   std::int64_t Offset[3][Most];
   ///@{
@@ -26,10 +26,10 @@ struct LabelWalls::Taps
   double Slope[Most + 1];
   ///@}
   const std::uint8_t* Fractions;
-  std::int64_t Place[3][Most]; ///< the indices of the voxels
+  std::int64_t Place[3][Most]; ///< the voxels' indices along each axis
 };
 
-/** The labels around a position with their fractions, and the gradients of the fractions. */
+/** The labels around a position, with their fractions and the gradients of these. */
 struct LabelWalls::Around
 {
   static constexpr int Most = LabelBlock::Most;
@@ -65,7 +65,7 @@ struct LabelWalls::Around
 namespace
 {
 
-/** Computes the weights at a position within the image; returns the first tap's index. */
+/** Computes the weights at a position inside the image. Returns the first tap's index. */
 std::int64_t ComputeWeights(const GradientKernel& kernel, double position, double* weights) noexcept
 {
   const double place = position * GradientKernel::Intervals;
@@ -193,7 +193,7 @@ LabelWalls::LabelWalls(
 
 LabelWall LabelWalls::Compute(const Vector3& index, WallMemory& memory) const noexcept
 {
-  // Also false for NaN.
+  // The condition is false for NaN, too.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
     index.X <= this->Last.X && index.Y <= this->Last.Y && index.Z <= this->Last.Z;
   if (!isInside)
@@ -294,8 +294,8 @@ template <typename F>
 LabelWall LabelWalls::FindNearest(
   int count, const std::int64_t* labels, F&& fraction) const noexcept
 {
-  // Sort the labels, hardest first. A wall is where the fractions of the hardest labels add up to
-  // 1/2, if the next label has a lower order. Find the nearest wall.
+  // Sort the labels, the hardest first. There is a wall where the fractions of the hardest labels
+  // add up to 1/2, unless the next label has the same place in the order. Find the nearest wall.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
   for (int i = 0; i < count; ++i)

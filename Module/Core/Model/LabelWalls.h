@@ -34,38 +34,42 @@
 namespace VolumeHaptics
 {
 
-/** The nearest wall around a position. */
+/** The wall that is nearest to a position. */
 struct LabelWall
 {
   bool IsThere = false;
-  double Value = 0.0; ///< u_in - u_out: -1 far outside the harder labels, 0 on the wall
-  Vector3 Gradient;   ///< gradient of Value, per index step of the label image
+  /** u_in - u_out: -1 far outside the harder labels, 0 on the wall, 1 far inside. */
+  double Value = 0.0;
+  Vector3 Gradient; ///< gradient of Value, per index step of the label image
 };
 
 /**
- * The voxels of the last lookup, in a cell of the label image. The next lookups mostly need the
- * same voxels; this memory saves time and changes no result.
+ * The voxels that the last lookup read, in a cell of the label image. The next lookups mostly need
+ * the same voxels. The memory makes them faster and changes no result.
  */
 struct WallMemory
 {
-  std::uint64_t Walls = 0; ///< the number of the LabelWalls that used it; 0: none
+  std::uint64_t Walls = 0; ///< number of the LabelWalls that used the memory; 0 if none did
   std::int64_t Cell[3] = {};
-  bool HasWall = false; ///< whether the voxels have two labels; if false, there is no wall
+  bool HasWall = false; ///< whether the voxels have two labels; without two there is no wall
   ///@{
-  /** Whether the harder label's rows are steps. If not, the planes, as in LabelBlock, are used. */
+  /**
+   * Whether the rows of the harder label are steps. If not, the lookup uses Planes, as in
+   * LabelBlock.
+   */
   bool HasSteps = false;
   LabelSteps Steps = {};
   std::uint64_t Planes[LabelBlock::Taps] = {};
   ///@}
 };
 
-/** Computes walls. Borrows the view's memory and the table. */
+/** Computes walls. Keeps references to the view's memory and to the table. */
 class LabelWalls
 {
 public:
   /**
-   * Makes walls for a label image. `radius` (voxels of the label image) is the radius of the
-   * kernel. `fractions`, if any, belong to the FineLabels with this view.
+   * Makes walls for a label image. `radius` is the kernel's radius in voxels of the label image.
+   * `fractions`, unless null, are those of the FineLabels with this view.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
     const std::uint8_t* fractions = nullptr);
@@ -73,7 +77,10 @@ public:
   LabelWalls& operator=(const LabelWalls&) = delete;
 
   ///@{
-  /** Returns the wall at an index of the label image; no wall outside the image. */
+  /**
+   * Returns the nearest wall at an index of the label image, or no wall if the index is outside the
+   * image.
+   */
   LabelWall Compute(const Vector3& index, WallMemory& memory) const noexcept;
   LabelWall Compute(const Vector3& index) const noexcept
   {
@@ -82,7 +89,10 @@ public:
   }
   ///@}
 
-  /** Returns 0 at the border of the label image, rising to 1 one kernel radius inside. */
+  /**
+   * Returns the factor of walls near the image's border: 0 at the border, 1 from one kernel radius
+   * inside.
+   */
   double BorderFade(const Vector3& index) const noexcept
   {
     const Vector3 inside = Least(index, this->Last - index);
@@ -97,12 +107,14 @@ public:
   }
 
   ///@{
-  /** Returns the table that every tick reads, with the default radius. */
+  /** Return the table that every tick reads if the kernel has the default radius. */
   const void* GetTable() const noexcept { return this->Sampler.GetMemory(); }
   std::size_t GetTableSize() const noexcept { return this->Sampler.GetMemorySize(); }
   ///@}
 
-  /** Scale of the kernel's Gaussian, as a fraction of the length at which it is cut. */
+  /**
+   * Standard deviation of the kernel's Gaussian, as a fraction of the length at which it is cut.
+   */
   static constexpr double ScalePerCut = 0.55;
 
 private:
@@ -112,27 +124,30 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
-  /** Does the same as Gather, for voxels with fractions. */
+  /** Gathers as Gather, from voxels with fractions. */
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
   LabelWall ComputeInBlock(const Vector3& index, WallMemory& memory) const noexcept;
-  /** Stores the labels of a block; returns false if there are more than two labels. */
+  /** Stores the labels of a block. Returns false if there are more than two labels. */
   bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
   LabelWall ComputeInRuns(const Vector3& index) const noexcept;
-  /** Returns the nearest wall; fraction(i) returns the fraction of label i, and its gradient. */
+  /**
+   * Returns the nearest wall. fraction(i) returns the fraction of label i and the fraction's
+   * gradient.
+   */
   template <typename F>
   LabelWall FindNearest(int count, const std::int64_t* labels, F&& fraction) const noexcept;
 
   const GradientKernel Kernel;
   const VolumeView View;
   const LabelTable& Table;
-  const std::uint64_t Number; ///< unique among all objects
-  Vector3 Last;               ///< the largest index along each axis
+  const std::uint64_t Number; ///< differs from that of all other objects
+  Vector3 Last;               ///< largest index along each axis
   const double InverseRadius;
-  const LabelSampler Sampler; ///< for the default radius of 3, which has LabelBlock::Taps
+  const LabelSampler Sampler; ///< for the default radius of 3, whose taps fit into a LabelBlock
   const std::uint8_t* const Fractions;
-  GatherFunction GatherFractions; ///< for other radii, and for voxels with fractions
+  GatherFunction GatherFractions; ///< gathers for other radii, and for voxels with fractions
 };
 
 } // namespace VolumeHaptics

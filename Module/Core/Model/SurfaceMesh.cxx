@@ -12,7 +12,7 @@ namespace
 {
 
 /**
- * A triangle whose height is less than this fraction of its longest edge has no reliable normal.
+ * Height of a triangle, as a fraction of its longest edge, below which its normal is not reliable.
  */
 constexpr double LeastHeight = 1e-9;
 
@@ -22,7 +22,7 @@ bool HasArea(const Triangle& triangle)
   const Vector3 ac = triangle.Corner[2] - triangle.Corner[0];
   const Vector3 bc = ac - ab;
   const double longest = std::max({ Dot(ab, ab), Dot(ac, ac), Dot(bc, bc) });
-  // False for NaN, too.
+  // The condition is false for NaN, too.
   return Norm(Cross(ab, ac)) > LeastHeight * longest && std::isfinite(longest);
 }
 
@@ -127,7 +127,7 @@ MeshPlace SurfaceMesh::FindNearest(const Vector3& position, int budget) const no
     budget -= 1 + node.Count;
     if (node.Count == 0)
     {
-      // Visits the nearer child first.
+      // Visit the nearer child first.
       Waiting near = { node.First, SquareDistance(this->Nodes[node.First].Bounds, position) };
       Waiting far = { node.First + 1,
         SquareDistance(this->Nodes[node.First + 1].Bounds, position) };
@@ -205,8 +205,8 @@ void SurfaceMesh::Build()
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
 
-  // Splits the triangles into halves of equal number, along the axis on which the centres are
-  // farthest apart.
+  // Splits the triangles into two halves of equal number along the axis on which the centres are
+  // spread most.
   const auto twiceMiddle = [&](std::int32_t i, int axis)
   { return boxes[i].Low[axis] + boxes[i].High[axis]; };
   this->Nodes.push_back({ {}, 0, size });
@@ -245,7 +245,7 @@ void SurfaceMesh::Build()
     this->Boxes[i] = boxes[order[i]];
   }
   this->Triangles = std::move(triangles);
-  // Children come after their parents.
+  // Children come after their parents, so compute their boxes first.
   for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)
   {
     if (node->Count > 0)

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles in the world, with an immutable tree of boxes that finds those nearby.
+ * Triangles in the world, in an immutable tree of boxes that finds the triangles near a place.
  *
- * The triangles of a moving surface go to their places in the next time step along straight ways,
- * and the boxes contain these ways.
+ * The corners of a moving surface's triangles move along straight lines to their positions in the
+ * next time step. The boxes contain these lines.
  *
- * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. Each
- * box that they visit counts against a budget; they return false if the budget is spent.
+ * A mesh is built outside the servo thread. Queries visit a triangle at most once and allocate
+ * nothing. Each box that a query visits counts against a budget. A query returns false if the
+ * budget is spent.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
@@ -28,7 +29,7 @@ struct MeshPlace
 {
   std::int32_t Triangle = -1; ///< -1 if the mesh has no triangles
   TrianglePoint Point{};
-  double Square = 0.0; ///< square of the distance from the position
+  double Square = 0.0; ///< squared distance from the position
 };
 
 class SurfaceMesh
@@ -37,10 +38,9 @@ public:
   using Indices = std::array<std::int32_t, 3>;
 
   /**
-   * Makes a mesh of triangles, given by indices into points (world units). `normals` are unit
-   * normals of the points, for shading, or empty. Triangles without an area, or with a corner that
-   * is not finite, are left out. `motions` are the points' motions until the next time step, or
-   * empty.
+   * Makes a mesh of triangles, which are indices into `points` (world units). `normals` are the
+   * points' unit normals for shading, or empty. `motions` are the points' motions to the next time
+   * step, or empty. Leaves out triangles without an area or with a corner that is not finite.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals, std::vector<Vector3> motions = {});
@@ -52,7 +52,7 @@ public:
   bool HasNormals() const noexcept { return !this->Normals.empty(); }
   std::size_t GetMemorySize() const noexcept;
 
-  /** @param fraction fraction of the way to the next time step, 0 to 1 */
+  /** @param fraction position of the points between this time step (0) and the next one (1) */
   Triangle GetTriangle(std::int32_t i, double fraction = 0.0) const noexcept
   {
     const Indices& corners = this->Triangles[i];
@@ -66,19 +66,19 @@ public:
   }
   const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
-  /** Returns the longest way of any point to the next time step (world units). */
+  /** Returns the longest motion (world units) of any point to the next time step. */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
-  /** Returns the interpolated normal at a point of a triangle, not quite of unit length. */
+  /** Returns the interpolated normal at a point of a triangle. Its length is only roughly 1. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
   /**
-   * Estimates the largest number of boxes that VisitNear visits, from queries around some hundred
-   * triangles that are spread over the mesh.
+   * Estimates how many boxes VisitNear visits at most, from queries around some hundred triangles
+   * all over the mesh.
    */
   int EstimateVisits(double distance) const noexcept;
 
   /**
-   * Calls visit(i) for all triangles whose boxes are within a distance of a position; returns false
+   * Calls visit(i) for all triangles whose boxes are within a distance of a position. Returns false
    * if the budget is spent.
    */
   template <typename Visitor>
@@ -99,15 +99,15 @@ public:
   }
 
   /**
-   * Returns the place nearest to a finite position, on a mesh that does not move; if the budget is
-   * spent, the nearest place so far.
+   * Returns the place nearest to a finite position, or the nearest place so far if the budget is
+   * spent. The mesh must not move.
    */
   MeshPlace FindNearest(const Vector3& position, int budget) const noexcept;
 
   /**
-   * Calls visit(i) for the triangles that a sphere may meet on a displacement. `visit` returns the
-   * fraction of the displacement (0 to 1) beyond which other triangles no longer matter. VisitAlong
-   * returns false if the budget is spent.
+   * Calls visit(i) for the triangles that a moving sphere may meet. `visit` returns the fraction of
+   * the displacement (0 to 1) behind which other triangles no longer matter. Returns false if the
+   * budget is spent.
    */
   template <typename Visitor>
   bool VisitAlong(const Vector3& start, const Vector3& displacement, double radius, int& budget,
@@ -140,7 +140,7 @@ public:
   }
 
 private:
-  /** Coordinates are rounded outward. */
+  /** A box of single-precision coordinates, which are rounded outward. */
   struct Box
   {
     float Low[3];
@@ -149,12 +149,12 @@ private:
   struct Node
   {
     Box Bounds;
-    std::int32_t First; ///< the first triangle of a leaf; else the first of its two children
-    std::int32_t Count; ///< triangles of a leaf; else 0
+    std::int32_t First; ///< first triangle of a leaf; otherwise the first of two children
+    std::int32_t Count; ///< number of a leaf's triangles; 0 if the node is not a leaf
   };
 
   static constexpr int LeafSize = 4;
-  /** The deepest tree: nodes are halved, so a tree of 2^31 triangles is no deeper. */
+  /** Limit of the tree's depth. Nodes are halved, so that even 2^31 triangles need less. */
   static constexpr int Deepest = 64;
 
   void Build();
@@ -202,9 +202,9 @@ private:
 
   std::vector<Vector3> Points;
   std::vector<Vector3> Normals;
-  std::vector<Vector3> Motions; ///< motions of the points; empty if the points stand still
+  std::vector<Vector3> Motions; ///< motions of the points; empty if the mesh does not move
   double LongestMotion = 0.0;
-  std::vector<Indices> Triangles; ///< triangles in the order of the leaves
+  std::vector<Indices> Triangles; ///< in the order of the leaves
   std::vector<Box> Boxes;         ///< box of each triangle
   std::vector<Node> Nodes;
 };

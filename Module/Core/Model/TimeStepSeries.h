@@ -4,14 +4,14 @@
  * @file
  * The data times of a volume that moves.
  *
- * A series begins with the time step at First and ends with the one at Last. If it is played in a
- * loop, the last time step is blended into the first one in a further interval:
+ * A series begins with the time step at First and ends with the time step at Last. In a loop, the
+ * last time step is blended into the first one during a further interval:
  *
  *   First ... Last ... First + GetPeriod(), which is First again.
  *
- * A model may hold a part of the series only, the *time span*: some of the time steps, in this
- * order. A time span that crosses the end of a loop ends at an earlier time than it begins. A time
- * span of one time step has only the time of that time step.
+ * A model may hold only some consecutive time steps of the series, the *time span*. If the time
+ * span crosses the end of a loop, it ends at an earlier data time than it begins. If it has one
+ * time step, it has only the data time of that time step.
  */
 #ifndef TimeStepSeries_h
 #define TimeStepSeries_h
@@ -25,19 +25,20 @@ struct TimeStepSeries
 {
   double First = 0.0;
   double Last = 0.0;
-  double LoopInterval = 0.0; ///< more than 0, if there are time steps
+  /** Data time from Last to First in a loop; more than 0 if there are time steps. */
+  double LoopInterval = 0.0;
 
   double GetPeriod() const noexcept { return this->Last - this->First + this->LoopInterval; }
 };
 
-/** The span of data time for which a model has the time steps. */
+/** The span of data time whose time steps a model has. */
 struct TimeSpan
 {
   TimeStepSeries Series;
-  double Front = 0.0; ///< the first time step's time
-  /** The last time step's time; equals Front if the time span has the whole loop. */
+  double Front = 0.0; ///< data time of the first time step
+  /** Data time of the last time step. It equals Front if the time span has the whole loop. */
   double Back = 0.0;
-  bool IsInstant = false; ///< the time span has one time step only
+  bool IsInstant = false; ///< whether the time span has only one time step
 
   bool IsLoop() const noexcept { return this->Front == this->Back && !this->IsInstant; }
   bool Has(double time) const noexcept
@@ -46,7 +47,9 @@ struct TimeSpan
                                                        : time >= this->Front || time <= this->Back;
   }
   ///@{
-  /** Returns how much data time the time span contains after `time` and before it. */
+  /**
+   * Return how much data time the time span has after `time` (GetAhead) and before it (GetBehind).
+   */
   double GetAhead(double time) const noexcept { return this->Measure(this->Back - time); }
   double GetBehind(double time) const noexcept { return this->Measure(time - this->Front); }
   ///@}
