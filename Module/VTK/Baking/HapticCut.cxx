@@ -56,7 +56,7 @@ bool HasFlag(vtkUnsignedCharArray* flags, int flag, vtkIdType count)
     std::any_of(first, first + count, [flag](unsigned char one) { return (one & flag) != 0; });
 }
 
-/** Blanks the points that no cell shows. */
+/** Hides the points that belong to no visible cell. */
 void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCharArray* points)
 {
   int size[3];
@@ -85,7 +85,10 @@ void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCh
   }
 }
 
-/** Finds the points of an image that are blanked, or have only blanked cells around them. */
+/**
+ * Finds the points of an image that are blanked themselves, or that have only blanked cells around
+ * them.
+ */
 HiddenVoxels CollectBlanked(vtkImageData* image, const int extent[6])
 {
   HiddenVoxels hidden;
@@ -169,7 +172,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
     {
       const double low = this->RegionPlanes[2 * axis];
       const double high = this->RegionPlanes[2 * axis + 1];
-      // The condition is also false for NaN.
+      // Written so that NaN fails.
       if (!(low <= high))
       {
         std::ostringstream message;
@@ -180,7 +183,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
         error = message.str();
         return nullptr;
       }
-      // Crops along the axes of the data, as the mappers do.
+      // Crop along the axes of the data, as the mappers do.
       const double first = extent[2 * axis];
       const auto toIndex = [&](double x)
       { return (x - image->GetOrigin()[axis]) / image->GetSpacing()[axis] - first; };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an application cuts away from a volume, as VTK's volume mappers do.
+ * Describes the parts that an application cuts away from a volume, as VTK's volume mappers do.
  */
 #ifndef HapticCut_h
 #define HapticCut_h
@@ -26,19 +26,19 @@ struct HapticCut
   vtkSmartPointer<vtkPlaneCollection> Planes; ///< null if there are none
   bool Cropping = false;
   double RegionPlanes[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
-  int RegionFlags = 0x0002000; ///< shows the region in the middle
+  int RegionFlags = 0x0002000; ///< default: only the region in the middle is shown
   bool HasSolidFaces = false;
 
   void Print(ostream& os, vtkIndent indent) const;
 
-  /** Includes the change time of the planes, which an application may move. */
+  /** Returns the modification time, including that of the planes, which an application may move. */
   vtkMTimeType GetMTime() const;
 
   /**
    * Makes the cut for a model of an image, whose points and cells may be blanked. Returns null if
-   * nothing is cut away, or after a fault, which `error` then reports with the cure.
+   * nothing is cut away, or after a fault; `error` then has the fault and the cure.
    * @param extent the model's extent in the image's structured coordinates; index 0 of the model is
-   * its lower corner
+   * the extent's lower corner
    */
   std::shared_ptr<const CutAway> Make(vtkImageData* image, const int extent[6],
     const Affine3& indexToWorld, std::string& error) const;

@@ -29,10 +29,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest span of labels that gets a table. */
+/** Largest span of scalars that are taken for labels, for each of which the table has an entry. */
 constexpr int MostScalarLabels = 1 << 16;
 
-/** Returns the value of a function at a scalar, or the constant if the function has no points. */
+/** Returns the value of a function at a scalar, or the function's default if it has no points. */
 double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, double label)
 {
   for (const PropertyFunction& rule : PropertyFunctions)
@@ -48,10 +48,11 @@ double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, doub
 }
 
 /**
- * The materials of a segmentation that is touched itself: a property's functions map its numbers to
- * materials. Fills a table with a material for each whole number between the least and the largest
- * sample, including the background. Returns false, with the table empty, if the samples can't be
- * labels: several components, values that are not finite, or a span of more than MostScalarLabels.
+ * Fills a table for a segmentation that is touched itself, with the materials to which a property's
+ * functions map its numbers. The table gets an entry for each whole number between the smallest and
+ * the largest sample, including the background. Returns false, and leaves the table empty, if the
+ * samples can't be labels: several components, values that are not finite, or a span of more than
+ * MostScalarLabels.
  */
 bool FillScalarLabels(
   vtkDataArray* scalars, vtkHapticProperty* property, vtkHapticLabelTable* table)
@@ -60,7 +61,7 @@ bool FillScalarLabels(
   double range[2];
   scalars->GetRange(range, 0);
   constexpr double most = VTK_INT_MAX;
-  // The condition is also false for NaN.
+  // Written so that NaN fails.
   const bool isSpanned = range[0] >= -most && range[1] <= most && range[0] <= range[1] &&
     range[1] - range[0] < MostScalarLabels;
   if (scalars->GetNumberOfComponents() != 1 || !isSpanned)
@@ -80,20 +81,21 @@ bool FillScalarLabels(
 constexpr const char* LabelImage = "label image on input port 3";
 
 /**
- * Whether a value is a whole number of at most 2^53, which a double represents. Returns false for
- * NaN.
+ * Whether a value is a whole number of at most 2^53, up to which a double is exact. Returns false
+ * for NaN.
  */
 template <typename T>
 bool IsWhole(T value)
 {
   constexpr T most = T(9007199254740992.0);
-  // Numbers of this size or more have no fraction; adding it to smaller numbers rounds them.
+  // Numbers of at least this size have no fraction. Adding it to a smaller number rounds that
+  // number.
   constexpr T unit = T(1) / std::numeric_limits<T>::epsilon();
   const T size = std::abs(value);
   return size <= most && (size >= unit || (size + unit) - unit == size);
 }
 
-/** Finds the first sample of a run that is not a whole number; -1 if there is none. */
+/** Returns the first sample of a run that is not a whole number; -1 if there is none. */
 template <typename T>
 std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first, std::int64_t end)
 {
@@ -104,7 +106,7 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
     int fractions = 0;
     for (std::int64_t i = from; i < to; ++i)
     {
-      fractions += IsWhole(data[i * stride]) ? 0 : 1; // adds without a branch
+      fractions += IsWhole(data[i * stride]) ? 0 : 1; // a sum needs no branch
     }
     for (std::int64_t i = from; i < to && fractions > 0; ++i)
     {
@@ -118,8 +120,8 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
 }
 
 /**
- * Finds a sample that is not a whole number; -1 if there is none. Only some runs of samples of a
- * large image are examined; fractions elsewhere are cut off.
+ * Returns a sample that is not a whole number; -1 if there is none. In a large image, examines only
+ * some runs of samples; fractions elsewhere are cut off.
  */
 std::int64_t FindFraction(const VolumeView& view)
 {
@@ -220,7 +222,7 @@ bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, s
   return true;
 }
 
-/** Makes the table of labels, and lists the forbidden labels. */
+/** Bakes the table of labels, and writes the forbidden labels to `forbidden`. */
 LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
 {
   std::vector<LabelledMaterial> entries;
@@ -241,7 +243,7 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
     entry.Material.HasSpecificEnergy = entry.Material.SpecificEnergy >= 0.0;
     entry.Material.IsFelt = table->GetFelt(label);
     entry.Material.IsForbidden = table->GetForbidden(label);
-    // An entry with only a name or a colour counts as none.
+    // An entry with only a name or a colour has no effect on what is felt.
     if (table->HasMaterial(label) || !entry.Material.IsFelt || entry.Material.IsForbidden)
     {
       entries.push_back(entry);
@@ -254,9 +256,11 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
   return LabelTable(entries);
 }
 
-/** Largest number of voxels whose distances are measured at once: takes about ten milliseconds. */
+/**
+ * Number of voxels whose distances are measured in one piece, which takes about ten milliseconds.
+ */
 constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
-/** Largest number of fine voxels that are made at once: takes about ten milliseconds. */
+/** Number of fine voxels that are made in one piece, which takes about ten milliseconds. */
 constexpr double MostRefinedAtOnce = 1 << 20;
 
 /**
@@ -297,7 +301,7 @@ Vector3 SpacingOf(const BakedLabels& labels)
   return { Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
 }
 
-/** Runs a loop on all processors; an exception ends it. */
+/** Runs a loop on all processors. The first exception ends it and is thrown again. */
 void LoopOnAll(std::int64_t count, const std::function<void(std::int64_t)>& body)
 {
   std::atomic<bool> isEnded{ false };
@@ -405,7 +409,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
   this->Refining.Poll(key,
     [read, spacing, before](WorkMonitor& monitor) -> std::optional<Fine>
     {
-      // Runs the loop on this thread: other threads might not have its low priority.
+      // Stay on this thread, because other threads might not have its low priority.
       const auto loop = [&monitor](std::int64_t count, const FineLabels::Body& body)
       {
         for (std::int64_t i = 0; i < count && !monitor.IsCancelled(); ++i)

@@ -28,38 +28,45 @@ namespace VolumeHaptics
 {
 
 /**
- * Keeps the labels that were baked last, and bakes them again only after a change. If only
- * materials have changed, the slow results are kept: the checks of the image, and the distances to
- * forbidden labels.
+ * Stores the labels that were baked last, and bakes them again only after a change. If only
+ * materials have changed, keeps the results that are slow to compute: the checks of the image, and
+ * the distances to forbidden labels.
  */
 class HapticLabels
 {
 public:
   /**
-   * Bakes labels, which keep the array alive. The table may be null: then no label has a material.
-   * If the labels can't be used, returns null, and `error` names the input and the cure.
-   * @param isFine whether labels with thick slices get a finer grid, as walls need it
+   * Bakes labels, which keep the array alive. If the table is null, no label has a material. If the
+   * labels can't be used, returns null, and `error` names the input and the cure.
+   * @param isFine whether labels with thick slices get a finer grid, which walls need
    */
   std::shared_ptr<const BakedLabels> Get(vtkImageData* image, vtkDataArray* labels,
     vtkHapticLabelTable* table, bool isFine, std::string& error);
 
   /**
-   * Bakes scalars that are labels themselves, with the materials that the property gives them.
-   * Null, without an error, if the scalars can't be labels, for example fractions.
+   * Bakes scalars that are labels themselves, with the materials that the property defines for
+   * them. Returns null, without an error, if the scalars can't be labels, for example if they are
+   * fractions.
    */
   std::shared_ptr<const BakedLabels> GetOfScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine);
 
-  /** Returns a warning about the labels that were baked last; empty once it was taken. */
+  /**
+   * Returns a warning about the labels that were baked last, and clears it; empty if there is none.
+   */
   std::string DrainWarning() { return std::exchange(this->Warning, std::string()); }
 
   /**
-   * Prepares a quick Get() in the background. Returns in words what is under way: the distances to
-   * forbidden labels, or the finer grid of thick slices. Returns null if nothing is.
+   * Prepares in the background what a quick Get() needs. Returns the name of the work that is under
+   * way: measuring the distances to forbidden labels, or making the finer grid of thick slices.
+   * Returns null if there is none.
    */
   const char* Prepare(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, bool isFine);
-  /** Prepares a quick GetOfScalars() with a finer grid, as Prepare() does. */
+  /**
+   * Prepares a quick GetOfScalars() with a finer grid in the background. Returns the same as
+   * Prepare().
+   */
   const char* PrepareScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property);
   /** Ends the work that Prepare() began. */
@@ -67,21 +74,26 @@ public:
 
 private:
   ///@{
-  /** Image and array, or the table, and the last change of each. */
+  /**
+   * ImageKey: the image and the array (or the property), and their modification times. TableKey:
+   * the same for a table.
+   */
   using ImageKey = std::tuple<const void*, const void*, vtkMTimeType, vtkMTimeType>;
   using TableKey = std::tuple<const void*, vtkMTimeType>;
   ///@}
-  /** The forbidden labels, in rising order, and the stand-off. */
+  /** Identifies a forbidden zone: the forbidden labels, in ascending order, and the stand-off. */
   using ZoneKey = std::tuple<std::vector<int>, double>;
-  /** Null if no voxel is forbidden. */
+  /** The zone around forbidden labels; null if no voxel is forbidden. */
   using Zone = std::shared_ptr<const ForbiddenZone>;
-  /** Null if there are too many voxels or labels. */
+  /** The finer grid; null if there are too many voxels or labels. */
   using Fine = std::shared_ptr<const FineLabels>;
 
-  /** Gives labels with thick slices a finer grid; computes only the parts that have changed. */
+  /**
+   * Makes the finer grid of labels with thick slices. Computes only what has changed since `last`.
+   */
   void Refine(const ImageKey& key, const BakedLabels* last, BakedLabels& made);
   ///@{
-  /** Prepare() calls these. They return false while a result is being computed. */
+  /** Steps of Prepare(). They return false while a result is being computed. */
   bool PrepareZone(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
   bool PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine);
   ///@}
@@ -92,7 +104,8 @@ private:
   ZoneKey BakedZone{};
   bool BakedFine = false;
   std::string Warning;
-  std::weak_ptr<const BakedLabels> Baked;           ///< valid while a model uses it
+  std::weak_ptr<const BakedLabels> Baked;           ///< last result; valid as long as a model uses
+                                                    ///< it
   vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< table of GetOfScalars()
   ImageKey ScalarKey{};                             ///< array and property of ScalarTable
   KeyedWork<std::tuple<ImageKey, ZoneKey>, Zone> Measuring;

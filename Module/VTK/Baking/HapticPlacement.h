@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Places a device in the world.
+ * Computes the placement of a device in the world.
  */
 #ifndef HapticPlacement_h
 #define HapticPlacement_h
@@ -22,7 +22,7 @@ namespace VolumeHaptics
  */
 bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 
-/** Returns the map to use without a matrix: it only scales. */
+/** Returns the map from the device to the world that is used without a matrix. It only scales. */
 inline Affine3 ScaledPlacement(double metersPerWorldUnit)
 {
   Affine3 map;

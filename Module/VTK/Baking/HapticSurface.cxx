@@ -33,20 +33,20 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Farthest allowed coordinate: bounding boxes have single precision. */
+/** Largest allowed coordinate, because bounding boxes have single precision. */
 constexpr double FarthestPoint = 1e30;
 ///@{
-/** Measured on a desktop computer of 2023; includes building the tree. */
+/** Times on a desktop computer of 2023, including the time to build the tree. */
 constexpr double SecondsPerSample = 5e-9;
 constexpr double SecondsPerTriangle = 800e-9;
 ///@}
-/** A time longer than any meshing takes (s). */
+/** A time (s) that is longer than any meshing. */
 constexpr double Forever = 1e9;
 
-/** Computes the motions of points in the world; empty for a mesh that stands still. */
+/** Computes the motions of points in the world. Returns none for a mesh that does not move. */
 using MotionsOf = std::function<std::vector<Vector3>(const std::vector<Vector3>&)>;
 
-/** Makes a mesh of a triangulated surface; maps points and normals by different maps. */
+/** Makes a mesh of a triangulated surface. `map` maps its points, `mapNormals` its normals. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(vtkPolyData* surface, const Affine3& map,
   const Matrix3& mapNormals, const MotionsOf& findMotions = {})
 {
@@ -94,7 +94,7 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
     error);
 }
 
-/** An isosurface with a reference to its scalars: all that a worker needs. */
+/** An isosurface that owns a reference to its scalars: everything that a worker needs. */
 struct IsoInput
 {
   IsoInput(const IsoSurface& iso, const Affine3& indexToWorld)
@@ -103,7 +103,7 @@ struct IsoInput
     , Value(iso.Value)
     , IndexToWorld(indexToWorld)
   {
-    // The samples keep their place in the whole volume, so that the mesh is the same to the bit.
+    // Use the samples' indices in the whole volume, so that the mesh is the same to the bit.
     for (int a = 0; a < 3; ++a)
     {
       this->Extent[2 * a] = iso.First[a];
@@ -125,8 +125,8 @@ struct IsoInput
 };
 
 /**
- * Copies a surface for a worker: the same points, cells and normals with their own cursors. The
- * point object itself is shared, because wrapping its array in a second one would modify the array.
+ * Copies a surface for a worker: the same points, cells and normals, with cursors of their own. The
+ * vtkPoints are shared, because wrapping their array in another vtkPoints would modify the array.
  */
 vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {
@@ -145,8 +145,8 @@ bool MayBeShared(vtkPolyData* surface)
 }
 
 /**
- * Computes the scalar range. Returns whether all scalars count; in a large volume, only the noise
- * samples do.
+ * Computes the range of the scalars. Returns whether all scalars were read; in a large volume, only
+ * the noise samples are.
  */
 bool ComputeScalarRange(const IsoSurface& iso, double range[2])
 {
@@ -162,7 +162,9 @@ bool ComputeScalarRange(const IsoSurface& iso, double range[2])
   return false;
 }
 
-/** Returns the mesh of an isosurface if it can be touched; else null, with an error. */
+/**
+ * Returns the mesh of an isosurface if it can be touched. Otherwise returns null, with an error.
+ */
 std::shared_ptr<const SurfaceMesh> CheckMesh(
   const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
 {
@@ -186,11 +188,13 @@ std::shared_ptr<const SurfaceMesh> CheckMesh(
   return mesh;
 }
 
-/** Estimates the number of triangles of an isosurface: two in each voxel that it passes. */
+/**
+ * Estimates the number of triangles of an isosurface: two in each voxel through which it passes.
+ */
 double EstimateTriangles(const IsoSurface& iso)
 {
-  constexpr int looks = 20000; // takes some milliseconds
-  // These steps fill space evenly, whatever the image's structure: powers of 1 / 1.2207..., where
+  constexpr int looks = 20000; // number of samples, read in some milliseconds
+  // Steps that fill space evenly, whatever the image's structure: powers of 1 / 1.2207..., where
   // 1.2207... is the root of x^4 = x + 1.
   constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
   const int* const n = iso.Image->GetDimensions();
@@ -199,7 +203,7 @@ double EstimateTriangles(const IsoSurface& iso)
     iso.Scalars->GetNumberOfTuples() < iso.Image->GetNumberOfPoints() ||
     iso.Component >= iso.Scalars->GetNumberOfComponents())
   {
-    return 0.0; // the real meshing reports the error
+    return 0.0; // meshing reports the error
   }
   int passed = 0;
   double at[3] = { 0.0, 0.0, 0.0 };
@@ -224,11 +228,11 @@ double EstimateTriangles(const IsoSurface& iso)
   return 2.0 * passed / looks * static_cast<double>(iso.Image->GetNumberOfPoints());
 }
 
-/** Meshes an isosurface and, if asked for, computes how it moves. */
+/** Meshes an isosurface, and computes its motion if `findMotions` is set. */
 std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld, const MotionsOf& findMotions)
 {
-  // Meshed in index steps: the geometry of the whole image maps the points to the world.
+  // Mesh in index coordinates; the geometry of the whole image then maps the points to the world.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   samples->GetPointData()->SetScalars(scalars);
@@ -263,7 +267,8 @@ std::shared_ptr<const SurfaceMesh> MeshSurface(
   }
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    // Asking the array for its range would store the range in it, while another thread may read it.
+    // Compute the range here: GetRange() would store it in the array, while another thread may read
+    // it.
     vtkDataArray* const ids = cells->GetConnectivityArray();
     const vtkIdType count = cells->GetNumberOfConnectivityIds();
     double least = 0.0;
@@ -327,9 +332,9 @@ std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
     extent[2 * a] = static_cast<int>(timeStep.View.First[a]);
     extent[2 * a + 1] = static_cast<int>(timeStep.View.Last(a));
   }
-  // See ShareArray() of the model's builder.
+  // The samples' owner is their array: see ShareArray() of the model's builder.
   auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(timeStep.Samples.get()));
-  // How the material moves from the last time step of a series back to the first is unknown.
+  // The motion from the last time step of a series back to the first one is unknown.
   const DisplacementView known =
     timeStep.Time < next.Time ? timeStep.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
@@ -375,10 +380,10 @@ bool HapticSurface::Prepare(
   {
     return !this->Meshing.IsUnderWay();
   }
-  // Even the few samples for the estimate are not read if the image is large.
+  // Don't read even the few samples of the estimate if the image is large.
   const double reading =
     surface ? 0.0 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
-  // Arrays of other layouts copy their values for readers, into one copy for all threads.
+  // VTK copies the values of other layouts for readers, into one copy that all threads share.
   const bool isShared =
     surface ? MayBeShared(surface) : iso.Scalars->HasStandardMemoryLayout() != 0;
   if (this->IsMadeOf(key) || !isShared ||

@@ -34,7 +34,7 @@ struct SurfaceRegion
   std::shared_ptr<const SurfaceMesh> Mesh; ///< null if the region contains no surface
 };
 
-/** The image and the value of an isosurface. */
+/** Defines an isosurface: the image and the value. */
 struct IsoSurface
 {
   vtkImageData* Image;
@@ -42,45 +42,46 @@ struct IsoSurface
   int Component;
   double Value;
   /**
-   * Index of the image's first sample, in the count that indexToWorld uses; not 0 for a region of a
-   * larger volume.
+   * Index of the image's first sample in the counting that indexToWorld uses. It is not 0 for a
+   * region of a larger volume.
    */
   int First[3] = { 0, 0, 0 };
-  bool MayBeEmpty = false; ///< a region may contain no part of the surface
+  bool MayBeEmpty = false; ///< true for a region, which may contain no part of the surface
 };
 
 /**
- * Shares the polygons and strips of a surface with a new one that has its own cursors, so that a
- * worker may traverse them. Their memory is shared.
+ * Copies the polygons and strips of a surface to another one without copying their memory. The copy
+ * has cursors of its own, so that a worker may traverse it.
  */
 void ShareCells(vtkPolyData* from, vtkPolyData* to);
 
-/** Meshing that takes longer than this (s) runs in the background. */
+/** Time (s) above which meshing runs in the background. */
 inline constexpr double ShortMeshing = 40e-3;
 
-/** Estimates how long it takes to mesh an isosurface (s); reads some of its samples. */
+/** Estimates how long (s) it takes to mesh an isosurface, by reading some of its samples. */
 double EstimateMeshTime(const IsoSurface& iso);
 
 /**
- * Meshes an isosurface in the samples of an extent, whose indices count as in indexToWorld. Returns
- * null if there are no triangles. Any thread may call it: the array must have VTK's standard memory
- * layout.
+ * Meshes an isosurface in the samples of an extent, whose indices are those that indexToWorld maps.
+ * Returns null if there are no triangles. Any thread may call it, but the array must have VTK's
+ * standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld);
 
 /**
- * Meshes the isosurface in a time step of a volume that moves, with its motion to the next time
- * step. Returns null if there is no isosurface. The time steps keep vtkDataArrays alive. Any thread
- * may call it: the arrays must have VTK's standard memory layout.
+ * Meshes the isosurface in a time step of a moving volume, with its motion to the next time step.
+ * Returns null if there is no isosurface. The time steps' samples must be vtkDataArrays
+ * (ShareArray() of the model's builder). Any thread may call it, but the arrays must have VTK's
+ * standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshTimeStep(const VolumeTimeStep& timeStep,
   const VolumeTimeStep& next, int component, double value, const Affine3& indexToWorld);
 
 /**
- * Makes a mesh of a surface in the world. Returns null if it has no triangles, a point is not
- * finite, or a cell has a point that does not exist; `error` then names the surface. `cure` is used
- * if there are no triangles.
+ * Makes a mesh of a surface in the world. Returns null if it has no triangles, if a point is not
+ * finite, or if a cell has a point that does not exist; `error` then names the surface. Without
+ * triangles, the error ends with `cure`.
  */
 std::shared_ptr<const SurfaceMesh> MeshSurface(
   vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error);
@@ -89,38 +90,41 @@ std::shared_ptr<const SurfaceMesh> MeshSurface(
 class HapticSurface
 {
 public:
-  /** Null if there is no such surface. */
+  /** A mesh; null if there is no such surface. */
   using MeshPointer = std::shared_ptr<const SurfaceMesh>;
 
   /**
    * Returns the triangles of a surface in the world or, if that is null, of the isosurface
-   * (vtkFlyingEdges3D). Returns null, with the cure in `error`, if there are none or a point is not
-   * finite.
+   * (vtkFlyingEdges3D). Returns null, with the cure in `error`, if there are no triangles or if a
+   * point is not finite.
    */
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Returns whether Get() would be quick now. If not, makes the mesh in the background, one mesh at
-   * a time: the next one begins when the last one has ended.
+   * Returns whether Get() would be quick now. If not, makes the mesh in the background. Only one
+   * mesh is made at a time: the next one begins when the last one has ended.
    */
   bool Prepare(vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld);
   /** Ends the work that Prepare() began, without waiting for it. */
   void EndPreparing() { this->Meshing.Abandon(); }
-  /** Waits until no mesh is being made, at most this many seconds; returns whether none is. */
+  /** Waits until no mesh is being made, at most this many seconds. Returns whether none is. */
   bool WaitFor(double seconds) const { return this->Meshing.WaitFor(seconds); }
 
   /**
-   * Stores a mesh that was made elsewhere for Get() of this isosurface, which belongs to a region.
-   * The last mesh is kept as well.
+   * Stores a mesh that was made elsewhere, so that Get() returns it for this isosurface of a
+   * region. The last mesh made here is kept as well.
    */
   void Give(const IsoSurface& iso, MeshPointer mesh);
 
-  /** Estimates how long Get() takes (s): 0 if the last mesh is still valid. */
+  /** Estimates how long (s) Get() will take; 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:
-  /** The input data, their change time, and the value and component of an isosurface. */
+  /**
+   * Identifies a mesh: the input data, their modification time, and the value and component of an
+   * isosurface.
+   */
   using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
 
   static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);
@@ -128,7 +132,7 @@ private:
 
   static constexpr Key NoKey{ nullptr, nullptr, 0, 0.0, 0 };
 
-  /** The result of a worker. */
+  /** Result of a worker. */
   struct Made
   {
     MeshPointer Mesh;

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Width by which an estimator blurs edges (samples). */
+/** Returns the width (samples) by which an estimator blurs edges. */
 double ComputeBlur(const GradientKernel& kernel)
 {
   switch (kernel.Estimator)
@@ -40,7 +40,7 @@ double ComputeBlur(const GradientKernel& kernel)
   return 1.0 / std::sqrt(3.0);
 }
 
-/** Copies displacements in a layout that Core reads: tuple after tuple. */
+/** Copies displacements to the layout that Core reads: one tuple after another. */
 vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
 {
   const auto copy = CopyArray(array, array->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
   return copy;
 }
 
-/** Finds the first displacement that is not finite; -1 if there is none. */
+/** Returns the number of the first displacement that is not finite; -1 if there is none. */
 template <typename T>
 vtkIdType FindNotFiniteOf(const T* numbers, vtkIdType count)
 {
@@ -64,7 +64,11 @@ vtkIdType FindNotFinite(vtkDataArray* array)
     : FindNotFiniteOf(static_cast<const double*>(numbers), array->GetNumberOfValues());
 }
 
-/** @param isKept whether the source writes no other time step to the array's memory */
+/**
+ * Makes a time step of an image.
+ * @param isKept whether the source writes no other time step to the array's memory, so that it need
+ * not be copied
+ */
 ImageTimeStep CopyTimeStep(vtkImageData* image, vtkDataArray* array, double time,
   const std::string& displacements, bool isKept)
 {
@@ -118,7 +122,7 @@ bool ReadTimeStep(
   vtkAlgorithm* filter, double step, const TimeStepReading& reading, ImageTimeStep& timeStep)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  // Not CONTINUE_EXECUTING: with it, VTK's executive repeats the request for ever if a source
+  // Don't use CONTINUE_EXECUTING: with it, VTK's executive repeats the request for ever if a source
   // fails.
   const int port = filter->GetInputConnection(0, 0)->GetIndex();
   auto* const source = Pipeline::SafeDownCast(filter->GetInputExecutive(0, 0));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the time steps of a volume that moves.
+ * Reads the time steps of a moving volume.
  */
 #ifndef ImageTimeSteps_h
 #define ImageTimeSteps_h
@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class SurfaceMesh;
 struct BakedVolume;
 
-/** The volume at a time step. */
+/** A time step of the volume. */
 struct ImageTimeStep
 {
   double Time;                         ///< time of the step (the source's units)
@@ -38,7 +38,7 @@ struct ImageTimeStep
    */
   vtkSmartPointer<vtkDataArray> Displacements;
   int Component = 0; ///< component of Array that is touched
-  /** Isosurface on its way to the next time step; null if the model builder has to make it. */
+  /** Isosurface with its motion to the next time step; null if the model builder has to make it. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
@@ -58,7 +58,7 @@ TimeStepSeries MakeSeries(const std::vector<double>& steps);
 /** Returns the point array of an image that is touched; null if there is none. */
 using TouchedArrayOf = std::function<vtkDataArray*(vtkImageData*)>;
 
-/** Says which arrays of a time step are read. */
+/** Describes which arrays of a time step are read. */
 struct TimeStepReading
 {
   TouchedArrayOf GetArray;
@@ -67,17 +67,17 @@ struct TimeStepReading
 };
 
 /**
- * Requests a time step from the source of a filter's input port 0, and copies the array that is
- * touched, because a source may write each step to the same memory. The array of a
+ * Requests a time step from the source of a filter's input port 0. Copies the array that is
+ * touched, because a source may write each step to the same memory; the array of a
  * vtkHapticTimeStepSource is not copied. Returns false if the source fails.
  */
 bool ReadTimeStep(
   vtkAlgorithm* filter, double step, const TimeStepReading& reading, ImageTimeStep& timeStep);
 
 /**
- * Requests the time steps from the first one up to the one at or after `last` from the source of a
- * filter's input port 0, and copies the array that is touched: a source may write each step to the
- * same memory. The source stays at the first step. Empty if the source fails.
+ * Requests time steps from the source of a filter's input port 0: from the first one to the first
+ * one at or after `last`. Copies the array that is touched, because a source may write each step to
+ * the same memory. The source is left at the first step. Returns no time steps if the source fails.
  */
 std::vector<ImageTimeStep> CollectTimeSteps(vtkAlgorithm* filter, const std::vector<double>& steps,
   double last, const TimeStepReading& reading);
@@ -90,18 +90,17 @@ std::vector<ImageTimeStep> MakeComponentTimeSteps(
   vtkImageData* image, vtkDataArray* array, double spacing);
 
 /**
- * Sets the displacements of a model's time step from a time step. Returns false, with the reason
- * and the cure in `error`, if they are missing or do not fit the time step's points.
+ * Sets the displacements of a model's time step to those of an image's time step. Returns false,
+ * with the reason and the cure in `error`, if they are missing or do not fit the time step's
+ * points.
  * @param name name of the array
  */
 bool ReadDisplacements(
   const ImageTimeStep& step, const std::string& name, VolumeTimeStep& timeStep, std::string& error);
 
 /**
- * Warns of time steps whose edges move by more than twice their width until the next time step. The
- * text names the cures; it is empty if there are no such time steps.
- * @param pairs numbers of the time steps to examine; each takes some milliseconds
- * @param noise standard deviation of the samples' noise
+ * Returns a warning if the edges of time steps move by more than twice their width until the next
+ * time step. The text names the cures; it is empty if no edge does.
  */
 std::string DescribeFastMotion(
   const BakedVolume& volume, const std::vector<std::size_t>& pairs, double noise);

@@ -135,7 +135,7 @@ int vtkHapticTimeStepSource::RequestData(
   const auto& timeSteps = this->Internals->TimeSteps;
   if (timeSteps.empty())
   {
-    return 0; // RequestInformation() has reported this; VTK does not call it again
+    return 0; // RequestInformation() has reported the error; VTK does not call it again
   }
   vtkInformation* const info = outputs->GetInformationObject(0);
   const bool asksTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;

@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Get the time steps in the order of their times; nullptr and 0 if there is no time step of this
-   * number.
+   * Get the time steps in the order of their times. For a number without a time step, the image is
+   * nullptr and the value 0.
    */
   int GetNumberOfTimeSteps();
   vtkImageData* GetTimeStepImage(int number);
@@ -64,21 +64,21 @@ public:
 
   ///@{
   /**
-   * Whether time steps that come and go belong to one volume. A device that plays them then moves
-   * from its time steps to the new ones without a step of the force, with the noise and the
-   * material of the first time steps. Time steps that arrive before the device has reached the end
-   * of the last time steps wait until then, as the status text says. If time steps were left out,
-   * the last time step is blended to the next one; with SURFACE_PROXY, or if the next time steps
-   * are of another region, the contact begins anew instead. Time steps may also be regions of a
-   * volume, if all time steps at a time are of the same region. Off (default): a change of the time
-   * steps is another volume.
+   * Whether time steps that are added and removed belong to one volume. A device that plays them
+   * then moves from its time steps to the new ones without a step of the force, with the noise and
+   * the material of the first time steps. Time steps that arrive before the device has reached the
+   * end of the last time steps wait until then, as the status text says. If time steps were left
+   * out, the last time step is blended to the next one; with SURFACE_PROXY, or if the next time
+   * steps are of another region, the contact begins anew instead. Time steps may also be regions of
+   * a volume, if all time steps at a time are of the same region. Off (default): changed time steps
+   * are another volume.
    */
   vtkSetMacro(Streamed, bool);
   vtkGetMacro(Streamed, bool);
   vtkBooleanMacro(Streamed, bool);
   ///@}
 
-  /** Includes the change times of the time steps' images. */
+  /** Returns the latest modification time, including those of the time steps' images. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -31,10 +31,8 @@ struct NrrdHeader
   /** Descriptions by field. Names are in lower case without blanks, such as "spacedirections". */
   std::map<std::string, std::string> Fields;
   std::map<std::string, std::string> Values; ///< values of the lines "key:=value", without escapes
-  std::vector<std::string> Files;            ///< names of the files with the samples, from "data
-                                             ///< file: LIST"
-  std::size_t Size = 0;                      ///< size of the header in bytes, with the empty line
-                                             ///< at its end
+  std::vector<std::string> Files;            ///< files with the samples, from "data file: LIST"
+  std::size_t Size = 0;                      ///< bytes, with the empty line at the header's end
   bool HasEnd = false;                       ///< whether the header ends with an empty line
 
   /** Returns the description of a field; empty if there is none. */
@@ -58,8 +56,8 @@ using NrrdVector = std::array<double, 3>;
 struct NrrdSpace
 {
   bool IsPatient = false;    ///< whether its axes are those of a patient
-  bool IsLeftHanded = false; ///< whether it is a mirror image of space
-  NrrdVector Signs;          ///< whether its axes are left-handed
+  bool IsLeftHanded = false; ///< whether its axes are left-handed
+  NrrdVector Signs;          ///< factors that convert positions to left-posterior-superior
 };
 
 /** Whether bytes begin like a NRRD file. */

@@ -15,12 +15,12 @@ namespace
 constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
 /**
- * Number of rows read in a large volume: around each block, 36 rows of samples are read to estimate
- * its gradients.
+ * Number of rows that are read in a large volume. Each block of voxels needs 36 rows of samples
+ * around it, from which its gradients are estimated.
  */
 constexpr std::int64_t MostRows = 512;
 constexpr std::int64_t MostVoxelsInARow = 2048;
-/** Number of voxels that take some milliseconds of work in the background. */
+/** Number of voxels whose background work takes some milliseconds. */
 constexpr std::size_t VoxelsAtOnce = 4096;
 constexpr std::size_t LinesAtOnce = 128;
 /** Fraction of a search's time that is spent on finding steep voxels. */
@@ -43,7 +43,10 @@ std::int64_t Draw(std::uint64_t& random, std::int64_t room)
   return drawn;
 }
 
-/** Picks the voxels of one row in each of at most MostRows equal columns along the first axis. */
+/**
+ * Picks the voxels of one row in each of at most MostRows columns along the first axis, which
+ * divide the volume equally.
+ */
 std::vector<Vector3> ScatterRows(const VolumeView& view)
 {
   const std::int64_t* const n = view.Dimensions;
@@ -59,7 +62,7 @@ std::vector<Vector3> ScatterRows(const VolumeView& view)
   {
     const std::int64_t j = column % along;
     const std::int64_t k = column / along;
-    // The first row of this column, and the first row of the next one.
+    // The first row of this column, and the first row after it.
     const std::int64_t firstRow[2] = { n[1] * j / along, n[1] * (j + 1) / along };
     const std::int64_t firstSlice[2] = { n[2] * k / across, n[2] * (k + 1) / across };
     std::uint64_t random = Scramble(static_cast<std::uint64_t>(column) + 1);

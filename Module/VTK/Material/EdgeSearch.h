@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the edges of a volume at a bounded number of voxels.
+ * Finds the edges of a volume by examining a limited number of voxels.
  */
 #ifndef EdgeSearch_h
 #define EdgeSearch_h
@@ -21,14 +21,14 @@ namespace VolumeHaptics
 {
 
 /**
- * A part of a search in many voxels: the caller waits for it (no monitor), on all cores at once, or
- * it runs in the background.
+ * One part of a search through many voxels. Without a monitor, the caller waits for it, and it uses
+ * all cores. With a monitor, it runs in the background.
  */
 struct SearchPart
 {
   WorkMonitor* Monitor = nullptr;
   ///@{
-  /** Progress of the whole search at the beginning and the end of this part. */
+  /** Progress of the whole search at the beginning and at the end of this part. */
   double Begin = 0.0;
   double End = 1.0;
   ///@}
@@ -38,7 +38,7 @@ struct SearchPart
 
 /**
  * Calls look(first, end) for all numbers below `count`: on all cores, or, with a monitor, in pieces
- * on this thread alone, which has a low priority. Returns false if it was cancelled.
+ * on this thread alone, which has a low priority. Returns false if the search is cancelled.
  */
 template <typename Look>
 bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Look&& look)
@@ -65,15 +65,15 @@ bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Loo
  * random but is always the same.
  *
  * In a large volume (IsLargeVolume), which may be mapped from a file, picks the voxels of up to 512
- * rows along the first axis, of up to 2048 voxels each, at such positions. All voxels are still
- * equally likely, but a row's samples lie side by side, so that only few pages of the file are
- * read, however large the volume is.
+ * rows along the first axis, with up to 2048 voxels each, at positions of this kind. All voxels are
+ * still equally likely, but a row's samples lie side by side, so that only few pages of the file
+ * are read, however large the volume is.
  */
 std::vector<Vector3> ScatterVoxels(const VolumeView& view);
 
 /**
- * Finds the lines through those voxels that are on an edge; some ten thousand at most. Incomplete
- * if the search is cancelled.
+ * Finds the lines through those of the voxels that are on an edge, some ten thousand at most. The
+ * result is incomplete if the search is cancelled.
  */
 std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& tracer,
   const EdgeThresholds& thresholds, const SearchPart& part);

@@ -23,12 +23,15 @@ namespace
 {
 
 constexpr std::size_t MostCounted = 200000; // voxels
-/** Number of voxels that take some milliseconds of work in the background. */
+/** Number of voxels whose background work takes some milliseconds. */
 constexpr std::size_t CountedAtOnce = 1024;
 
-/** Largest slope in the histogram, as a multiple of the largest slope of a boundary. */
+/** Largest slope of the histogram, as a multiple of the steepest boundary's slope. */
 constexpr double SlopeRoom = 1.25;
-/** Fraction of the time that is spent on finding functions; after that, edges are counted. */
+/**
+ * Fraction of the search's time that is spent on the functions. The rest is spent on counting
+ * edges.
+ */
 constexpr double ProposalFraction = 0.8;
 
 EdgeHistogram MakeFrame(const SearchedData& data, double mostSlope)
@@ -98,7 +101,7 @@ void CountEdges(
       histogram.Fractions[cell] += 1.0;
     }
   }
-  // Without this limit, the many voxels without change would make edges look too pale.
+  // Ignore the lowest gradients, which are so frequent that edges would look too pale.
   constexpr int edges = EdgeHistogram::Columns * EdgeHistogram::Rows / 8;
   const double most = std::max(
     1.0, *std::max_element(histogram.Fractions.begin() + edges, histogram.Fractions.end()));
@@ -124,7 +127,7 @@ FoundFunctions FunctionSearch::SearchNow(const SearchedData& data)
 
 bool FunctionSearch::Begin(const SearchedData& data, std::string& error)
 {
-  // The work keeps the input until its owner ends it.
+  // The work owns the input until the work's owner ends it.
   const auto input = std::make_shared<ProposalInput>();
   this->IsWanted = ReadProposalInput(data.Image, data.Component, *input, error);
   if (this->IsWanted)
@@ -210,7 +213,8 @@ void FunctionSearch::EndUnless(vtkImageData* image)
 {
   if (image != this->SearchedImage)
   {
-    this->Search.Forget(); // if this search is still wanted, it starts again with the other image
+    // if this search is still wanted, Poll() begins it again with the other image
+    this->Search.Forget();
     this->IsWanted = this->IsWanted && image;
   }
   if (image != this->CountedImage)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the functions that an image suggests, and its edges, for vtkHapticFunctionEditor: at once,
- * or in the background while a hand continues to feel.
+ * Finds the functions that an image suggests, and the image's edges, for vtkHapticFunctionEditor:
+ * at once, or in the background while a hand continues to feel.
  */
 #ifndef FunctionSearch_h
 #define FunctionSearch_h
@@ -28,7 +28,8 @@ struct HapticVolume;
 struct SearchPart;
 
 /**
- * Counts how often a volume's values and gradient magnitudes occur together: edges appear as arcs.
+ * Counts how often each pair of value and gradient magnitude occurs in a volume: edges appear as
+ * arcs.
  */
 struct EdgeHistogram
 {
@@ -38,15 +39,15 @@ struct EdgeHistogram
   double Values[2] = { 0.0, 1.0 };
   double MostSlope = 1.0; ///< scalar units per world unit
   /**
-   * Frequencies row by row from gradient 0 on: log(1 + count) as a fraction of the largest one
-   * beyond the lowest gradients, at most 1; empty without data.
+   * Frequencies, row by row, beginning with gradient 0: log(1 + count), divided by the largest one
+   * above the lowest gradients, and at most 1. Empty without data.
    */
   std::vector<double> Fractions;
 };
 
 /**
  * Fills Fractions from some hundred thousand voxels of a volume, with the gradients of a kernel.
- * Gradients above MostSlope do not count. Leaves Fractions empty if it is cancelled.
+ * Gradients above MostSlope do not count. Leaves Fractions empty if the work is cancelled.
  */
 void CountEdges(
   const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram);
@@ -57,14 +58,15 @@ struct SearchedData
   vtkImageData* Image = nullptr;
   int Component = 0;
   double Values[2] = { 0.0, 1.0 };
-  double SlopeScale = 1.0; ///< factor from scalar units to the boundaries' slopes
+  double SlopeScale = 1.0; ///< factor that converts gradients in scalar units to the slopes of the
+                           ///< boundaries
 };
 
 struct FoundFunctions
 {
   std::optional<MaterialProposal> Proposal; ///< empty if there is none; Error says why
   std::string Error;
-  EdgeHistogram Edges; ///< counted with the kernel that the proposal suggests
+  EdgeHistogram Edges; ///< counted with the kernel radius of the proposal
 };
 
 /**
@@ -79,8 +81,9 @@ public:
 
   ///@{
   /**
-   * Begin() starts a search in the background; false, with the reason and the cure in `error`, if
-   * the image can't be searched. Poll() returns the result once.
+   * Begin() starts a search in the background. It returns false, with the reason and the cure in
+   * `error`, if the image can't be searched. Poll() returns the result once, when the search has
+   * ended.
    */
   bool Begin(const SearchedData& data, std::string& error);
   std::optional<FoundFunctions> Poll(const SearchedData& data);
@@ -90,12 +93,12 @@ public:
   ///@}
 
   /**
-   * Returns the edges of the data, with the boundaries and the kernel's radius of an older
-   * proposal; null until they are counted in the background.
+   * Returns the edges of the data, counted in the background with the boundaries and the kernel
+   * radius of an older proposal. Returns null until they are counted.
    */
   const EdgeHistogram* PollEdges(const SearchedData& data, vtkTable* boundaries, int kernelRadius);
 
-  /** Ends the work on any other image, which the program may remove, without waiting for it. */
+  /** Ends the work on other images without waiting for it, so that the program may delete them. */
   void EndUnless(vtkImageData* image);
 
   /** Returns the progress of the search, 0 to 1; 1 if no search is under way. */

@@ -16,7 +16,7 @@ namespace
 {
 
 /**
- * A node as vtkPiecewiseFunction stores it; midpoint and sharpness shape the piece that follows it.
+ * A node as vtkPiecewiseFunction stores it. Midpoint and sharpness shape the piece after it.
  */
 struct Node
 {
@@ -30,9 +30,9 @@ struct Node
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
-  // The tolerance is smaller than documented, because the chord is checked at three positions only.
-  // A value that is tiny compared with the piece's height must be accurate, too, except for the
-  // last digits near zero.
+  // The tolerance is smaller than documented, because the chord is checked at only three positions.
+  // It is relative to the value where the value is tiny compared with the height of the piece, but
+  // not for the last digits near zero.
   constexpr double fraction = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance = std::clamp(
@@ -77,7 +77,8 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   const double middle = ComputeMiddle(function, a, b);
   if (a.Sharpness > step)
   {
-    // At the step itself, the function already has the value of its right side.
+    // Ends just before the step, because the function already has the right side's value at the
+    // step itself.
     const double before = std::nextafter(middle, a.X);
     line.push_back({ before, a.Y });
     line.push_back({ before, b.Y });
@@ -91,7 +92,8 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     }
     return;
   }
-  constexpr int depth = 24; // a logarithmic scale has many decades at the low end
+  // many levels, because a logarithmic scale has many decades at its low end
+  constexpr int depth = 24;
   const double height = std::abs(b.Y - a.Y);
   const Vertex kink{ middle, function->GetValue(middle) };
   Subdivide(function, { a.X, a.Y }, kink, height, depth, line);
@@ -131,7 +133,7 @@ std::string DetectFunctionFault(const Polyline& line, double maximum, const std:
 {
   for (const Vertex& vertex : line)
   {
-    // The condition is also false for NaN.
+    // Written so that NaN fails.
     if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
           std::isfinite(vertex.X)))
     {
@@ -190,7 +192,8 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
   }
   if (!function->GetClamping())
   {
-    // vtkPiecewiseFunction counts the first node as outside and the last one as inside.
+    // vtkPiecewiseFunction treats the position of the first node as outside and that of the last
+    // one as inside.
     line.insert(line.begin(), { line.front().X, 0.0 });
     line.push_back({ line.back().X, 0.0 });
   }

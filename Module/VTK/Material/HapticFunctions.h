@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Functions that properties, modes and tools own, and the polylines that the core bakes from them.
+ * Converts functions that properties, modes and tools own to the polylines that models use.
  */
 #ifndef HapticFunctions_h
 #define HapticFunctions_h
@@ -20,15 +20,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Chord error allowed on a curved piece, as a fraction of the piece's height and of the value
- * there.
+ * Largest error of a chord on a curved piece: as a fraction of the piece's height (CurveTolerance),
+ * and of the value there (CurveValueTolerance).
  */
 constexpr double CurveTolerance = 1e-4;
 constexpr double CurveValueTolerance = 1e-3;
 
 /**
- * Converts a function to a polyline: exactly for linear pieces and steps, within CurveTolerance for
- * curved pieces. A function without points gives the constant `emptyValue`.
+ * Converts a function to a polyline: linear pieces and steps exactly, curved pieces within
+ * CurveTolerance. A function without points becomes the constant `emptyValue`.
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 
@@ -36,9 +36,9 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
  * Returns an error that names the first point of a function whose value is negative, above a
  * maximum or not finite, with the cure; empty if there is no such point.
  *
- * @param what such as "Strength of a vtkHapticMode of kind Vortex"
- * @param allowed such as "0 N or more"
- * @param getter such as "vtkHapticMode::GetStrength()"
+ * @param what the function's name, such as "Strength of a vtkHapticMode of kind Vortex"
+ * @param allowed the allowed values, such as "0 N or more"
+ * @param getter the getter, such as "vtkHapticMode::GetStrength()"
  */
 std::string DetectFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);
@@ -50,9 +50,9 @@ void ToScalars(vtkHapticProperty* property, Polyline& line);
 vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned);
 
 /**
- * Makes a function equal to another one, in place, with all of its nodes: vtkPiecewiseFunction's
- * DeepCopy() loses one of two nodes at one position, and the logarithmic scale. A function that is
- * equal already is not modified.
+ * Makes `target` equal to `source`, in place, with all of its nodes. The DeepCopy() of
+ * vtkPiecewiseFunction loses one of two nodes at the same position, and the logarithmic scale. If
+ * the functions are equal already, `target` is not modified.
  */
 void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target);
 

@@ -23,7 +23,9 @@ constexpr SetupFileKind PresetKind{ "VTK Volume Haptics preset", 1, "preset",
   "that vtkHapticProperty::WritePreset() wrote", "write the preset again" };
 constexpr std::size_t LargestPreset = 1 << 20; // bytes; usually thousands
 
-/** Keys that presets omit: a preset applies to any component, and to data stored in any way. */
+/**
+ * Keys that presets omit, because a preset applies to any component, and to data stored in any way.
+ */
 constexpr const char* DataKeys[] = { "Component", "ScalarShift", "ScalarScale" };
 
 void RemoveDataKeys(Json::Value& root)
@@ -72,7 +74,7 @@ bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::
   writing.Writing = true;
   PassMaterials(SetupNode(writing, &root, {}), [property] { return property; });
   RemoveDataKeys(root);
-  // A preset that could not be read again must not replace a valid one.
+  // Read the preset first: a preset that could not be read again must not replace a valid one.
   SetupPass reading;
   PassMaterials(SetupNode(reading, &root, {}), [property] { return property; });
   if (!reading.Error.empty())
@@ -121,7 +123,7 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
   }
   RemoveDataKeys(root);
   SetupPass pass;
-  // A new property gets the defaults of what the file lacks.
+  // A new property has the defaults for whatever the file lacks.
   const vtkNew<vtkHapticProperty> read;
   PassMaterials(SetupNode(pass, &root, {}), [&read] { return read.Get(); });
   if (!pass.Error.empty())

@@ -15,13 +15,13 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** Whether the name of a preset, which may be null, names a file. */
+/** Whether the name of a preset is that of a file. The name may be null. */
 bool IsPresetFile(const char* name);
 
 ///@{
 /**
- * Write and read a preset. False, with an error that names the file and the cure; then nothing has
- * changed.
+ * Write and read a preset. On failure, both return false, with an error that names the file and the
+ * cure, and change nothing.
  */
 bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
 bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);

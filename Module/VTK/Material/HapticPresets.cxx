@@ -22,7 +22,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A tissue keeps its material from Low to High; between tissues it changes linearly. */
+/**
+ * A tissue has its material from the value Low to the value High. Between tissues, the material
+ * changes linearly.
+ */
 struct Tissue
 {
   const char* Name;
@@ -39,46 +42,49 @@ struct Preset
   const char* Name;
   std::vector<Tissue> Tissues;
   /**
-   * Gradient magnitude, per millimetre, from which on a surface begins to be felt. Fitted to an
-   * image, it is per voxel: an edge has the same height, but is as many millimetres wide as voxels.
+   * Gradient magnitude (per mm) at which a surface begins to be felt. For a preset that is fitted
+   * to an image, it is per voxel instead, because the edges of such images are a number of voxels
+   * wide, whatever the spacing.
    */
   double DistinctnessStart;
-  double DistinctnessFull; ///< gradient at which it is felt fully; 0: distinctness from the noise
+  double DistinctnessFull; ///< gradient magnitude at which a surface is fully felt; 0: distinctness
+                           ///< from the noise
   int Side;
   bool IsOfLabels = false;
   bool IsOfImage = false; ///< whether the image shows what is solid
-  /** For values without a unit: the median of the values above the first tissue; else 0. */
+  /** For values without a unit, the median of the values above the first tissue; otherwise 0. */
   double Body = 0.0;
 };
 
-/** More newtons than any device exerts. */
+/** A strength (N) above the force of any device. */
 constexpr double Impenetrable = 1e6;
-/** More newtons than a hand on a desktop device pushes with. */
+/** A strength (N) above the force with which a hand pushes a desktop device. */
 constexpr double Solid = 12.0;
 
 /**
- * Stiffness of everything: most desktop devices can render it. A change of stiffness would be felt
- * as relief, and as a step of the force where V(x_s) wanders from one tissue to another. Air has
- * this stiffness, too: on a ramp from 0, noise would yield a stiffness near 0 beside a drag, and
- * the drag would leave the proxy far behind.
+ * Stiffness (N/m) of everything; most desktop devices can render it. A change of stiffness would be
+ * felt as relief, and as a step of the force where V(x_s) moves from one tissue to another. Air has
+ * this stiffness, too. On a ramp that begins at 0, noise would give a stiffness near 0 together
+ * with a drag, and this drag would leave the proxy far behind.
  */
 constexpr double K = 400.0;
 
 /**
- * A background of magnitudes ends at so many times its brightness. Its noise has Rayleigh's
- * distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995, 910-914), of which
- * hardly a value in 3e8 is above 5 times the mean. Faint ghosts of the body are below that, too.
+ * The background of magnitude images ends at this multiple of its brightness. Its noise has
+ * Rayleigh's distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995,
+ * 910-914), in which hardly one value in 3e8 is above 5 times the mean. Faint ghosts of the body
+ * are below that, too.
  */
 constexpr double NoiseEnd = 5.0;
 
 const std::vector<Preset>& Presets()
 {
-  // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
-  // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
-  // falls and rises again for fluid. Soft tissues share one drag: inside a tissue only the drag is
-  // felt, and a few HU of noise on a ramp between two drags would feel like grains. The lung has
-  // one drag, too, and no walls of its own: its noise and its emphysema reach the values of air,
-  // and a drag above 0.05 N, from which on a drop of the force is felt, would come and go with
+  // Strengths rise with the value or stay equal. Their ramps are tens of HU wide, because noise and
+  // the slope of a blurred edge move V(x_s) by that much. Only friction, which changes the force by
+  // a few percent, falls, and rises again for fluid. Soft tissues share one drag, because inside a
+  // tissue only the drag is felt, and a few HU of noise on a ramp between two drags would feel like
+  // grains. The lung has one drag, too, and no walls of its own: its noise and its emphysema reach
+  // the values of air, and a drag above 0.05 N, whose loss can be felt, would come and go with
   // them. Distinctness starts at 16 HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for
   // 20 HU of white noise, 1 mm voxels and the default kernel, and twice as much where the noise of
   // neighbours is correlated, as in CT. So noise is not felt as surfaces.
@@ -94,10 +100,10 @@ const std::vector<Preset>& Presets()
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // Fat is met only from outside, where it lies under skin: it has the stiffness of both
-    // together. The half-filled voxels of the skin, and voxels of skin, fat and muscle with the
-    // values of fluid, have it, too; to a finger that leaves a slope, their friction is that of
-    // skin. The skin's values reach 37 HU in a head CT: the stiffness of organs begins above.
+    // A hand meets fat only from outside, where it lies under skin: so fat has the stiffness of
+    // both together. So have the half-filled voxels of the skin, and voxels of skin, fat and muscle
+    // with the values of fluid; their friction is that of skin, for a finger that leaves a slope.
+    // The skin's values reach 37 HU in a head CT, so the stiffness of organs begins above that.
     // Values without surface strength have the stiffness of an organ, so that springs begin without
     // slack.
     { "CT physical",
@@ -111,7 +117,7 @@ const std::vector<Preset>& Presets()
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
-      20, 52, vtkHapticProperty::HIGHER }, // its low drag hides less
+      20, 52, vtkHapticProperty::HIGHER }, // its low drag hides less noise
     // Vessels with medium have the values of spongy bone, so bone begins at the values of cortical
     // bone.
     { "CT angiography",
@@ -136,9 +142,9 @@ const std::vector<Preset>& Presets()
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // Surfaces are felt from both sides here. Two surfaces of opposite sides are often a few voxels
-    // apart (scalp and skull): distinctness rises slowly, so that one surface does not replace the
-    // other in a step.
+    // Surfaces are felt from both sides here. Two surfaces of opposite sides (scalp and skull) are
+    // often only a few voxels apart. Distinctness therefore rises slowly, so that one surface does
+    // not replace the other in a step.
     { "MRI",
       {
         { "background", 0, 12, K, 0.00, 0.00, 0.0 },
@@ -148,8 +154,8 @@ const std::vector<Preset>& Presets()
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH, false, false, 90.0 },
-    // One hard material in any unit: its surfaces are where the gradient exceeds the noise and
-    // leads into something other than background.
+    // One hard material in any unit. Its surfaces are where the gradient exceeds the noise and
+    // rises towards anything but background.
     { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
       false, true },
     // All labels but 0 have one material: a label's number says nothing about its tissue.
@@ -184,7 +190,7 @@ void Fill(
   {
     function->AddPoint(scale * tissue.Low, tissue.*quantity);
     function->AddPoint(
-      scale * tissue.High, tissue.*quantity); // the same point twice if there is no range
+      scale * tissue.High, tissue.*quantity); // twice the same point if Low equals High
   }
 }
 
@@ -228,7 +234,7 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
   if (level.IsThere && brightness > 0.0)
   {
     const double noise = NoiseEnd * valueOf(level.Dark);
-    // Values nearly as bright as the body are no noise.
+    // A background that is nearly as bright as the body is not taken for noise.
     scale.Values = noise < brightness * preset->Tissues[1].Low
       ? std::max(brightness, noise / preset->Tissues[0].High)
       : brightness;
@@ -287,8 +293,9 @@ bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
   {
     return false;
   }
-  // Forces of a lumbar puncture: Documentation/method.md#the-needle. The values of fluid also occur
-  // between fat and muscle, where a dip would be a false loss of resistance.
+  // Forces of a lumbar puncture: see Documentation/method.md#the-needle. Fluid has no dip of its
+  // own: its values also occur between fat and muscle, where a dip would be a false loss of
+  // resistance.
   constexpr double cutting[][2] = { { -955.0, 0.0 }, { -900.0, 0.04 }, { -300.0, 0.04 },
     { -150.0, 0.1 }, { -80.0, 0.1 }, { 20.0, 0.3 } }; // HU, N
   Empty(force);

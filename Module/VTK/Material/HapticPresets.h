@@ -19,7 +19,10 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** The factors by which an image, as a property scales it, has larger values than a preset. */
+/**
+ * Factors from a preset's values and gradients to those of an image, as a property scales the
+ * image.
+ */
 struct PresetScale
 {
   double Values = 1.0;
@@ -28,7 +31,7 @@ struct PresetScale
 };
 
 /**
- * Finds the factors. Both are 1 if the preset's values have a unit, or if the image has no
+ * Computes the factors. Both are 1 if the preset's values have a unit, or if the image has no
  * background level. Returns false, with an error, if the image is needed and can't be read.
  */
 bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
@@ -38,8 +41,8 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
 bool FillFromPreset(const char* name, vtkHapticProperty* property, const PresetScale& scale = {});
 
 /**
- * Fills the force with which a needle cuts (N), for the presets of CT. Returns false and changes
- * nothing for any other name.
+ * Fills the function of the force (N) with which a needle cuts, for the presets of CT. Returns
+ * false and changes nothing for any other name.
  */
 bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force);
 

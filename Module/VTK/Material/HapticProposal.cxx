@@ -36,14 +36,15 @@ namespace
 constexpr int SearchRadius = 2; // radius of the kernel that searches for edges (voxels)
 constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
 /**
- * Smallest rise of an edge within a voxel, as a fraction of the range; less is shading or rounding.
+ * Smallest rise of an edge within a voxel, as a fraction of the range. A smaller rise is shading or
+ * rounding.
  */
 constexpr double LeastSlopeFraction = 0.003;
-constexpr double NoiseThreshold = 3.4; // standard deviations of the noise at which its ramp starts
-constexpr double FlatNoise = 2.0;      // standard deviations up to which a place counts as flat
+// standard deviations of the noise at which the distinctness begins to rise
+constexpr double NoiseThreshold = 3.4;
+constexpr double FlatNoise = 2.0; // standard deviations up to which a place counts as flat
 /**
- * Smallest fraction of all edges that noisy edges must make up for the background to count as
- * noisy.
+ * Fraction of all edges above which noisy edges make the background count as noisy.
  */
 constexpr double LeastNoise = 0.003;
 
@@ -68,7 +69,8 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
 }
 
 /**
- * Returns where the values of a dark or bright background end, if the value outside belongs to it.
+ * Returns where the values of a dark or bright background end, if the value `outside` belongs to
+ * it.
  */
 std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double outside)
 {
@@ -83,7 +85,7 @@ std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double out
   }
   if (volume.Whole.IsThere)
   {
-    return {}; // a region can't show a bright background
+    return {}; // a region does not contain enough to detect a bright background
   }
   const BackgroundLevel bright = BackgroundLevel::Estimate([&](std::int64_t i)
     { return -scalars->GetComponent(i, input.Component); },
@@ -92,7 +94,10 @@ std::optional<double> DetectBackgroundEnd(const ProposalInput& input, double out
                                                         : std::nullopt;
 }
 
-/** @param toValue maps scalars, or their slopes, to the values of the property */
+/**
+ * Replaces the points of a function.
+ * @param toValue maps scalars, or their slopes, to the values of the property
+ */
 template <typename ToValue>
 void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue& toValue)
 {
@@ -147,7 +152,7 @@ bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input,
   input.Image = vtkSmartPointer<vtkImageData>::New();
   input.Image->ShallowCopy(image);
   input.Component = component;
-  // Samples that are not numbers are left out: they have no edges.
+  // Leave out samples that are not numbers, because they have no edges.
   OutsideSamples outside = DetectOutside(image, scalars, component);
   const bool hasHoles = std::exchange(outside.AreNonFinite, false);
   const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
@@ -220,7 +225,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     facts.BackgroundEnd = DetectBackgroundEnd(input, facts.Outside);
     if (facts.BackgroundEnd)
     {
-      // Streaks and other correlated noise, which the noise estimate does not include.
+      // Look for streaks and other correlated noise, which the noise estimate does not include.
       const auto isNoise = [&](const EdgeLine& line)
       { return facts.Covers(line.Low) && facts.Covers(line.High); };
       const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
@@ -250,7 +255,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     }
     message << "No edge between two materials stands out in the " << NameOf(scalars)
             << " of the input image";
-    // Smoothing helps only against noise: it widens edges that are too wide already.
+    // Smooth only against noise, because smoothing widens edges that are too wide already.
     const bool isNoisy =
       !boundaries.empty() || thresholds.Least > LeastSlopeFraction * (range[1] - range[0]);
     if (isNoisy)
@@ -273,7 +278,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
 {
   const double k = MaterialProposal::Stiffness;
-  // Moves FoundShift into ScalarShift, so that the functions' axes stay the same.
+  // Move FoundShift into ScalarShift, so that the functions' axes stay the same.
   property->SetScalarShift(property->GetScalarShift() + property->GetFoundShift());
   property->NoteShift(0.0);
   property->ShiftFromImageOff();
@@ -297,7 +302,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
     const std::string name = i == proposal.Background
       ? "outside"
       : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
-    // A tissue is named only where the functions are constant.
+    // A tissue gets a name only where the functions are constant.
     property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
       toValue(proposal.SurfaceStrength[2 * i + 1].X));
   }

@@ -21,7 +21,7 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** A component of an image, as a search reads it, perhaps on another thread. */
+/** A component of an image, in the form that a search reads, perhaps on another thread. */
 struct ProposalInput
 {
   vtkSmartPointer<vtkImageData> Image; ///< a new image that shares the arrays of the user's image
@@ -37,16 +37,16 @@ bool ReadProposalInput(
   vtkImageData* image, int component, ProposalInput& input, std::string& error);
 
 /**
- * Examines a bounded number of an image's voxels. Returns false, with the reason and the cure in
- * `error`, if there is nothing to propose, or the search was cancelled.
+ * Examines a limited number of an image's voxels. Returns false, with the reason and the cure in
+ * `error`, if there is nothing to propose, or if the search was cancelled.
  */
 bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   MaterialProposal& proposal, std::string& error);
 
-/** Sets, in place, the five functions of a property, its side and its table of boundaries. */
+/** Sets the five functions of a property in place, its side, and its table of boundaries. */
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
 
-/** Sets what FillFromProposal() sets, from a property that it filled before. */
+/** Copies to a property what FillFromProposal() has set in `proposed`. */
 void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property);
 
 } // namespace VolumeHaptics

@@ -82,14 +82,14 @@ void HapticTissues::SetValue(
   const NamedTissue& here = this->Get(tissue);
   const auto valueAt = [&](double x)
   { return function->GetSize() == 0 ? empty : function->GetValue(x); };
-  // The neighbours keep the values at their ends, where the ramps begin.
+  // The neighbours' values stay the same at their ends, where the ramps begin.
   const bool hasBefore = tissue > 0;
   const bool hasBehind = tissue + 1 < this->GetSize();
   const double before = hasBefore ? this->Get(tissue - 1).High : 0.0;
   const double behind = hasBehind ? this->Get(tissue + 1).Low : 0.0;
   const double valueBefore = hasBefore ? valueAt(before) : 0.0;
   const double valueBehind = hasBehind ? valueAt(behind) : 0.0;
-  // Values between two tissues lie on a ramp.
+  // Remove the points between the tissues, because values there lie on a ramp.
   RemovePoints(function, hasBefore ? before : here.Low, hasBehind ? behind : here.High);
   if (hasBefore)
   {
@@ -107,7 +107,7 @@ void HapticTissues::SetValue(
 HapticTissues GetTissues(vtkHapticProperty* property)
 {
   HapticTissues tissues;
-  std::string error; // no error occurs: the property has accepted these tissues before
+  std::string error; // stays empty: the property has accepted these tissues before
   for (int i = 0; i < property->GetNumberOfTissues(); ++i)
   {
     double range[2];

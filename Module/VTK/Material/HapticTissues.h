@@ -16,7 +16,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A named range of values (scalar units), both ends included. */
+/** A named range of values (scalar units). Both ends belong to it. */
 struct NamedTissue
 {
   std::string Name;
@@ -33,7 +33,10 @@ struct NamedTissue
 class HapticTissues
 {
 public:
-  /** Adds a tissue. Returns its number; -1, with the reason and the cure, if it can't be added. */
+  /**
+   * Adds a tissue and returns its number. Returns -1, with the reason and the cure in `error`, if
+   * it can't be added.
+   */
   int Add(const NamedTissue& tissue, std::string& error);
   void Clear() { this->All.clear(); }
   bool operator==(const HapticTissues& other) const { return this->All == other.All; }
@@ -55,7 +58,7 @@ private:
 };
 
 ///@{
-/** Get and set the tissues of a property. Setting equal tissues does not modify it. */
+/** Get and set the tissues of a property. Setting equal tissues does not modify the property. */
 HapticTissues GetTissues(vtkHapticProperty* property);
 void SetTissues(vtkHapticProperty* property, const HapticTissues& tissues);
 ///@}

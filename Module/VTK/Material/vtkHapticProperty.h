@@ -269,8 +269,8 @@ public:
    *
    * - "CT contrast": Hounsfield units; tissues told apart clearly by hand. Bone is solid.
    * - "CT physical": Hounsfield units; stiffness from published soft-tissue moduli by way of a flat
-   *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m; skin over fat: 53).
-   *   Subtle on most devices.
+   *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m; skin over fat: 53). Subtle on
+   *   most devices.
    * - "CT angiography": Hounsfield units, with contrast medium in vessels and heart.
    * - "CT chest": Hounsfield units; lung has one drag, from emphysema on.
    * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides. Pass
@@ -283,15 +283,15 @@ public:
    * the shape that it sees: strength, friction and drag tell tissues apart. The values are this
    * project's, chosen by hand; they are not measurements: see Documentation/materials.md. The
    * preset's tissues become those of AddTissue(). A name that ends in ".json" is that of a file:
-   * see ReadPreset(). Returns false, with an error and no change, for any other name.
+   * see ReadPreset(). For any other name, reports an error, returns false and changes nothing.
    *
    * With an image, a preset whose values have no unit ("MRI") is fitted to the Component of its
-   * active point scalars, with ScalarShift and ScalarScale: what is brighter than the background,
-   * as SolidFromImage finds it, has a median, which over 90 is the factor of the values, unless
-   * the background then ended at less than 5 times its own median: its noise would be felt. The
-   * gradients have the first factor, and are per voxel, of the mean width, not per millimetre. If
-   * there is no background to tell, the preset is as without an image. An image without such
-   * scalars is an error, if it is needed.
+   * active point scalars, with ScalarShift and ScalarScale: the factor of the values is the median
+   * of what is brighter than the background, as SolidFromImage finds it, divided by 90. It is
+   * larger if the background would otherwise end at less than 5 times its own median, because its
+   * noise would then be felt. The factor of the gradients is the first one; they are per voxel of
+   * mean width, not per millimetre. If no background is found, the preset is the same as without an
+   * image. If the image is needed, an image without such scalars is an error.
    */
   bool ApplyPreset(const char* name);
   bool ApplyPreset(const char* name, vtkImageData* image);
@@ -306,7 +306,7 @@ public:
    * functions to the bit, the tissues, the surface side, DistinctnessFromNoise,
    * DistinctnessPerMillimeter, ScalarsAreLabels, SolidFromImage and ShiftFromImage, but neither the
    * component, the visibility nor ScalarShift and ScalarScale, which belong to the data.
-   * WritePreset replaces an existing file only after the whole new one is on the disk. ReadPreset
+   * WritePreset replaces an existing file only after all of the new one is on the disk. ReadPreset
    * fills the functions in place; what the file lacks gets its default. On failure, both return
    * false, with an error that names the file and the cure, and change nothing. Give the file a name
    * that ends in ".json", so that ApplyPreset() accepts it.
@@ -320,9 +320,9 @@ public:
    * Name ranges of the functions' values, from low to high (both included). The names are for
    * people: vtkHapticFunctionEditor draws them as bands and edits their materials by sliders, but
    * forces do not depend on them. Tissues are numbered from 0, in ascending order of their values.
-   * AddTissue returns the number of the new tissue; -1, with an error, if the name is empty or
-   * occurs already, or if the values overlap another tissue. Presets and proposals set their own
-   * tissues. Default: none.
+   * AddTissue returns the number of the new tissue. It reports an error and returns -1 if the name
+   * is empty or occurs already, or if the values overlap another tissue. Presets and proposals set
+   * their own tissues. Default: none.
    */
   int AddTissue(const char* name, double low, double high);
   void RemoveAllTissues();
@@ -362,8 +362,9 @@ public:
    * The functions use the values that ScalarShift and ScalarScale define; a FoundShift becomes the
    * ScalarShift, and ShiftFromImage is turned off.
    *
-   * Returns false, with an error and no change, if there is no edge to propose from: no or constant
-   * scalars, an image of less than 5 points along an axis, or nothing but noise.
+   * Reports an error, returns false and changes nothing if there is no edge to propose from:
+   * without scalars, with constant scalars, with less than 5 points along an axis, or with nothing
+   * but noise.
    */
   bool ProposeFromImage(vtkImageData* image);
 
@@ -401,12 +402,15 @@ public:
   ///@}
 
   /**
-   * Copy everything: functions point by point, and tissues; but the visibility and the boundaries
-   * of the last proposal by reference.
+   * Copy everything: functions point by point, and tissues. Only the volume property of the
+   * visibility and the boundaries of the last proposal are shared by reference.
    */
   void DeepCopy(vtkHapticProperty* source);
 
-  /** Includes the change times of every function and of the volume property of the visibility. */
+  /**
+   * Returns the latest modification time of this property, its functions, and the volume property
+   * of the visibility.
+   */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -25,7 +25,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Makes a line of some points; of all points in their order if there are no ids. */
+/**
+ * Makes a line of the points with these ids. Without ids, makes it of the first `count` points in
+ * their order.
+ */
 GuidePath::Line LineOf(vtkPolyData* path, vtkIdType count, const vtkIdType* ids)
 {
   GuidePath::Line line;
@@ -91,13 +94,13 @@ bool ReadPath(vtkPolyData* path, double rounding, ModeDescription& d, std::strin
   return true;
 }
 
-/** Keeps track of the meshes that models use, so that unchanged meshes are not prepared again. */
+/** Finds the meshes that models use, so that unchanged surfaces are not prepared again. */
 class MeshesInUse
 {
 public:
   std::shared_ptr<const GuideMesh> Get(vtkPolyData* surface, double rounding, std::string& error)
   {
-    // Times of change are unique, so that new data at an old address get another key.
+    // Modification times are unique, so that new data at an old address get another key.
     const Key key{ surface, surface->GetMTime(), rounding };
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (const auto known = this->Meshes[key].lock())

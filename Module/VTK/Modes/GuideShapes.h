@@ -18,7 +18,7 @@ struct ModeDescription;
 /**
  * Describes the path, the surface or the distance field of a guide. Corners are rounded by
  * `rounding` (world units). Returns false, with the reason and the cure in `error`, unless the
- * guide has exactly one of them, and it can be felt.
+ * guide has exactly one of them, which can be felt.
  */
 bool DescribeGuide(
   vtkHapticGuideMode* mode, double rounding, ModeDescription& d, std::string& error);

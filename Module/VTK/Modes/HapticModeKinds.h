@@ -26,21 +26,23 @@ namespace VolumeHaptics
 struct ModeKindRow
 {
   /**
-   * Names of Strength and SecondStrength in files and errors; null for a function that the kind
-   * lacks.
+   * Names of the functions Strength and SecondStrength in files and errors. The name of a function
+   * that the kind lacks is null.
    */
   const char* Functions[2];
   /** The settings that only this kind has; null after the last one. */
   const char* Settings[2];
-  /** Returns the core's kind, and describes the settings that only this kind has. */
+  /**
+   * Returns the core's kind, and writes the settings that only this kind has to the description.
+   */
   ModeKind (*Describe)(vtkHapticMode*, ModeDescription&);
 };
 
 const ModeKindRow& GetModeKind(vtkHapticMode* mode);
 
-/** Returns what a mode reads of the touched image. */
+/** Returns which data of the touched image a mode reads. */
 ModeInput GetInput(vtkHapticMode* mode);
-/** Whether an array with some components can be what a mode reads. */
+/** Whether a mode can read an array with this many components. */
 bool HasComponents(ModeInput input, int components);
 
 /** A strength function of a mode. */

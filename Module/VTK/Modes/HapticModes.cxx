@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Names a mode in an error. */
+/** Returns the name of a mode for an error. */
 std::string NameOf(vtkHapticMode* mode)
 {
   return mode->GetKind() == vtkHapticMode::GUIDE
@@ -48,7 +48,10 @@ vtkDataArray* FindArray(vtkHapticMode* mode, ModeInput input, vtkImageData* imag
   return active ? active : areScalars ? scalars : nullptr;
 }
 
-/** Holds a reference to an object; created and released outside the servo thread. */
+/**
+ * Returns a pointer that holds a reference to an object. It must be created and released outside
+ * the servo's thread.
+ */
 std::shared_ptr<const void> ShareObject(vtkObjectBase* object)
 {
   object->Register(nullptr);
@@ -56,7 +59,7 @@ std::shared_ptr<const void> ShareObject(vtkObjectBase* object)
     [object](const void*) { object->UnRegister(nullptr); } };
 }
 
-/** Describes modes one by one, until there is an error. */
+/** Describes modes one after another, until the first error. */
 class ModeDescriber
 {
 public:
@@ -156,7 +159,7 @@ private:
     bool isThere = LocateSamples(array, 0, dimensions, d.View.Volume, holder);
     if (!isThere || d.View.Volume.Stride[0] != components)
     {
-      // Copies components that are stored separately, or computed.
+      // Copy components that are stored separately, or computed on access.
       const auto copy = CopyArray(array);
       isThere = LocateSamples(copy, 0, dimensions, d.View.Volume, holder);
     }
@@ -210,7 +213,7 @@ const ModeKindRow& GetModeKind(vtkHapticMode* mode)
         d.SnapDistance = mode->GetSnapDistance();
         return ModeKind::Ridge;
       } },
-    // The settings of a guide are those of vtkHapticGuideMode, and GuideShapes.h describes them.
+    // GuideShapes.h describes the settings of a guide, which are those of vtkHapticGuideMode.
     { { strength, nullptr }, {},
       [](M* mode, D&)
       {

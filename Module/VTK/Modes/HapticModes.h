@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts vtkHapticMode to the core's modes, with every check of their input.
+ * Converts vtkHapticMode to the core's modes, with all checks of their input.
  */
 #ifndef HapticModes_h
 #define HapticModes_h
@@ -27,14 +27,14 @@ using HapticModes = std::vector<vtkSmartPointer<vtkHapticMode>>;
 vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
- * Describes modes on the samples of an image; `view` is one component of it. Arrays are viewed
+ * Describes modes on the samples of an image, of which `view` is one component. Arrays are viewed
  * without a copy, unless they store their components separately. Returns false, with the reason and
  * the cure in `error`, if an active mode can't be felt.
  */
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
-/** Whether a tick has time for all of these modes at once, whether they are active or not. */
+/** Whether a tick has enough time for all of these modes, as if all were active. */
 bool FitIntoATick(const HapticModes& modes);
 
 } // namespace VolumeHaptics

@@ -20,10 +20,13 @@ struct ModePreset
 {
   const char* Name;
   int Kind;
-  /** The second strength as a fraction of the strength that the image proposes; 0: none. */
+  /**
+   * Ratio of the second strength to the strength that the image proposes. 0: no second strength.
+   */
   double Fraction;
   bool TouchesSurfaces;
-  void (*Adjust)(vtkHapticMode*); ///< null: the kind's own settings are the defaults
+  void (*Adjust)(vtkHapticMode*); ///< sets further settings of the kind; null if the defaults are
+                                  ///< used
 };
 
 constexpr ModePreset ModePresetRows[] = {
@@ -65,7 +68,7 @@ bool SuitImage(
   return ProposeStrength(mode, image, error);
 }
 
-/** Fills the second function with a fraction of the strength. */
+/** Fills the second function with the strength, multiplied by the preset's Fraction. */
 void FillSecond(const ModePreset& preset, vtkHapticMode* mode)
 {
   vtkPiecewiseFunction* const strength = mode->GetStrength();

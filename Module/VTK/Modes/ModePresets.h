@@ -19,9 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes the modes of a preset, with strengths that suit an image. Empty, with the reason and the
- * cure in `error`, if there is no such preset, or the image has nothing for it. Without an image,
- * strengths are 2 N everywhere.
+ * Makes the modes of a preset, with strengths that suit an image. Returns no modes, with the reason
+ * and the cure in `error`, if there is no such preset, or if the image has nothing for it. Without
+ * an image, strengths are 2 N everywhere.
  */
 HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& error);
 

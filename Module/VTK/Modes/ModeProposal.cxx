@@ -23,16 +23,19 @@ namespace
 {
 
 constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
-/** Largest number of positions along an axis that are examined: some thousand in all suffice. */
+/** Largest number of positions that are examined along an axis: some thousand in all suffice. */
 constexpr std::int64_t MostLookups = 24;
-/** Fraction of the positions whose measure is below the value that counts as large. */
+/** Fraction of the positions whose measure is below the one that counts as large. */
 constexpr double LargeFraction = 0.95;
-/** LargeFraction for ridges: vessels fill only little of a volume. */
+/** LargeFraction for ridges, because vessels fill only a small part of a volume. */
 constexpr double LargeRidgeFraction = 0.995;
 
 using Measure = std::function<double(const Vector3& index)>;
 
-/** Collects a measure on a regular grid of positions, where it is positive, in ascending order. */
+/**
+ * Computes a measure on a regular grid of positions. Returns its positive values in ascending
+ * order.
+ */
 std::vector<double> CollectMeasure(const VolumeView& view, const Measure& measure)
 {
   std::vector<double> found;
@@ -68,7 +71,7 @@ double FirstRate(const Matrix3& j)
     .Value[0];
 }
 
-/** Returns the measure that the strength of a mode about vectors depends on. */
+/** Returns the measure of which the strength of a mode about vectors is a function. */
 Measure MeasureVectors(ModeKind kind, const VectorField& field)
 {
   return [kind, &field](const Vector3& index)
@@ -87,7 +90,10 @@ Measure MeasureVectors(ModeKind kind, const VectorField& field)
   };
 }
 
-/** Measures how tubular the scalars are (vtkHapticMode::SetKind), by a kernel of 2 voxels. */
+/**
+ * Returns the measure of how tubular the scalars are (vtkHapticMode::SetKind), computed by a kernel
+ * of 2 voxels.
+ */
 Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, bool isDark)
 {
   return [&scalars, sign = isDark ? -1.0 : 1.0, worldToIndex = Inverse(indexToWorld.Linear)](
@@ -119,8 +125,8 @@ void SetPoints(vtkHapticMode* mode, double none, double whole)
 }
 
 /**
- * Sets the strength: 0 up to a tenth of the measure that counts as large, and full from half of
- * this measure on.
+ * Sets the strength: 0 up to a tenth of the measure that counts as large, and full above half of
+ * this measure.
  */
 bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double fraction)
 {
@@ -141,7 +147,7 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
   std::vector<ModeDescription> described;
   if (mode->GetKind() == vtkHapticMode::GUIDE || mode->GetKind() == vtkHapticMode::SURFACE)
   {
-    mode->SetStrength(nullptr); // the default of a guide is the same everywhere
+    mode->SetStrength(nullptr); // the default of a guide, which is the same everywhere
     return true;
   }
   vtkDataArray* const own = FindModeArray({ mode }, image);

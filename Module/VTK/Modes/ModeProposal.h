@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Replaces the Strength of a mode. Returns false, with the reason in `error`, if there is nothing
- * to propose.
+ * Replaces the Strength of a mode by one that suits an image. Returns false, with the reason in
+ * `error`, if there is nothing to propose.
  */
 bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& error);
 

@@ -99,7 +99,10 @@ public:
   vtkGetMacro(Distance, double);
   ///@}
 
-  /** Includes the change times of the path, the surface and the distance field. */
+  /**
+   * Returns the latest modification time, including those of the path, the surface and the distance
+   * field.
+   */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -19,7 +19,7 @@
  * the hand pulls more, the proxy gives way, at that force. The modes of a filter are felt together,
  * and the force is never more than the sum of their strengths.
  *
- *   VECTOR_FOLLOW  free along a flow, held across it; the second strength pushes along
+ *   VECTOR_FOLLOW  free along a flow, held perpendicular to it; the second strength pushes along
  *   VECTOR_FRONT   surfaces across a field, such as wave fronts or equipotentials
  *   VORTEX         held in around the axis of a vortex; the second strength, on lines along it
  *   SHEAR          free in the direction in which a flow stretches
@@ -198,8 +198,8 @@ public:
    * tubular the scalars are: 0 up to a tenth of a large value of the image, and 2 N from half of
    * the large value on. The large value is the 95th percentile of the positive values; for vessels,
    * the 99.5th. For a tensor, the Strength is 0 up to the anisotropy 0.15 and 2 N from 0.4 on; for
-   * a guide, it is the default. Returns false, with an error and no change, if the image has
-   * nothing for this mode.
+   * a guide, it is the default. If the image has nothing for this mode, reports an error, returns
+   * false and changes nothing.
    */
   bool ProposeFromImage(vtkImageData* image);
 
@@ -236,15 +236,15 @@ public:
 
   ///@{
   /**
-   * Get which point arrays the kind can read, such as "vectors (a point array of 3 components)",
-   * and the name of the first such array in some data; empty if the kind reads none, or the data
-   * have none.
+   * GetArrayText returns which point arrays the kind can read, such as "vectors (a point array of 3
+   * components)"; empty if it reads none. FindArrayName returns the name of the first such array in
+   * some data; empty if there is none.
    */
   std::string GetArrayText();
   std::string FindArrayName(vtkDataSet* data);
   ///@}
 
-  /** Includes the change times of the functions. */
+  /** Returns the latest modification time, including those of the functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads lists of labels that other programs write, one line for each label: names, most of
- * them with colours.
+ * Reads lists of labels that other programs write, one line for each label: names, most of them
+ * with colours.
  *
  *   ITK-SNAP (label descriptions)   1   255   0   0   1  1  1   "Left ventricle"
  *   FreeSurfer (colour tables)      17  Left-Hippocampus  220 216 20 0
@@ -11,8 +11,8 @@
  *
  * ITK-SNAP: label; red, green, blue, 0 to 255; opacity and two flags of its display, which are
  * ignored; a name in quotes. FreeSurfer: label; name; red, green, blue and transparency, which is
- * ignored. MRIcron: label; name; or after it one more number, which is ignored. Empty lines and
- * lines that begin with # are ignored. If a label has two lines, the last one counts.
+ * ignored. MRIcron: label; name; sometimes a number, which is ignored. Empty lines and lines that
+ * begin with # are ignored. If a label has two lines, the last one counts.
  *
  * MRIcron keeps colours in a file of 768 bytes: red of the labels 0 to 255, then green, then blue.
  */
@@ -28,20 +28,23 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Whether the first line that is not ignored belongs to such a list. */
+/** Whether the first line that is not ignored has the format of such a list. */
 bool IsItkSnapTable(std::string_view text);
 bool IsFreeSurferTable(std::string_view text);
 bool IsNameList(std::string_view text);
 ///@}
 
 ///@{
-/** Read a list. Returns false, with the reason and the cure, and entries unchanged, on failure. */
+/**
+ * Read a list. On failure, return false, with the reason and the cure in `error`, and leave the
+ * entries unchanged.
+ */
 bool ReadItkSnapTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);
 ///@}
 
-/** Whether bytes can be a file of colours: there are 768 of them. */
+/** Whether bytes can be a file of colours, because there are 768 of them. */
 bool IsPalette(std::string_view bytes);
 /** Reads the colours of the labels 0 to 255. */
 void ReadPalette(std::string_view bytes, LabelEntries& entries);

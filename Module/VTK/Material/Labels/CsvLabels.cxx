@@ -87,7 +87,8 @@ std::optional<bool> ReadFlag(std::string_view text)
 }
 
 /**
- * Converts three numbers to a colour: from 0 to 1 if none of them is larger, else from 0 to 255.
+ * Converts three numbers to a colour. They are from 0 to 1 if none of them is larger, otherwise
+ * from 0 to 255.
  */
 std::optional<std::array<double, 3>> ReadColorNumbers(
   const std::optional<double>& r, const std::optional<double>& g, const std::optional<double>& b)
@@ -131,7 +132,7 @@ public:
     for (const std::string& title : this->Titles)
     {
       Column meaning = FindColumn(title);
-      // Only the first column for labels counts.
+      // Only the first column of labels counts.
       meaning = meaning == Column::Label && hasLabel ? Column::Other : meaning;
       hasLabel = hasLabel || meaning == Column::Label;
       this->Columns.push_back(meaning);
@@ -185,7 +186,9 @@ public:
   }
 
 private:
-  /** Reads a cell. Returns what is wanted instead if it is invalid, otherwise nullptr. */
+  /**
+   * Reads a cell. If it is invalid, returns a description of what is allowed; otherwise nullptr.
+   */
   const char* ReadCell(
     Column column, const std::string& cell, LabelEntry& entry, std::optional<double> (&parts)[3])
   {
@@ -251,7 +254,7 @@ private:
   bool AllowsCommas;
 };
 
-/** Writes a colour as #rrggbb if that is exact to the bit. */
+/** Writes a colour as #rrggbb if this is exact, and otherwise as three numbers. */
 std::string WriteColor(const std::array<double, 3>& color)
 {
   std::ostringstream text;
@@ -328,7 +331,7 @@ std::string WriteCsv(const LabelEntries& entries)
   };
   const auto flag = [&text](const std::optional<bool>& value)
   { text << "," << (value ? (*value ? "1" : "0") : ""); };
-  // Written only for users of needles or burrs.
+  // Write these columns only if an entry uses them: they are for needles and burrs.
   const auto isUsed = [&entries](std::optional<double> LabelEntry::*member)
   {
     return std::any_of(entries.begin(), entries.end(),

@@ -9,8 +9,8 @@
  *   52,aorta,,,,,1,1,
  *
  * Only the column for labels is needed; the order of the columns is free. Columns with other names
- * are ignored, and an empty cell sets nothing. Besides commas, tabs and semicolons separate cells;
- * between semicolons, numbers may have decimal commas.
+ * are ignored, and an empty cell sets nothing. Cells are separated by commas, tabs or semicolons.
+ * If they are separated by semicolons, numbers may have decimal commas.
  *
  * | column | also called | cells |
  * | --- | --- | --- |
@@ -37,16 +37,16 @@
 namespace VolumeHaptics
 {
 
-/** Whether the first line that is not empty has a column for labels. */
+/** Whether a column of labels is named in the first line that is not empty. */
 bool IsCsv(std::string_view text);
 
 /**
- * Reads a table. Returns false, with the reason and the cure, and entries unchanged, if the text
- * can't be read.
+ * Reads a table. If the text can't be read, returns false, with the reason and the cure in `error`,
+ * and leaves the entries unchanged.
  */
 bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error);
 
-/** Writes a text that ReadCsv reads back exactly to the bit. */
+/** Writes a table that ReadCsv reads back exactly to the bit. */
 std::string WriteCsv(const LabelEntries& entries);
 
 } // namespace VolumeHaptics

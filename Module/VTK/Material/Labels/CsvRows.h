@@ -14,7 +14,10 @@
 namespace VolumeHaptics
 {
 
-/** Rows of cells. Cells in quotes may hold separators, ends of lines, and quotes written twice. */
+/**
+ * Rows of cells. Cells in quotes may contain separators, ends of lines, and quotes, which are
+ * doubled.
+ */
 class CsvRows
 {
 public:
@@ -26,9 +29,9 @@ public:
 
   /** Reads the next row. Returns false at the end of the text. */
   bool Next(std::vector<std::string>& cells);
-  /** Returns the line in which the last row begins, counted from 1. */
+  /** Returns the line, counted from 1, in which the last row begins. */
   int GetLine() const { return this->RowLine; }
-  /** Whether a quote was opened but never closed. */
+  /** Whether the text ends within quotes. */
   bool IsCutOff() const { return this->CutOff; }
 
 private:

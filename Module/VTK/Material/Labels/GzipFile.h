@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens a file that zlib reads, whether it is compressed or not.
+ * Opens a file through zlib, whether it is compressed or not.
  */
 #ifndef GzipFile_h
 #define GzipFile_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 using GzipFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
 /**
- * Opens a file for reading from an offset (bytes), where the compressed part may begin. Returns
- * null, with the reason and the cure, if it can't be opened.
+ * Opens a file for reading from an offset (bytes), where a compressed part may begin. Returns null,
+ * with the reason and the cure in `error`, if it can't be opened.
  */
 GzipFile OpenGzipFile(const std::string& name, std::size_t offset, std::string& error);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One label of a table, as the table, the files of labels and field data describe it.
+ * One label of a table, as the table, files of labels and field data describe it.
  */
 #ifndef LabelEntry_h
 #define LabelEntry_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Members without a value were never set. */
+/** The data of one label. A member without a value was never set. */
 struct LabelEntry
 {
   std::optional<std::string> Name; ///< UTF-8

@@ -27,7 +27,7 @@ constexpr const char* ColorArray = "LabelColor";
 constexpr const char* StandOffArray = "LabelStandOff";
 constexpr double Nothing = -1.0;
 
-/** Arrays of numbers that are members of an entry. */
+/** An array of numbers, and the member of an entry that it stores. */
 struct NumberArray
 {
   const char* Name;
@@ -56,7 +56,7 @@ std::string In(const char* array, vtkIdType tuple)
   return std::string("field data array \"") + array + "\", tuple " + std::to_string(tuple) + ": ";
 }
 
-/** The arrays of a field data, checked for their sizes. */
+/** Reads the arrays of a field data, whose sizes it checks. */
 class FieldDataReader
 {
 public:

@@ -33,13 +33,13 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the arrays. Returns false, with the reason and the cure, and entries unchanged, on failure.
- * The stand-off has no value if there is none.
+ * Reads the arrays. On failure, returns false, with the reason and the cure in `error`, and leaves
+ * the entries unchanged. If the data have no stand-off, `standOff` has no value.
  */
 bool ReadLabelFieldData(
   vtkFieldData* data, LabelEntries& entries, std::optional<double>& standOff, std::string& error);
 
-/** Adds the arrays, or replaces arrays of these names. */
+/** Adds the arrays, replacing existing arrays of the same names. */
 void WriteLabelFieldData(const LabelEntries& entries, double standOff, vtkFieldData* data);
 
 } // namespace VolumeHaptics

@@ -114,8 +114,8 @@ namespace
 {
 
 /**
- * Reads the labels. Returns false, with the reason and the cure, and entries unchanged, if the text
- * can't be read.
+ * Reads the labels. If the text can't be read, returns false, with the reason and the cure in
+ * `error`, and leaves the entries unchanged.
  */
 bool ReadXmlLabels(std::string_view xml, LabelEntries& entries, std::string& error)
 {
@@ -144,7 +144,7 @@ constexpr const char* KnownTables =
   "ITK-SNAP, a colour table of FreeSurfer, a .vti with a table, or a CSV file whose first line "
   "names the columns, such as label,name,stiffness";
 
-/** Computes from the bytes that were read how many bytes of the file are needed. */
+/** Computes from the bytes read so far how many bytes of the file are needed. */
 std::size_t CountNeeded(std::string_view bytes)
 {
   if (IsNrrd(bytes))
@@ -187,7 +187,7 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
     const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
     int number = Z_OK;
     const std::string why = got <= 0 ? gzerror(opened.get(), &number) : "";
-    // For zlib, a truncated file ends like a complete one, except for this error number.
+    // To zlib, a truncated file ends like a complete one, except that it sets this error number.
     if (got < 0 || number == Z_BUF_ERROR)
     {
       error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +

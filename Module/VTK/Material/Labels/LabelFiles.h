@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads tables of labels from files of any known format; the bytes show which it is.
+ * Reads tables of labels from files of any known format. The format follows from the bytes.
  */
 #ifndef LabelFiles_h
 #define LabelFiles_h
@@ -16,8 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the part of a file that can hold a table of labels, uncompressed: the head of an image
- * file, or all of a text. Returns false, with the reason and the cure, if the file can't be read.
+ * Reads, uncompressed, the part of a file that can contain a table of labels: the head of an image
+ * file, or all of a text. Returns false, with the reason and the cure in `error`, if the file can't
+ * be read.
  */
 bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& error);
 
@@ -25,8 +26,8 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
 bool IsVtkFile(std::string_view bytes);
 
 /**
- * Reads a table of labels from the bytes of any other format. Returns false, with the reason and
- * the cure, and entries unchanged, on failure.
+ * Reads a table of labels from the bytes of any other format. On failure, returns false, with the
+ * reason and the cure in `error`, and leaves the entries unchanged.
  */
 bool ReadLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 

@@ -115,7 +115,7 @@ std::optional<std::array<double, 3>> MakeColor(double red, double green, double 
 std::string MakeLabelName(std::string_view text)
 {
   const std::string bytes(text);
-  // Printable() changes a text if and only if it is not UTF-8.
+  // A text that Printable() changes is not UTF-8.
   const bool isLatin = Printable(bytes) != bytes;
   std::string name;
   for (const char character : bytes)
@@ -141,7 +141,7 @@ std::string MakeLabelName(std::string_view text)
 std::string Quote(std::string_view text)
 {
   constexpr std::size_t most = 40;
-  // Cutting a character of several bytes in two makes it unprintable.
+  // Do not cut within a character of several bytes, because that would make it unprintable.
   std::size_t end = std::min(text.size(), most);
   while (end < text.size() && end > 0 && (text[end] & 0xC0) == 0x80)
   {

@@ -43,29 +43,32 @@ std::string_view Trim(std::string_view text);
 /** Splits a text into words at its blanks. */
 std::vector<std::string_view> SplitWords(std::string_view line);
 
-/** Converts a text to lower case, without blanks, underscores, and texts in parentheses. */
+/** Converts a text to lower case, without blanks, underscores and parts in parentheses. */
 std::string MakeKey(std::string_view text);
 
-/** Reads a finite number with a decimal point, in any locale; only blanks may surround it. */
+/**
+ * Reads a finite number with a decimal point, in any locale. The text may have blanks around it,
+ * but nothing else.
+ */
 std::optional<double> ReadNumber(std::string_view text);
 
-/** Reads a label. If there is none, the error gives the reason and the cure. */
+/** Reads a label. If there is none, writes the reason and the cure to `error`. */
 std::optional<int> ReadLabel(std::string_view text, std::string& error);
 
 /** Converts red, green and blue from 0 to 255 to a colour from 0 to 1. */
 std::optional<std::array<double, 3>> ReadByteColor(
   std::string_view red, std::string_view green, std::string_view blue);
 
-/** Makes a colour of three numbers, if all of them are from 0 to 1. */
+/** Makes a colour of three numbers; nothing unless all of them are from 0 to 1. */
 std::optional<std::array<double, 3>> MakeColor(double red, double green, double blue);
 
 /**
- * Converts a text to UTF-8 without control characters. If it is not UTF-8, it is treated as ISO
- * 8859-1, which old programs write; control characters become blanks.
+ * Converts a text to UTF-8 without control characters, which become blanks. A text that is not
+ * UTF-8 is taken for ISO 8859-1, which old programs write.
  */
 std::string MakeLabelName(std::string_view text);
 
-/** Returns the beginning of a text in quotes, for a message. */
+/** Returns the beginning of a text, in quotes, for a message. */
 std::string Quote(std::string_view text);
 
 /** Returns the beginning of a message about a line, such as "Line 3: ". */

@@ -19,14 +19,17 @@ struct Version
 {
   std::size_t HeaderSize;
   std::size_t Magic;
-  const char* Single; ///< magic of a file with header and samples
-  const char* Pair;   ///< magic of a header alone
+  const char* Single; ///< magic of a file with a header and samples
+  const char* Pair;   ///< magic of a file with only a header
 };
 constexpr Version Versions[] = { { 348, 344, "n+1", "ni1" }, { 540, 4, "n+2", "ni2" } };
 constexpr std::size_t ExtenderSize = 4;
 constexpr std::size_t ExtensionHeadSize = 8;
 
-/** Reads a number of the file, whose bytes may be in the other order. */
+/**
+ * Reads a number of the file. If isSwapped, its bytes are in the order that this computer does not
+ * use.
+ */
 template <typename Number>
 Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
 {
@@ -61,7 +64,7 @@ const Version* ReadVersion(std::string_view bytes, bool& isSwapped)
   return nullptr;
 }
 
-/** Returns the XML with labels among the extensions; empty if there is none. */
+/** Returns the XML text with labels that is among the extensions; empty if there is none. */
 std::string_view FindXml(std::string_view extensions, bool isSwapped)
 {
   while (extensions.size() > ExtensionHeadSize)
@@ -76,7 +79,7 @@ std::string_view FindXml(std::string_view extensions, bool isSwapped)
     data.remove_prefix(ExtensionHeadSize);
     if (data.find("<LabelTable") != std::string_view::npos)
     {
-      // Extensions are padded with zeros or blanks.
+      // Cut off the zeros with which extensions are padded.
       return data.substr(0, data.find('\0'));
     }
   }
@@ -99,7 +102,7 @@ std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most)
   {
     return 0;
   }
-  // A file with only a header is read completely.
+  // Read a file completely if it has only a header.
   double size = static_cast<double>(most);
   if (version == &Versions[0] && bytes.substr(version->Magic, 3) == version->Single)
   {

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest factor by which deflate can shrink zeros (zlib's technical details). */
+/** Largest factor by which deflate can compress zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
 constexpr std::size_t MostAtOnce = 1 << 24; // bytes per call of zlib, which counts with 32 bits
 
@@ -41,7 +41,7 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
   }
   struct stat status;
   const double size = stat(name.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
-  // The memory is allocated before the samples are read, so check the size first.
+  // Check the size first, because the memory is allocated before the samples are read.
   if (static_cast<double>(file.Image.CountBytes()) > size * LargestCompression)
   {
     error = "it has fewer samples than its header says. Check that the file is complete.";
@@ -84,7 +84,7 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
   {
     return false;
   }
-  // After compressed samples comes their checksum, which zlib checks when it gets there.
+  // Read on behind compressed samples: zlib then checks their checksum.
   char rest = 0;
   int number = Z_OK;
   if (file.Image.IsCompressed && gzread(opened.get(), &rest, 1) <= 0)

@@ -22,12 +22,12 @@ struct NrrdFile
   NrrdImage Image;
 };
 
-/** Reads the header. Returns false, with the reason and the cure, on failure. */
+/** Reads the header. On failure, returns false, with the reason and the cure in `error`. */
 bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error);
 
 /**
- * Reads one label for each voxel into memory that holds zeros. Returns false, with the reason and
- * the cure, on failure.
+ * Reads one label for each voxel into memory that is filled with zeros. On failure, returns false,
+ * with the reason and the cure in `error`.
  */
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error);
 

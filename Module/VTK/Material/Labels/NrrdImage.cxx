@@ -63,7 +63,7 @@ bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error
   return true;
 }
 
-/** Returns the axis of the layers, or the number of axes if there is none. */
+/** Returns the number of the axis of layers. If there is none, returns the number of axes. */
 std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
 {
   const std::vector<std::string> directions = SplitNrrdVectors(header.GetField("space directions"));
@@ -153,7 +153,7 @@ bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::string& error)
   return true;
 }
 
-/** Reads the value of a sample as a number of 64 bits. */
+/** Reads a sample as a number of 64 bits. */
 std::int64_t LoadSample(const char* from, const NrrdImage& image)
 {
   unsigned char raw[sizeof(std::uint64_t)];
@@ -180,7 +180,7 @@ std::int64_t LoadSample(const char* from, const NrrdImage& image)
   }
 }
 
-/** Maps values in a layer to segments. */
+/** Maps the values in each layer to segments. */
 class SegmentMap
 {
 public:
@@ -200,7 +200,7 @@ public:
     }
   }
 
-  /** Returns the rank of a value and its label; 0 for a value without a segment. */
+  /** Returns the rank of a value and writes its label. Returns 0 for a value without a segment. */
   int Rank(std::size_t layer, std::int64_t value, int& label)
   {
     const auto found = this->ByLayer[layer].find(value);

@@ -24,7 +24,7 @@ struct SegmentFields
   LabelEntry Entry;
 };
 
-/** Splits SegmentN_Field. Returns false for other keys. */
+/** Splits a key SegmentN_Field into N and Field. Returns false for other keys. */
 bool SplitKey(std::string_view key, int& number, std::string_view& field)
 {
   const std::size_t underscore = key.find('_');
@@ -109,7 +109,7 @@ bool ReadSegments(SegmentationHeader& header, std::string& error)
   auto fields = segments.begin();
   for (NrrdSegment& segment : header.Segments)
   {
-    // The largest number has no successor.
+    // The largest int has no successor.
     const int number = (fields++)->first;
     segment.Label = isUnique ? segment.Value : number + (number < 0x7FFFFFFF ? 1 : 0);
   }

@@ -4,13 +4,13 @@
  * @file
  * Reads the segments that 3D Slicer and VolView store in the header of a NRRD file (.seg.nrrd).
  *
- * A segment has a name, a colour, a layer and the value of its voxels there: SegmentN_Name, _Color,
- * _Layer and _LabelValue. Overlapping segments are in separate layers, and values may occur again
- * in another layer. Old files have neither layers nor values: segment N is layer N, with the value
- * 1.
+ * A segment has a name, a colour, a layer, and the value that its voxels have in this layer:
+ * SegmentN_Name, _Color, _Layer and _LabelValue. Overlapping segments are in separate layers, and a
+ * value may occur in several layers. Old files have neither layers nor values: segment N is layer
+ * N, with the value 1.
  *
- * In the table, a segment's label is its value. If two segments of different layers share a value,
- * the label of every segment is N + 1 instead.
+ * In the table, a segment's label is its value. If two segments of different layers have the same
+ * value, the label of every segment is N + 1 instead.
  */
 #ifndef NrrdLabels_h
 #define NrrdLabels_h
@@ -40,14 +40,14 @@ struct SegmentationHeader : NrrdHeader
 };
 
 /**
- * Reads the header at the beginning of a file. Returns false, with the reason and the cure, on
- * failure; a header without segments is valid.
+ * Reads the header at the beginning of a file. On failure, returns false, with the reason and the
+ * cure in `error`. A header without segments is valid.
  */
 bool ReadSegmentationHeader(std::string_view bytes, SegmentationHeader& header, std::string& error);
 
 /**
- * Reads the segments. Returns false, with the reason and the cure, and entries unchanged, if there
- * are none.
+ * Reads the segments. If there are none, returns false, with the reason and the cure in `error`,
+ * and leaves the entries unchanged.
  */
 bool ReadNrrdLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 

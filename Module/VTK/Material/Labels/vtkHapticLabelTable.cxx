@@ -34,13 +34,13 @@ class vtkHapticLabelTable::vtkInternals
 {
 public:
   LabelEntries Entries;
-  /** The labels in ascending order; valid while IsListed. */
+  /** Labels in ascending order; valid while IsListed. */
   std::vector<int> Labels;
   bool IsListed = false;
 
   /**
-   * Finds the entry of a label; quick for repeated calls, as callers mostly read one label after
-   * another.
+   * Finds the entry of a label. Starts at the last entry that was found, because callers mostly
+   * read one label after another.
    */
   const LabelEntry* Find(int label) const
   {
@@ -56,7 +56,7 @@ public:
     return this->Found == end ? nullptr : &this->Found->second;
   }
 
-  /** Forgets lists and entries that were found; call this when entries are removed. */
+  /** Discards the list and the last entry found. Call this when entries are removed. */
   void Forget()
   {
     this->Found = this->Entries.end();
@@ -253,7 +253,7 @@ std::string vtkHapticLabelTable::GetLabelName(int label)
 void vtkHapticLabelTable::SetColor(int label, double red, double green, double blue)
 {
   const std::array<double, 3> color = { red, green, blue };
-  // NaN is in no range.
+  // Written so that NaN fails.
   if (!std::all_of(color.begin(), color.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
   {
     vtkErrorMacro(<< "The colour of label " << label << " can't be " << red << ", " << green << ", "

@@ -4,7 +4,7 @@
  * @class   vtkHapticLabelTable
  * @brief   names, colours and materials of the labels of a segmentation
  *
- * Says what each label of a label image feels like. Transfer functions can't distinguish tissues
+ * Describes how each label of a label image feels. Transfer functions can't distinguish tissues
  * with the same scalar values; labels can:
  *
  *   vtkNew<vtkHapticLabelTable> table;
@@ -14,9 +14,9 @@
  *   table->SetForbidden(52, true); // the aorta
  *
  * Labels are integers of any sign; 0 has no special meaning, so that air, too, can have a material.
- * Whatever is not set for a label comes from the transfer functions of vtkHapticProperty: a label
- * with only a name and a colour feels as if there were no label image, and a label with only a
- * stiffness gets friction, viscosity and surface strength from the functions.
+ * What is not set for a label comes from the transfer functions of vtkHapticProperty: a label with
+ * only a name and a colour feels as if there were no label image, and a label with only a stiffness
+ * gets friction, viscosity and surface strength from the functions.
  *
  * ReadFile reads names and colours that other programs store with their segmentations, and
  * materials from CSV files. Files add up: one file may have the names, and another file the
@@ -100,14 +100,14 @@ public:
   ///@}
 
   /**
-   * Remove stiffness, friction, viscosity, surface strength, shaft friction and specific energy of
-   * a label; the transfer functions apply again.
+   * Remove the stiffness, friction, viscosity, surface strength, shaft friction and specific energy
+   * of a label, so that the transfer functions apply again.
    */
   void RemoveMaterial(int label);
 
   /**
-   * Get whether a label has any of stiffness, friction, viscosity, surface strength, shaft friction
-   * and specific energy.
+   * Get whether a label has at least one of stiffness, friction, viscosity, surface strength, shaft
+   * friction and specific energy.
    */
   bool HasMaterial(int label);
 
@@ -159,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Get the labels for which anything is set, in ascending order; the index counts from 0. An index
-   * that does not exist is an error, and returns 0.
+   * Get the labels for which anything is set, in ascending order. The index counts from 0. For an
+   * index that does not exist, GetLabel reports an error and returns 0.
    */
   vtkIdType GetNumberOfLabels();
   int GetLabel(vtkIdType index);
@@ -185,13 +185,13 @@ public:
    *   friction, viscosity (N), strength (N), shaft (N/m), felt, forbidden (1 or 0), and color
    *   (`\#rrggbb`). Only label is needed, other columns are ignored, and empty cells set nothing.
    *
-   * What the file says about a label replaces what the table says about it; everything else stays.
-   * Texts are UTF-8, or ISO 8859-1 if they are not. Returns false, with an error and no change, if
-   * the file can't be read.
+   * What the file contains about a label replaces what the table has; everything else stays. Texts
+   * are UTF-8, or ISO 8859-1 if they are not. If the file can't be read, reports an error, returns
+   * false and changes nothing.
    */
   bool ReadFile(VTK_FILEPATH const char* path);
 
-  /** Write a CSV that ReadFile reads. Returns false, with an error, on failure. */
+  /** Write a CSV that ReadFile reads. On failure, reports an error and returns false. */
   bool WriteFile(VTK_FILEPATH const char* path);
 
   ///@{
@@ -200,7 +200,8 @@ public:
    * its field data: Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction,
    * LabelViscosity, LabelSurfaceStrength, LabelShaftFriction, LabelSpecificEnergy, LabelFelt,
    * LabelForbidden, -1 where nothing is set; and LabelStandOff, one number. Reading needs only
-   * Label, and changes the table as ReadFile does; false, with an error and no change, on failure.
+   * Label, and changes the table as ReadFile does. On failure, it reports an error, returns false
+   * and changes nothing.
    */
   bool ReadFieldData(vtkFieldData* data);
   void WriteFieldData(vtkFieldData* data);

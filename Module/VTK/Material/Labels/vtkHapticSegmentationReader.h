@@ -52,8 +52,8 @@ public:
   ///@}
 
   /**
-   * Names and colours of the labels, from UpdateInformation() on. It is always the same table, to
-   * which you may add materials: reading again leaves them.
+   * Get the names and colours of the labels, which are known after UpdateInformation(). It is
+   * always the same table, to which you may add materials: reading again does not remove them.
    */
   vtkHapticLabelTable* GetLabelTable();
 
