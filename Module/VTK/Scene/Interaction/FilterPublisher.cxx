@@ -42,7 +42,7 @@ void FilterPublisher::Update(bool isPlaced)
   this->PollAwaited();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkMTimeType time = this->GetChangeTime();
-  // The application or another style may have published the change.
+  // If the device is published already, the application or another style has published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
   this->Published = time;
   if ((isPlaced || hasChanged) && device->Publish() && hasChanged && this->Scene.Display)
@@ -83,7 +83,7 @@ bool FilterPublisher::Try(const std::function<void()>& change, const std::functi
 //------------------------------------------------------------------------------
 bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
 {
-  // Keep these objects: observers of the following events may remove any of them.
+  // Keep these objects alive, because observers of the following events may remove any of them.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
@@ -128,7 +128,8 @@ void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::str
 {
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   undo();
-  // The servo still has the previous model.
+  // The servo still has the previous model, so there is nothing to publish, unless something was
+  // due before.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(
     style, << "Settings " << name << " can't be felt here, for the reason given before.");
@@ -143,7 +144,8 @@ void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter*
   this->FeltInstead = change.Before;
   filter->SetMethod(change.Method);
   filter->SetSolver(change.Solver);
-  // The servo still has the previous method: publish only if that was due before.
+  // The servo still has the previous method, so there is nothing to publish, unless something was
+  // due before.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(style, << change.Wanted
                                  << " can't be felt here, for the reason given before; "
@@ -161,7 +163,8 @@ void FilterPublisher::PollAwaited()
   const MethodChange change = std::exchange(this->Awaited, {});
   const Notify notify = [this](const std::string& notice) { this->SetNotice(notice); };
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
-  // The servo feels the latest model that could be made.
+  // The servo has the latest model that could be made. If it is not the wanted one, the change has
+  // failed.
   const bool isWanted = filter && filter->GetMethodText() == change.Wanted;
   if (isWanted && device->GetMethodText() != change.Wanted)
   {
@@ -192,7 +195,7 @@ vtkVolumeHapticsFilter* ComparedSettings::GetFilter() const
 //------------------------------------------------------------------------------
 bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notify)
 {
-  // Keep the device: observers of the following events may remove it.
+  // Keep these objects alive, because observers of the following events may remove them.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->GetFilter();
   if (!filter)
@@ -213,7 +216,8 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   const auto before = std::make_shared<const KeptSettings>(filter);
   const std::shared_ptr<const KeptSettings> tried = this->Other;
   const bool wasB = this->IsB;
-  // Notice this later, too, when the other method was made ready in the background.
+  // This may be called later, if the other settings were prepared in the background. So check that
+  // they are still felt.
   const auto undo = [this, before, tried, wasB]
   {
     const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->GetFilter();
@@ -259,7 +263,7 @@ void ComparedSettings::End()
 void ComparedSettings::Report()
 {
   const std::string name = this->GetName();
-  // While nothing is compared, keep a name that the application has set.
+  // While nothing is compared, do not replace a name that the application has set.
   if (vtkHapticHeadUpDisplay* const display = this->Scene.Display;
       display && (!name.empty() || this->IsTold))
   {

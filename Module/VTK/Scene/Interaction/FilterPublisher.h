@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gives changes of the filter to the servo, and changes the felt method.
+ * Sends changes of the filter to the servo, and switches the felt method and settings.
  */
 #ifndef FilterPublisher_h
 #define FilterPublisher_h
@@ -31,43 +31,43 @@ public:
   {
   }
 
-  /** Forgets what was published, for a new device, whose servo has no model yet. */
+  /** Forgets what was published. Call this for a new device, whose servo has no model yet. */
   void Reset();
 
   /**
    * Publishes if the filter, its image or its surface has changed, or if the workspace was placed
-   * again. Each change is tried only once, because a change that has failed would fail again. A
-   * method that was made ready in the background and can't be felt is replaced by the previous
-   * method.
+   * again. Each change is tried only once, because a change that has failed would fail again. If a
+   * method was prepared in the background and turns out not to work, restores the previous method.
    */
   void Update(bool isPlaced);
 
   /**
-   * Changes the filter and publishes it. If the change can't be felt, undoes it with an error;
-   * later, if the change is made ready in the background. `name` is the name of the new settings.
+   * Changes the filter and publishes it. If the change can't be felt, undoes it and reports an
+   * error; this may happen later, if the change is prepared in the background. `name` is the name
+   * of the new settings.
    */
   bool Try(const std::function<void()>& change, const std::function<void()>& undo,
     const std::string& name, const std::function<void(const std::string&)>& notify);
 
-  /** See vtkInteractorStyleHaptic::NextMethod. The function shows a notice; "" removes it. */
+  /** See vtkInteractorStyleHaptic::NextMethod. `notify` shows a notice; "" removes it. */
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 
 private:
-  /** Returns when the filter, its image or its surface last changed. */
+  /** Returns the time of the last change of the filter, its image or its surface. */
   vtkMTimeType GetChangeTime() const;
 
   /**
-   * A change of the method that is made ready in the background; its text is empty if there is
+   * A change of the method that is being prepared in the background. `Wanted` is empty if there is
    * none.
    */
   struct MethodChange
   {
-    int Method = 0; ///< the previous method, with its solver and its text
+    int Method = 0; ///< the previous method; its solver and its text are the next two members
     int Solver = 0;
     std::string Before;
     std::string Wanted; ///< text of the new method
     /**
-     * Undoes a change of more than the method to the settings Name; null if only the method
+     * Undoes the change, if it is a change to settings called Name; null if only the method
      * changes.
      */
     std::function<void()> Undo = nullptr;
@@ -75,25 +75,31 @@ private:
   };
   using Notify = std::function<void(const std::string&)>;
 
-  /** Restores the previous settings, because the new settings can't be felt. */
+  /**
+   * Restores the previous settings, because the new settings can't be felt.
+   * `wasPublished` says whether the servo already had the previous settings.
+   */
   void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
     const Notify& notify);
-  /** Restores the previous method, after an error. */
+  /**
+   * Restores the previous method, because the new method can't be felt. `wasPublished` says whether
+   * the servo already had the previous method.
+   */
   void GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter, bool wasPublished,
     const Notify& notify);
-  /** Finishes an awaited change, if it is ready. */
+  /** Checks whether the awaited change is ready, and if so, finishes it. */
   void PollAwaited();
   /** Shows a notice in the head-up display, if there is one. */
   void SetNotice(const std::string& notice);
 
   TouchedScene& Scene;
   vtkMTimeType Published = 0; ///< change time at the last attempt to publish
-  std::string Unfelt;         ///< name of the method that the last attempt could not make felt
-  std::string FeltInstead;    ///< text of the method that stayed instead
+  std::string Unfelt;         ///< name of the method that the last attempt failed to make felt
+  std::string FeltInstead;    ///< text of the method that was kept instead
   MethodChange Awaited;
 };
 
-/** Two settings of a filter, A and B, felt in turn at one spot. */
+/** Two settings of a filter, A and B, which are felt in turn at the same position. */
 class ComparedSettings
 {
 public:
@@ -102,20 +108,23 @@ public:
   ComparedSettings(const ComparedSettings&) = delete;
   ComparedSettings& operator=(const ComparedSettings&) = delete;
 
-  /** See vtkInteractorStyleHaptic::SwapSettings. The function shows a notice; "" removes it. */
+  /** See vtkInteractorStyleHaptic::SwapSettings. `notify` shows a notice; "" removes it. */
   bool Swap(const std::function<void(const std::string&)>& notify);
 
   /** Returns "A" or "B"; empty if nothing is compared. */
   std::string GetName() const;
 
-  /** Discards the settings that are not felt; call this for a new device, too. */
+  /**
+   * Ends the comparison and discards the settings that are not felt. Call this for a new device,
+   * too.
+   */
   void End();
 
-  /** Sets the name of the felt settings in the head-up display; call it in each update. */
+  /** Sets the name of the felt settings in the head-up display. Call this in each update. */
   void Report();
 
 private:
-  /** Returns the filter of the device; null without one. */
+  /** Returns the filter of the device; null without a device or a filter. */
   vtkVolumeHapticsFilter* GetFilter() const;
 
   TouchedScene& Scene;

@@ -26,7 +26,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The factor by which the keys + and - scale the workspace. */
+/** The factor by which a press of the keys + and - scales the workspace. */
 constexpr double WorkspaceStep = 1.25;
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
@@ -51,7 +51,7 @@ std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
   {
     const bool hasFault = fault->GetComponent(i, 0) != 0.0;
     note(this->HasFault, hasFault, vtkInteractorStyleHaptic::FaultEvent, 0);
-    // After a fault, DisarmedEvent would add nothing.
+    // After a fault, report no DisarmedEvent: FaultEvent says enough.
     note(this->IsArmed, armed->GetComponent(i, 0) != 0.0, vtkInteractorStyleHaptic::ArmedEvent,
       hasFault ? 0 : vtkInteractorStyleHaptic::DisarmedEvent);
     note(this->IsTouching, contact->GetComponent(i, 0) != 0.0,
@@ -129,7 +129,7 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   {
     this->NextDevice = vtkSmartPointer<vtkHapticDevice>(device);
   }
-  this->LetGo(); // an observer of this event may remove the device, too
+  this->LetGo(); // an observer of the events in this call may remove the device, too
   if (this->IsUpdating)
   {
     return true;
@@ -188,7 +188,8 @@ bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
 //------------------------------------------------------------------------------
 void HapticInteraction::LetGo()
 {
-  constexpr double most = 0.1; // s: one or two ticks of the servo
+  // s: how long to wait for the disarmed state, which takes one or two ticks of the servo
+  constexpr double most = 0.1;
   this->Measure.End();
   this->Touch.Set(false);
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
@@ -197,7 +198,8 @@ void HapticInteraction::LetGo()
     return;
   }
   device->Disarm();
-  // Update the state now: perhaps nobody will later, and the last state reports force.
+  // Update the state now, because perhaps nobody updates it later, and the last state reports
+  // force.
   const std::int64_t begin = ServoClock::Now();
   while (this->Scene.Device == device && device->IsRunning() && this->Scene.IsArmed() &&
     ServoClock::SecondsSince(begin) < most)
@@ -288,7 +290,7 @@ bool HapticInteraction::ReleaseLeftButton()
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
   if (std::exchange(this->EditorHasMouse, false))
   {
-    if (this->Scene.Editor) // otherwise an observer has removed it
+    if (this->Scene.Editor) // an observer may have removed the editor
     {
       this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
       this->Frames.Draw(true);
@@ -389,7 +391,8 @@ bool HapticInteraction::PressKey(const std::string& pressed)
     if (scene.Device)
     {
       scene.Device->Disarm();
-      // A window that loses the focus gets no release of key k.
+      // The window gets no release of the key k if it loses the focus meanwhile, so release the
+      // clutch here, too.
       this->Workspace.SetClutch(false);
     }
   }
@@ -429,7 +432,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   }
   else if (key == "M" && this->Modes.Next())
   {
-    // Nothing else to do: Next() has changed the mode, and Frames.Draw below shows it.
+    // Next() has already changed the mode.
   }
   else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
     !this->Measure.Press(key))
@@ -456,9 +459,10 @@ bool HapticInteraction::ReleaseKey(const std::string& released)
 //------------------------------------------------------------------------------
 bool HapticInteraction::TypeKey(const std::string& typed) const
 {
-  // In the touch mode, do not pass these keys on: the superclass' f would fly the camera away from
-  // the hand; its m starts an animation, R resets the camera, p picks a prop, s shows surfaces. Nor
-  // pass on keys that an application has chosen.
+  // In the touch mode, do not pass on keys of the superclass that would disturb: f would fly the
+  // camera away from the hand. Never pass on keys that have an action here: m starts an animation,
+  // R resets the camera, p picks a prop, s shows surfaces. Nor pass on keys to which the
+  // application has moved an action.
   const std::string key = this->Keys.Find(typed);
   return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
     (key == "R" && this->Scene.Editor) || (key == "s" && this->Scene.Slices) ||
@@ -474,7 +478,7 @@ void HapticInteraction::HandleWork(vtkObject* worker, bool begins)
   {
     if (this->DeviceAtRest)
     {
-      // Clear it first, because the end of the work calls this function again.
+      // Clear the member first, because EndLongWork() calls this function again.
       const auto device = std::move(this->DeviceAtRest);
       this->DeviceAtRest = nullptr;
       device->EndLongWork();
@@ -512,7 +516,8 @@ bool HapticInteraction::SwapSettings()
 //------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
-  // Observers of an update may remove the style. A device that they set waits for the end.
+  // Keep the style alive, because observers of an update may remove it. If they set another device,
+  // it takes effect at the update's end.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const bool isOuter = !std::exchange(this->IsUpdating, true);
   const bool isNew = this->Update(style);
@@ -550,7 +555,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   }
   vtkHapticDevice* const device = scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = scene.ChooseRenderer();
-  // Send changes to the servo first, so that they are felt before they are seen.
+  // Send changes to the servo before drawing, so that they are felt before they are seen.
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
   if ((this->Touch.IsOn() || device->IsArmOrdered()) && this->Window.HasVanished())
@@ -574,7 +579,8 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   {
     this->Frames.RecordEvent();
   }
-  // Another style with this device may already have fetched the state.
+  // Another style that uses this device may already have fetched the state, so compare with the
+  // time of this style's last update.
   const double before = std::exchange(this->Updated, device->GetState()->GetTime());
   if (this->Updated > before && renderer)
   {
@@ -603,7 +609,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
     style->InvokeEvent(vtkInteractorStyleHaptic::StatesEvent);
   }
   this->CheckShownVolumes();
-  // An observer of the events may have ended the loop.
+  // An observer of the events may have ended the event loop.
   this->Window.Look();
   return isNew;
 }
@@ -620,10 +626,11 @@ void HapticInteraction::UpdateVolumes()
   if (this->Touch.IsOn() || device->IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    this->FadeOut(); // a hidden volume is no emergency, so the force fades
+    // hiding a volume is no emergency, so let the force fade instead of cutting it off
+    this->FadeOut();
     return;
   }
-  // Choose another volume only after the fade, so that it does not push the hand.
+  // Choose another volume only after the fade, because its surface could push the hand.
   if (this->Scene.Device == device && !this->Scene.IsArmed())
   {
     this->Touched.FeelShown();
@@ -639,7 +646,7 @@ void HapticInteraction::UpdateCarving()
     return;
   }
   const std::vector<CarvedArray> arrays = this->Touched.CollectCarved();
-  // Slices and regions of large volumes show removed tissue, too.
+  // Look at the changes, too, because slices and regions of large volumes also show removed tissue.
   std::uint64_t changes = 0;
   for (const CarvedArray& array : arrays)
   {

@@ -37,7 +37,10 @@ class vtkObject;
 namespace VolumeHaptics
 {
 
-/** Detects events in a table of states, in their order. Stores the last state between tables. */
+/**
+ * Detects events in tables of states, in the order of the states. Keeps the last state of a table
+ * for the next table.
+ */
 class HapticStateWatch
 {
 public:
@@ -55,11 +58,11 @@ private:
 
 /**
  * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It
- * connects parts with one subject each, and decides the order of an update, who gets keys and mouse
- * events, and when work counts as long.
+ * connects parts, each of which has one task. It decides the order of an update, which part gets
+ * keys and mouse events, and when work counts as long.
  *
- * Functions for keys and the mouse return true if they used the event; if not, the style's
- * superclass gets it.
+ * Functions for keys and the mouse return true if they used the event. Otherwise, the style's
+ * superclass gets the event.
  */
 class HapticInteraction
 {
@@ -77,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Set the objects. False if nothing changed. A device that is set during an update changes at the
-   * update's end.
+   * Set the objects. Return false if nothing changed. A device that is set during an update takes
+   * effect at the update's end.
    */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
@@ -87,13 +90,15 @@ public:
 
   vtkHapticDevice* GetDevice() const;
 
-  /** Stops observing the device and the editor, before the style is deleted. */
+  /** Stops observing the device and the editor. Call this before the style is deleted. */
   void Leave();
 
-  /** Leaves the touch mode and disarms, at the end of the window or if another style takes over. */
+  /**
+   * Leaves the touch mode and disarms. Call this when the window ends or another style takes over.
+   */
   void LetGo();
 
-  /** Leaves the touch mode and lets the force fade, for a view that is no longer seen. */
+  /** Leaves the touch mode and lets the force fade, because the view is no longer visible. */
   void FadeOut();
 
   bool MoveMouse();
@@ -102,17 +107,20 @@ public:
   bool DoubleClickLeftButton();
   bool PressRightButton();
   bool ReleaseRightButton();
-  /** Turns the wheel; `steps` count away from the viewer. */
+  /** Handles a turn of the wheel. `steps` are positive away from the viewer. */
   bool TurnWheel(double steps);
-  /** Presses a key by X11's name. */
+  /** Handles the press of a key. `pressed` is X11's name of the key. */
   bool PressKey(const std::string& pressed);
   bool ReleaseKey(const std::string& released);
-  /** Whether a press repeats the last used press, because the key is held. */
+  /** Whether a press repeats the last used press because the key is held. */
   bool IsRepeat(const std::string& pressed) const
   {
     return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
   }
-  /** Whether the superclass must not get a typed key, because it would use the key differently. */
+  /**
+   * Whether the superclass must not get a typed key, because it would do something else with the
+   * key.
+   */
   bool TypeKey(const std::string& typed) const;
 
   ///@{
@@ -123,7 +131,7 @@ public:
   bool SwapSettings();
   ///@}
 
-  // Parts in the order of their dependence.
+  // Later parts depend on earlier ones.
   TouchedScene Scene;
   HapticWindowWatch Window;
   SceneFrames Frames;
@@ -134,7 +142,7 @@ public:
   DisplayKeys Displays;
   HapticShownTimeSteps ShownTimeSteps;
   CarvedPictures Carved;
-  std::uint64_t CarvedChanges = 0; ///< changes of the removed tissue at the last look
+  std::uint64_t CarvedChanges = 0; ///< number of changes of the removed tissue at the last update
   TouchedVolumes Touched;
   FilterPublisher Publisher;
   ComparedSettings Compared;
@@ -143,11 +151,14 @@ public:
 private:
   void LeaveDevice();
   bool Update(vtkInteractorStyleHaptic* style);
-  /** Feels what the touched volumes show, and releases volumes that are no longer shown. */
+  /**
+   * Makes the filters feel what the touched volumes show, and lets go of volumes that are no longer
+   * shown.
+   */
   void UpdateVolumes();
   /** Makes volumes show the tissue that a tool has left. */
   void UpdateCarving();
-  /** Draws the scene and returns true if the mouse has changed what the slices show. */
+  /** If the mouse has changed what the slices show, draws the scene and returns true. */
   bool DrawSlices();
   void HandleWork(vtkObject* worker, bool begins);
 
@@ -160,16 +171,16 @@ private:
   MeasureKeys Measure;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
-  int Reader = 0;       ///< this reader's number for the device's states
+  int Reader = 0;       ///< number by which the device's states know this reader
   double Updated = 0.0; ///< the device's time at the last update (s)
   bool IsUpdating = false;
-  /// device that an observer of the present update has set
+  /// the device that an observer has set during the present update
   std::optional<vtkSmartPointer<vtkHapticDevice>> NextDevice;
   bool EditorHasMouse = false;
-  bool ListHasMouse = false; ///< whether the list of modes has the mouse
+  bool ListHasMouse = false; ///< whether a click on the list of modes is under way
   vtkNew<vtkCallbackCommand> DisarmObserver;
-  vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
-  /// the device without force while the editor counts
+  vtkNew<vtkCallbackCommand> WorkObserver; ///< observes long work of the device and the editor
+  /// the device whose force is off while the editor counts
   vtkSmartPointer<vtkHapticDevice> DeviceAtRest;
 };
 

@@ -24,12 +24,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Least force that counts as a touch (N). */
+/** The least force that counts as a touch (N). */
 constexpr double LeastMeasuredForce = 0.005;
-/** Radius of the brush, and least step between two of its positions (voxels). */
+/** The radius of the brush, and the least distance between two of its positions (voxels). */
 constexpr double BrushVoxels = 4.0;
 constexpr double BrushStepVoxels = 0.25;
-/** Drawing a growing area may take this fraction of the time. */
+/** The fraction of the time that drawing a growing area may take. */
 constexpr double CutFraction = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
@@ -87,7 +87,7 @@ Vector3 ReadPosition(vtkTable* states, const char* column, vtkIdType row)
 //------------------------------------------------------------------------------
 bool MeasureKeys::Press(const std::string& key)
 {
-  // Observers of the changes may remove the list.
+  // Keep the list alive, because observers of its changes may remove it.
   const vtkSmartPointer<vtkHapticMeasurements> list = this->Scene.Measurements;
   if (!list)
   {
@@ -352,7 +352,7 @@ void MeasureKeys::Show()
 //------------------------------------------------------------------------------
 void MeasureKeys::Report(const std::string& notice)
 {
-  // A notice that other parts have set stays.
+  // Do not remove a notice that other parts have set.
   if (!notice.empty() || !this->Told.empty())
   {
     this->Told = notice;

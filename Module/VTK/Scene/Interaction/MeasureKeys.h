@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The keys that measure where the hand touches: see vtkInteractorStyleHaptic.
+ * Handles the keys that measure where the hand touches: see vtkInteractorStyleHaptic.
  */
 #ifndef MeasureKeys_h
 #define MeasureKeys_h
@@ -32,21 +32,27 @@ public:
   {
   }
 
-  /** Carries out a key. False for a key of other parts, and without a list of measurements. */
+  /**
+   * Executes the action of a key. Returns false if the key measures nothing, or if there is no list
+   * of measurements.
+   */
   bool Press(const std::string& key);
-  /** Adds an update's states to the path, or to the brushed area. */
+  /** Adds the states of an update to the path or the area in progress. */
   void Update(vtkTable* states);
   /** Ends a path or an area, and discards the points of an incomplete distance or angle. */
   void End();
 
 private:
-  /** Adds a point, or the next point of a distance or angle. */
+  /** Adds a point measurement, or sets the next point of a distance or an angle. */
   void SetPoint(MeasuredKind kind);
   void Undo();
   void BeginOrEnd(MeasuredKind kind);
-  /** Adds the measurement in progress to the list. */
+  /** Adds the finished measurement to the list. */
   void Finish();
-  /** Makes the brush on the touched surface; null without a 3D image that has point scalars. */
+  /**
+   * Makes the brush on the touched surface. Returns null if there is no 3D image with point
+   * scalars.
+   */
   std::unique_ptr<PaintedPatch> MakeBrush(const Vector3& proxy, double surfaceValue);
   void PaintTo(const Vector3& proxy, double surfaceValue);
   /** Shows the measurement in progress in displays. */
@@ -55,12 +61,13 @@ private:
 
   TouchedScene& Scene;
   SceneFrames& Frames;
-  Measurement Begun;        ///< measurement in progress; an area has no points here
-  bool IsFollowing = false; ///< whether a path or an area is under way
+  Measurement Begun;        ///< the measurement in progress; the points of an area are in Brush
+  bool IsFollowing = false; ///< whether a path or an area is in progress
   std::unique_ptr<PaintedPatch> Brush;
-  Vector3 Painted; ///< last position of the brush
+  Vector3 Painted; ///< last position of the brush (world)
   double BrushStep = 0.0;
-  std::chrono::steady_clock::time_point NextCut; ///< next cut of the growing area for displays
+  /** time when the growing area is next cut out for displays */
+  std::chrono::steady_clock::time_point NextCut;
   std::string Told;
 };
 

@@ -22,7 +22,9 @@ namespace VolumeHaptics
 
 namespace
 {
-constexpr double LongestTimerDelay = 0.8; // s, delay of timers; from 1 s on, VTK 9.1 adds a second
+// s: if a frame takes longer, wake the event loop, because VTK 9.1 delays timers by another second
+// from 1 s on
+constexpr double LongestTimerDelay = 0.8;
 } // namespace
 
 SceneFrames::SceneFrames(
@@ -36,7 +38,7 @@ SceneFrames::SceneFrames(
         using Touch = FrameQuality::Touch;
         vtkHapticDevice* const device = this->Scene.Device;
         const bool isArmed = device && this->Scene.IsArmed();
-        // A playing volume is drawn continuously.
+        // A playing volume counts as touched, because it is drawn continuously.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
           (device && device->GetPlayback()->HasTimeSteps() && device->GetPlayback()->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
@@ -53,8 +55,8 @@ void SceneFrames::Draw(bool quickly)
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
   if (editor && editor->GetVisibility())
   {
-    // Do this before the frame: long work draws the head-up display, which is impossible within a
-    // frame.
+    // Update the editor before the frame, because long work draws the head-up display, which is
+    // impossible within a frame.
     editor->Update();
     this->CountedFraction = editor->GetCountedFraction();
   }
@@ -132,7 +134,8 @@ bool SceneFrames::AwaitLateMotion(double travel) const
   const bool isFirst = this->Pace.IsFirst(now);
   if (isFirst)
   {
-    // Waits: a slow frame of the hand half way would take longer than the rest of the way.
+    // Wait, because drawing the hand half way in a slow frame would take longer than the rest of
+    // its way.
     std::this_thread::sleep_for(std::chrono::duration<double>(
       std::min(HapticRenderPace::FeltTime + travel, HapticRenderPace::LongestAwaited)));
   }
@@ -148,7 +151,7 @@ bool SceneFrames::HasMoved() const
   }
   const Vector3 tip = this->Scene.GetTip();
   const double pixel = PixelSize(renderer, tip);
-  // A hand is never completely still: do not draw a motion of less than half a pixel.
+  // A hand never rests completely, so do not draw a motion of less than half a pixel.
   return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
     Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Decides when the scene of an interaction is drawn, and whether quickly or finely.
+ * Decides when the scene of an interaction is drawn, and whether it is drawn quickly or finely.
  */
 #ifndef SceneFrames_h
 #define SceneFrames_h
@@ -20,9 +20,9 @@ namespace VolumeHaptics
 class HapticWindowWatch;
 
 /**
- * Draws if the tip or the proxy has moved visibly, or an event has happened, since the last frame;
- * else HapticRenderPace decides. A closed window is not drawn, because drawing would open another
- * window.
+ * Draws a frame if the tip or the proxy has visibly moved since the last frame, or if an event has
+ * happened; otherwise HapticRenderPace decides. Does not draw a closed window, because drawing
+ * would open another window.
  */
 class SceneFrames
 {
@@ -31,21 +31,21 @@ public:
   SceneFrames(
     TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
 
-  /** Adjusts how finely the volumes in this window are drawn; nullptr for none. */
+  /** Sets the window in which the quality of volumes is adjusted; nullptr for no window. */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false)
   {
     this->Quality.SetWindow(window, offScreen);
   }
   void Draw(bool quickly);
   /**
-   * Draws a frame if one is due, and returns whether it did; the timer calls this. `isNew`: the
-   * device has a new state.
+   * Draws a frame if one is due, and returns whether it did. The timer calls this. `isNew`: whether
+   * the device has a new state.
    */
   bool DrawIfDue(bool isNew);
   /**
-   * Whether a motion of the mouse in the touch mode is to draw now, because timers are late:
-   * HapticRenderPace::IsLate. After a rest, it first waits until the motion has been felt and the
-   * hand has arrived, which takes `travel` (s).
+   * Whether a motion of the mouse in the touch mode should draw a frame now, because timers are
+   * late: see HapticRenderPace::IsLate. After a rest, first waits until the motion has been felt
+   * and the hand has arrived; `travel` is the time (s) that the hand needs.
    */
   bool AwaitLateMotion(double travel) const;
   /** Records an event that the next frame has to show. */
@@ -55,9 +55,9 @@ public:
 
 private:
   bool HasMoved() const;
-  /** Whether no input waits, as far as is known. */
+  /** Whether it is known that no input waits. */
   bool IsIdle() const;
-  /** Records an event if the editor has counted more than the last frame shows. */
+  /** Records an event if the editor has counted more values than the last frame shows. */
   void PollEditor();
 
   TouchedScene& Scene;
@@ -65,9 +65,10 @@ private:
   const std::function<void(bool)> DrawScene;
   FrameQuality Quality;
   HapticRenderPace Pace;
-  Vector3 DrawnTip; ///< world position in the last frame
+  Vector3 DrawnTip; ///< position in the last frame (world)
   Vector3 DrawnProxy;
-  double CountedFraction = 1.0; ///< counted fraction of the editor in the last frame
+  /** fraction of the values that the editor had counted in the last frame */
+  double CountedFraction = 1.0;
   bool HasHappened = false;
 };
 

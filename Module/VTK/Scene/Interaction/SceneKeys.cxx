@@ -26,7 +26,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Joins two lines; either may be empty. */
+/** Joins two lines, of which either may be empty. */
 std::string Join(const std::string& first, const std::string& second)
 {
   return first.empty() || second.empty() ? first + second : first + "\n" + second;
@@ -63,10 +63,13 @@ void Apply(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
   }
 }
 
-/** The largest factor by which the keys change the speed, up and down. */
+/** The largest factor by which the keys make the playback faster or slower. */
 constexpr double MostSpeed = 64.0;
 
-/** Finds the time step before or after a time; continues at the other end. */
+/**
+ * Returns the time of the step after (isNext) or before a time. After the last step comes the first
+ * one.
+ */
 double FindNeighbour(const std::vector<double>& times, double time, bool isNext)
 {
   if (isNext)
@@ -173,7 +176,8 @@ std::string DisplayKeys::ChooseHint()
     const std::string begin = this->Scene.IsVirtual()
       ? this->DescribeKey("Put the pointer on the volume and press ", "t", " to touch it")
       : this->DescribeKey("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
-    // Beside another style, all other keys belong to the host until the touch mode begins.
+    // If another style turns the view, the host has all other keys until the touch mode begins, so
+    // do not mention them.
     return Join(begin,
       this->Scene.TurnsView ? this->DescribeKey("", "question", " shows all keys") : std::string());
   }
@@ -184,7 +188,7 @@ std::string DisplayKeys::ChooseHint()
   std::string end = this->DescribeKey("", "Escape", "");
   if (!this->Scene.TurnsView)
   {
-    // Leaves out keys that a host keeps to itself.
+    // Name all keys that let go, because the host may keep some of them to itself.
     end = this->Keys.Describe({ "Escape" });
     for (std::size_t at = end.find("  "); at != std::string::npos; at = end.find("  "))
     {
@@ -202,7 +206,7 @@ void DisplayKeys::UpdateHint()
   {
     return;
   }
-  // A hint that the application has set stays until there is a new hint to show.
+  // Do not replace a hint that the application has set until there is a new hint to show.
   const std::string hint = this->ChooseHint();
   if (hint != this->Shown)
   {
@@ -225,7 +229,7 @@ bool EditorKeys::Press(const std::string& key)
   }
   else if (key == "V")
   {
-    // Show a hidden editor beside the scene.
+    // A hidden editor appears docked beside the scene.
     editor->SetDocked(!editor->GetVisibility() || !editor->GetDocked());
     editor->VisibilityOn();
   }
@@ -345,7 +349,7 @@ void EditorKeys::EndProposing(const char* notice)
 //------------------------------------------------------------------------------
 void EditorKeys::ToggleLabels()
 {
-  // Observers of the editor's work may remove the editor.
+  // Keep the editor alive, because observers of its work may remove it.
   const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
   vtkHapticLabelTable* const table = editor->GetLabelTable();
   if (!table)
@@ -364,7 +368,7 @@ void EditorKeys::ToggleLabels()
         device && device->GetState()->GetContact() != 0)
     {
       const vtkTypeInt64 label = device->GetState()->GetLabel();
-      if (label == static_cast<int>(label)) // only these tables exist
+      if (label == static_cast<int>(label)) // tables have only labels that fit into int
       {
         editor->SelectLabel(static_cast<int>(label));
       }
@@ -383,7 +387,7 @@ vtkVolumeHapticsFilter* ModeKeys::GetFilter() const
 
 void ModeKeys::Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
 {
-  // Keep these objects: observers of the following events may remove them.
+  // Keep these objects alive, because observers of the following events may remove them.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> kept = filter;
   const vtkSmartPointer<vtkHapticHeadUpDisplay> display = this->Scene.Display;
@@ -448,7 +452,7 @@ bool ModeKeys::Click(int x, int y)
 
 bool PlaybackKeys::Press(const std::string& key)
 {
-  // Observers of the changes may remove the device.
+  // Keep the device alive, because observers of the changes may remove it.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const bool isSpeed = key == "comma" || key == "period";
   const bool isPlace = key == "Left" || key == "Right";

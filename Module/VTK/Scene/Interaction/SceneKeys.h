@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The keys of a scene's parts: display, editor, modes and moving volume.
+ * Handles the keys of a scene's parts: display, editor, modes and moving volume.
  */
 #ifndef SceneKeys_h
 #define SceneKeys_h
@@ -22,7 +22,10 @@ class SceneFrames;
 class ToolTurn;
 class TouchMode;
 
-/** The keys of the head-up display, see vtkInteractorStyleHaptic, and its hints for newcomers. */
+/**
+ * Handles the keys of the head-up display (see vtkInteractorStyleHaptic), and shows its hints for
+ * new users.
+ */
 class DisplayKeys
 {
 public:
@@ -34,12 +37,15 @@ public:
   {
   }
 
-  /** Carries out a key. False for a key of other parts, and without a display. */
+  /**
+   * Executes the action of a key. Returns false if the display has no action for the key, or if
+   * there is no display.
+   */
   bool Press(const std::string& key);
   void HideKeys();
   /** Returns the list of keys for the current scene. */
   std::string ListKeys() const;
-  /** Shows what to do next, until something is touched. */
+  /** Shows what the user can do next, until something is touched. */
   void UpdateHint();
 
   std::string ApplicationKeys; ///< keys of the application, listed after the style's
@@ -47,7 +53,8 @@ public:
 private:
   std::string ChooseHint();
   /**
-   * Returns a line about the key of an action, by its default key; empty if the action has no key.
+   * Returns a line that tells the key of an action, between two texts; empty if the action has no
+   * key.
    */
   std::string DescribeKey(const char* before, const char* defaultKey, const char* after) const;
 
@@ -55,12 +62,15 @@ private:
   const TouchMode& Touch;
   const ToolTurn& Turn;
   const KeyMap& Keys;
-  bool WasTouching = false; ///< state at the last call of UpdateHint
+  bool WasTouching = false; ///< whether something was touched at the last call of UpdateHint
   bool HasTouched = false;  ///< whether something was touched since touch mode or arming began
-  std::string Shown;        ///< the last hint
+  std::string Shown;        ///< the last hint that was shown
 };
 
-/** The keys of the function editor, see vtkInteractorStyleHaptic, and its search for functions. */
+/**
+ * Handles the keys of the function editor (see vtkInteractorStyleHaptic), and its search for
+ * functions.
+ */
 class EditorKeys
 {
 public:
@@ -70,24 +80,30 @@ public:
   {
   }
 
-  /** Carries out a key. False for a key of other parts, and without an editor. */
+  /**
+   * Executes the action of a key. Returns false if the editor has no action for the key, or if
+   * there is no editor.
+   */
   bool Press(const std::string& key);
-  /** Reports the end of the search for functions; call it in each update. */
+  /** Reports the end of the search for functions. Call this in each update. */
   void PollProposal();
 
 private:
   /**
-   * Whether undo and redo belong to the editor: the pointer is over it, or nothing else uses these
-   * keys.
+   * Whether the keys for undo and redo are for the editor: the pointer is over it, or nothing else
+   * uses these keys.
    */
   bool HasPointer() const;
-  /** Shows a notice if nothing was done. */
+  /** Shows a notice if an action did nothing. */
   void Report(bool isDone, const char* notice);
-  /** Searches for a proposal in the editor, or accepts the proposal that it shows. */
+  /** Starts the search for a proposal in the editor, or accepts the proposal that is shown. */
   void Propose();
-  /** Replaces the notice about the search by another one; null for none. */
+  /** Ends the search, and replaces its notice by another notice; null for none. */
   void EndProposing(const char* notice);
-  /** Shows the labels in the editor, with the touched label selected, or hides the editor. */
+  /**
+   * Shows the labels in the editor and selects the touched label, or hides the editor if it shows
+   * the labels.
+   */
   void ToggleLabels();
 
   TouchedScene& Scene;
@@ -96,7 +112,7 @@ private:
   vtkWeakPointer<vtkHapticFunctionEditor> ProposingEditor;
 };
 
-/** Chooses which modes of PRIMITIVES are felt: by a key, and by clicks on their list. */
+/** Chooses which modes of PRIMITIVES are active, by a key and by clicks on their list. */
 class ModeKeys
 {
 public:
@@ -106,25 +122,25 @@ public:
   }
 
   /**
-   * Feels the next mode alone; after the last one all modes, unless they are too many for a tick.
-   * False if PRIMITIVES is not felt.
+   * Makes the next mode the only active one; after the last mode, makes all modes active, unless
+   * they are too many for a tick. Returns false if the method is not PRIMITIVES.
    */
   bool Next();
   /**
-   * Switches the mode at a position in the head-up display's list on or off. False if none is
-   * there.
+   * Switches the mode at a position in the head-up display's list on or off. Returns false if there
+   * is no mode.
    */
   bool Click(int x, int y);
 
 private:
   vtkVolumeHapticsFilter* GetFilter() const;
-  /** Undoes all changes, with a notice, if they can't be felt. */
+  /** Sets which modes are active. If they can't be felt, undoes the changes and shows a notice. */
   void Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active);
 
   TouchedScene& Scene;
 };
 
-/** The keys of a volume that moves: see vtkInteractorStyleHaptic. */
+/** Handles the keys of a moving volume: see vtkInteractorStyleHaptic. */
 class PlaybackKeys
 {
 public:
@@ -133,7 +149,10 @@ public:
   {
   }
 
-  /** Carries out a key. False for a key of other parts, and without a moving volume. */
+  /**
+   * Executes the action of a key. Returns false if playback has no action for the key, or if no
+   * volume moves.
+   */
   bool Press(const std::string& key);
 
 private:

@@ -23,9 +23,9 @@ namespace
 {
 
 constexpr double RadiansPerPixel = 0.01;
-constexpr double RadiansPerStep = 0.1; ///< for a step of the wheel
-constexpr double FineFraction = 0.2;   ///< with Shift
-constexpr double SameMotion = 0.5;     ///< s, the longest time between two events of one motion
+constexpr double RadiansPerStep = 0.1; ///< rad for a step of the wheel
+constexpr double FineFraction = 0.2;   ///< factor for a turn with Shift
+constexpr double SameMotion = 0.5;     ///< s: longest time between two events of one motion
 
 } // namespace
 
@@ -33,7 +33,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // No slice is found while a drag that began in the scene goes on.
+  // While a drag that began in the scene goes on, the mouse is in no slice.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)
@@ -49,7 +49,7 @@ bool SliceMouse::Press(int x, int y, bool isRight)
   }
   if (this->Dragged != Drag::None)
   {
-    return true; // the other button does nothing
+    return true; // during a drag, the other button does nothing
   }
   const bool isLook = isRight || this->Scene.Style->GetInteractor()->GetShiftKey() != 0;
   this->Dragged = isLook ? Drag::WindowLevel : Drag::Position;
@@ -106,7 +106,7 @@ bool SliceMouse::TurnWheel(double steps, int x, int y)
   this->Scene.Slices->GetPosition(position);
   if (this->Touch.LeadsTip())
   {
-    // The tip may still be moving.
+    // Continue from the target of the tip, because the tip may still be moving.
     const Vector3& lead = this->Touch.GetLead();
     position[0] = lead.X;
     position[1] = lead.Y;
@@ -147,7 +147,7 @@ void SliceMouse::GoTo(const double position[3])
     this->Touch.LeadTo({ position[0], position[1], position[2] });
     return;
   }
-  // An observer of the touch mode's beginning may have removed the slices.
+  // The slices may be gone: an observer of the touch mode's beginning may have removed them.
   if (this->Scene.Slices)
   {
     this->Scene.Slices->SetPosition(position);
@@ -157,9 +157,10 @@ void SliceMouse::GoTo(const double position[3])
 
 void SliceMouse::SetWindowLevel(int x, int y)
 {
-  // Like vtkInteractorStyleImage: a motion across the slice's width is four times the window.
+  // A motion over the slice's whole width changes the window by four times its value, as in
+  // vtkInteractorStyleImage.
   constexpr double speed = 4.0;
-  constexpr double least = 0.01; // least factor of the window
+  constexpr double least = 0.01; // smallest factor for the window
   vtkRenderer* const renderer = this->Scene.Slices->GetRenderer(this->Slice);
   const int* const size = renderer->GetSize();
   const double across = speed * (x - this->From[0]) / std::max(1, size[0]);
@@ -202,8 +203,9 @@ Quaternion ToolTurn::FindStart()
   {
     std::copy_n(matrix->GetData(), placement.size(), placement.begin());
   }
-  // The tool follows slower than the mouse, and its state is late: continue from the ordered
-  // orientation. Between two motions, the program may have turned the tool.
+  // Continue from the ordered orientation within a motion, because the tool turns more slowly than
+  // the mouse, and its state is late. But start from the state after a pause, because the program
+  // may have turned the tool.
   const double time = vtkTimerLog::GetUniversalTime();
   const bool isKnown = time - this->Turned < SameMotion && placement == this->Placement;
   this->Placement = placement;

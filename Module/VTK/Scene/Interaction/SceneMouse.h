@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the mouse moves beside camera and tip: the slices, and the tool in the hand.
+ * Handles what the mouse moves besides camera and tip: the slices, and the tool in the hand.
  */
 #ifndef SceneMouse_h
 #define SceneMouse_h
@@ -18,7 +18,7 @@ namespace VolumeHaptics
 class TouchMode;
 
 /**
- * The mouse in the slices beside a scene: see vtkInteractorStyleHaptic.
+ * Handles the mouse in the slices beside a scene: see vtkInteractorStyleHaptic.
  *
  * Functions return true if the event was for the slices. Positions are pixels of the window.
  */
@@ -32,12 +32,12 @@ public:
   }
 
   bool Press(int x, int y, bool isRight);
-  /** Ends the action that the press of this button began. */
+  /** Ends the drag that the press of this button began. */
   bool Release(bool isRight);
   bool Move(int x, int y);
   bool TurnWheel(double steps, int x, int y);
 
-  /** Whether events have changed what the slices show, without a motion of the tip. */
+  /** Whether events have changed what the slices show without moving the tip. Resets the answer. */
   bool DrainChange();
 
 private:
@@ -51,21 +51,21 @@ private:
   /** Returns the number of the slice under the mouse; -1 if there is none. */
   int Find(int x, int y) const;
   void GoTo(int x, int y);
-  /** Leads the tip to a position; if the mouse does not lead the tip, moves the slices there. */
+  /** Moves the tip to a position if the mouse leads the tip; otherwise moves only the slices. */
   void GoTo(const double position[3]);
   void SetWindowLevel(int x, int y);
 
   TouchedScene& Scene;
   TouchMode& Touch;
   Drag Dragged = Drag::None;
-  bool IsRight = false;  ///< whether the right button drags
+  bool IsRight = false;  ///< whether the drag uses the right button
   int Slice = 0;         ///< the slice in which the drag began
   int From[2] = {};      ///< start of the drag
-  double Before[2] = {}; ///< window and level at the start
+  double Before[2] = {}; ///< window and level at the start of the drag
   bool HasChanged = false;
 };
 
-/** Turns a shaped tool by the mouse if its device measures no orientation. */
+/** Turns a shaped tool with the mouse if its device measures no orientation. */
 class ToolTurn
 {
 public:
@@ -81,25 +81,27 @@ public:
 
   ///@{
   /**
-   * Turns the tool from one position of the pointer to the next (pixels), like a ball under the
-   * pointer, about the view's axes up and right; and by steps of the wheel about the line of sight.
-   * Shift makes the turn smaller.
+   * Turn the tool. Roll() turns it like a ball under the pointer, which moves from one position to
+   * the next (pixels), about the view's axes up and right. Twist() turns it about the line of sight
+   * by steps of the wheel. Shift makes the turn smaller.
    */
   void Roll(const int from[2], const int to[2]);
   void Twist(double steps);
   ///@}
 
 private:
-  /** Turns by an angle vector (rad) along right, up and towards the viewer. */
+  /**
+   * Turns the tool by an angle vector (rad) with components along right, up and towards the viewer.
+   */
   void TurnBy(const Vector3& angles);
   /** Returns the orientation at which the next turn begins (world). */
   Quaternion FindStart();
 
   TouchedScene& Scene;
-  Quaternion Wish;                    ///< world; the last ordered orientation
-  std::array<double, 16> Placement{}; ///< the placement of the device at that time: the hand turns
-                                      ///< with it
-  double Turned = -1e9;               ///< s, the time of the last turn
+  Quaternion Wish; ///< the last ordered orientation (world)
+  /** the device's placement at the last turn: the hand turns with it */
+  std::array<double, 16> Placement{};
+  double Turned = -1e9; ///< time of the last turn (s)
 };
 
 } // namespace VolumeHaptics

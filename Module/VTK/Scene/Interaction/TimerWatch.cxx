@@ -18,9 +18,9 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestTimerless = 1.0; // s
-/// The longest counted time between two events (s): the loop stands still while a slow frame is
-/// drawn.
+constexpr double LongestTimerless = 1.0; // s of input without an update before the warning
+/// The longest time between two events that counts (s), because no events come while a slow frame
+/// is drawn.
 constexpr double LongestGap = 0.1;
 
 constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand::KeyPressEvent,
@@ -33,7 +33,8 @@ constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand
 TimerWatch::TimerWatch(vtkInteractorStyleHaptic* style)
   : Style(style)
 {
-  this->InputObserver->PassiveObserverOn(); // a focus grabber hides events from active observers
+  // active observers get no events while another observer has grabbed the focus
+  this->InputObserver->PassiveObserverOn();
   this->InputObserver->SetClientData(this);
   this->InputObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<TimerWatch*>(self)->OnInput(); });
@@ -117,7 +118,7 @@ void TimerWatch::OnInput()
 //------------------------------------------------------------------------------
 void TimerWatch::Update()
 {
-  if (!this->IsUpdating) // an update may draw, for a notice
+  if (!this->IsUpdating) // an update may draw a notice, which would call this again
   {
     const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this->Style);
     this->IsUpdating = true;

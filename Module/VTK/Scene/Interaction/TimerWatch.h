@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Notices that a program's event loop sends no timer events, and then updates the haptics without
+ * Detects that a program's event loop sends no timer events, and then updates the haptics without
  * timers.
  */
 #ifndef TimerWatch_h
@@ -22,10 +22,10 @@ namespace VolumeHaptics
 {
 
 /**
- * A server, or a toolkit whose interactor was not initialised, passes events of mouse and keys to
- * VTK, but no timer events. If a second of such events passes without an update, this class warns
- * once. From then on it updates the haptics with each of these events and each frame of the window,
- * until an update comes from elsewhere.
+ * Updates the haptics in programs whose timers do not work. A server, or a toolkit whose interactor
+ * was not initialised, passes mouse and key events to VTK, but no timer events. If a second of such
+ * events passes without an update, this class warns once. From then on it updates the haptics with
+ * each of these events and with each frame of the window, until an update comes from elsewhere.
  */
 class TimerWatch
 {
@@ -35,10 +35,13 @@ public:
   TimerWatch(const TimerWatch&) = delete;
   TimerWatch& operator=(const TimerWatch&) = delete;
 
-  /** Watches the events of this interactor, from the beginning; nullptr for none. */
+  /**
+   * Watches the events of another interactor, and starts counting from zero; nullptr for no
+   * interactor.
+   */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
-  /** Records an update of the haptics, by a timer or by the program. */
+  /** Records that a timer or the program has updated the haptics. */
   void RecordUpdate();
 
 private:
@@ -51,8 +54,8 @@ private:
   vtkWeakPointer<vtkRenderWindow> Window; ///< the window whose frames update the haptics
   vtkNew<vtkCallbackCommand> InputObserver;
   vtkNew<vtkCallbackCommand> FrameObserver;
-  std::int64_t LastInput = 0; ///< ServoClock; 0 before the first
-  double Waited = 0.0;        ///< s of input without an update
+  std::int64_t LastInput = 0; ///< ServoClock: time of the last input; 0 before the first
+  double Waited = 0.0;        ///< duration of input without an update (s)
   bool IsUpdating = false;
 };
 

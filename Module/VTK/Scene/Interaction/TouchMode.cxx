@@ -43,7 +43,8 @@ void TouchMode::Set(bool on)
   this->Window.Look();
   if (this->Scene.Device && this->Scene.Device->IsArmOrdered())
   {
-    this->Scene.Device->Disarm(); // a force that already fades continues to fade
+    // unless it is disarmed already: then a force that fades continues to fade
+    this->Scene.Device->Disarm();
   }
   this->Scene.Style->Modified();
 }
@@ -80,7 +81,7 @@ void TouchMode::Begin(const Vector3* at)
     return;
   }
   // Observers of the long work may end the loop, disarm, or remove the device or the interactor.
-  // Each of these also cancels the beginning; then nothing is armed.
+  // Each of these cancels the beginning, and then nothing is armed. So keep the objects alive.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = this->Scene.ChooseRenderer();
@@ -102,7 +103,7 @@ void TouchMode::Begin(const Vector3* at)
     }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      // Do not wait for a mesh that is made in the background.
+      // A mesh may be made in the background. Do not wait for it.
       HapticBaker& baker = filter->GetBaker();
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
@@ -167,7 +168,7 @@ double TouchMode::GetDepthStep() const
 
 double TouchMode::GetFineness() const
 {
-  constexpr double fine = 0.2; // with Shift
+  constexpr double fine = 0.2; // factor with Shift
   return this->Scene.Style->GetInteractor()->GetShiftKey() ? fine : 1.0;
 }
 
@@ -209,9 +210,9 @@ bool TouchMode::HasSurfaces() const
 
 Vector3 TouchMode::ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const
 {
-  /// The steepest slope on which the tip follows a touched surface; steeper is an edge.
+  /// The steepest slope over which the tip follows a touched surface. A steeper one is an edge.
   constexpr double steepest = 2.0;
-  /// The height (voxels) from which the hand returns to the surface.
+  /// The greatest height (voxels) from which the hand returns to the surface.
   constexpr double highest = 10.0;
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   Vector3 before;

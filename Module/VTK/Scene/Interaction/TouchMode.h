@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The touch mode: it begins in front of the first surface, and the mouse leads the virtual tip.
+ * The touch mode, in which the mouse leads the virtual tip. It begins in front of the first
+ * surface.
  */
 #ifndef TouchMode_h
 #define TouchMode_h
@@ -32,51 +33,56 @@ public:
   /** Begins the mode with a virtual tip at a position in the world. */
   void BeginAt(const Vector3& world) { this->Begin(&world); }
   bool IsOn() const { return this->IsTouching; }
-  /** Ends the mode without calling the old device, for a new device. */
+  /** Ends the mode for a new device, without calling the old device. */
   void Reset() { this->IsTouching = this->IsPressed = false; }
   /**
-   * Keeps a touch mode that is beginning from arming the device; call this if something disarmed
-   * it.
+   * If the touch mode is beginning, prevents it from arming the device. Call this if something has
+   * disarmed the device.
    */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now. The next functions need this. */
+  /** Whether the mouse leads the tip now. The functions below require it. */
   bool LeadsTip() const;
-  /** Leads the tip to a position in the world. */
+  /** Moves the tip towards a position in the world. */
   void LeadTo(const Vector3& world);
   /** Returns the target of the tip (world). */
   const Vector3& GetLead() const { return this->Lead; }
-  /** Returns the time (s) that the hand takes from the last seen tip to the target. */
+  /** Returns the time (s) that the hand needs from the last known tip to the target. */
   double GetTravelTime() const;
-  /** Moves along the line of sight, away from the viewer; a step is one of the wheel. */
+  /** Moves the tip along the line of sight, away from the viewer, by steps of the wheel. */
   void MoveInDepth(double steps);
   /**
-   * Moves from one position of the pointer to the next (pixels): along the surface, or in the plane
-   * of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
+   * Moves the tip as the pointer moves from one position to the next (pixels): along the surface,
+   * or in the plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
   void MoveInPlane(const int from[2], const int to[2]);
-  /** Returns the fraction of a motion that is made, which is smaller with Shift. */
+  /** Returns the factor for motions of the mouse, which is smaller with Shift. */
   double GetFineness() const;
-  /** Makes the mouse's button the device's button, until it is released or the mode ends. */
+  /** Presses the device's button for the mouse's button, until it is released or the mode ends. */
   void PressButton();
-  /** Releases the button. False if it was not pressed. */
+  /** Releases the device's button. Returns false if it was not pressed. */
   bool ReleaseButton();
 
-  /** Called before the mode begins, unless null, to set TouchedScene::Hidden. */
+  /** A function that is called before the mode begins, to set TouchedScene::Hidden; may be null. */
   std::function<void()> BeforeBegin;
   /**
-   * Called, unless null, before a tip lands on the first surface along the line of sight through a
-   * position.
+   * A function that is called before the tip lands on the first surface along the line of sight
+   * through a position; may be null.
    */
   std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
 
 private:
-  /** Begins at `at`; if that is null, in front of the first surface under the pointer. */
+  /**
+   * Begins the mode at `at`, or if that is null, in front of the first surface under the pointer.
+   */
   void Begin(const Vector3* at);
   double GetDepthStep() const;
   /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
-  /** Returns the tip's target on the surface, instead of a position in the plane of the view. */
+  /**
+   * Returns the position on the surface to which the tip should go, for a target in the plane of
+   * the view.
+   */
   Vector3 ProjectOnSurface(vtkRenderer* renderer, const Vector3& target) const;
 
   TouchedScene& Scene;
@@ -84,8 +90,8 @@ private:
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
   bool IsPressed = false;   ///< whether PressButton has pressed the button
-  bool IsBeginning = false; ///< whether Begin runs, and nothing has cancelled it yet
-  Vector3 Lead;             ///< world; target of the tip
+  bool IsBeginning = false; ///< whether Begin() is running and was not cancelled
+  Vector3 Lead;             ///< target of the tip (world)
 };
 
 } // namespace VolumeHaptics

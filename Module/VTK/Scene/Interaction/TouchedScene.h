@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The device, the props and the view that an interaction works with.
+ * The device, the props and the view that the parts of an interaction share.
  */
 #ifndef TouchedScene_h
 #define TouchedScene_h
@@ -27,7 +27,7 @@ namespace VolumeHaptics
 
 /**
  * The objects that the parts of a HapticInteraction share. The application may set each of them to
- * null at any time, also in an observer of an event that a part causes.
+ * null at any time, even in an observer of an event that a part causes.
  */
 class TouchedScene
 {
@@ -44,22 +44,23 @@ public:
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
   bool TurnsView = true; ///< whether the right button turns the view in the touch mode
-  std::string Hidden;    ///< why the touched volume is not seen, and the cure; empty if it is seen
+  /** why the touched volume is not visible, and the cure; empty if it is visible */
+  std::string Hidden;
 
   /**
-   * Returns the renderer of the last button event, or the default one, or the window's first. VTK
-   * has no current renderer before the first button event.
+   * Returns the renderer of the last button event. VTK has none before the first button event; then
+   * returns the default renderer, or if there is none, the window's first.
    */
   vtkRenderer* ChooseRenderer() const;
 
-  /** Returns the image of the device's filter; null without one. */
+  /** Returns the image of the device's filter; null if there is no device, filter or image. */
   vtkImageData* GetImage() const;
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
 
   ///@{
-  /** Read the device's last state; there must be a device. */
+  /** Return parts of the device's last state. There must be a device. */
   bool IsArmed() const;
   Vector3 GetTip() const; ///< world
   Vector3 GetProxy() const;

@@ -25,14 +25,14 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Pause = 0.1;        // s between choices; each choice walks along a line
-constexpr double SmallForce = 0.005; // N
+constexpr double Pause = 0.1; // s between two choices, because each choice walks along a line
+constexpr double SmallForce = 0.005; // N: a force up to this counts as none
 
-/** The data on which a choice between volumes depends. */
+/** The surface of a volume ahead of the tip. Volumes are compared by it. */
 struct SurfaceAhead
 {
   double Distance = HUGE_VAL; // world units along the line of sight
-  double Force = 0.0;         // N, force of a press
+  double Force = 0.0;         // force of a press (N)
 };
 
 /** Whether two renderers show the same positions of the world at the same pixels. */
@@ -45,8 +45,8 @@ bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 }
 
 /**
- * Collects the volumes that are drawn where a style touches: in its default renderer or, without
- * one, in its whole window. False if the style has no window.
+ * Collects the volumes that are drawn where a style touches: in its default renderer, or if there
+ * is none, in its whole window. Returns false if the style has no window.
  */
 bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 {
@@ -70,7 +70,7 @@ bool CollectDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& dra
   return renderers && renderers->GetNumberOfItems() > 0;
 }
 
-/** Returns the volumes of the ports of a vtkMultiVolume, whether or not it is drawn. */
+/** Returns the volumes of a vtkMultiVolume's ports, also if it is not drawn. */
 std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
 {
   std::vector<DrawnVolume> parts;
@@ -88,7 +88,8 @@ std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
 
 bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
-  // If forces are about equal, such as those of one material, choose the nearest volume.
+  // If forces are about equal, for example for two volumes of one material, the nearest volume is
+  // better.
   constexpr double clearly = 1.05;
   const bool isStronger = a.Force > clearly * b.Force + SmallForce;
   const bool isWeaker = b.Force > clearly * a.Force + SmallForce;
@@ -109,8 +110,8 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
   }
   if (!this->Scene.Device->GetVolumeHaptics())
   {
-    // Gives the device a filter, whether or not the volume can be touched, because callers set up
-    // the filter.
+    // The device gets a filter even if the volume can't be touched, because callers set up the
+    // filter.
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   std::vector<DrawnVolume> drawn;
@@ -137,7 +138,7 @@ bool TouchedVolumes::Set(vtkVolume* volume)
   }
   if (volume && !this->All.empty())
   {
-    // The first volume's filter feels the new volume, whichever volume is felt now.
+    // The first volume's filter will feel the new volume, so make it the device's filter again.
     this->Feel(this->All.front().Filter);
   }
   this->All.clear();
@@ -160,7 +161,8 @@ void TouchedVolumes::Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
 void TouchedVolumes::AddAlike(vtkVolume* volume)
 {
   Entry& first = this->All.front();
-  first.Filter = this->FilterOf(first); // the first volume may have shared the device's filter
+  // the first volume may have used the device's filter, which will change with the felt volume
+  first.Filter = this->FilterOf(first);
   this->Append(volume, vtkNew<vtkVolumeHapticsFilter>());
   this->All.back().IsAlike = true;
   this->CopiedTime = 0;
@@ -193,7 +195,7 @@ void TouchedVolumes::CopySettings()
   {
     if (entry.IsAlike)
     {
-      // The opacity of each volume says what is felt of it.
+      // Each filter keeps its own volume's opacity, which decides what is felt of the volume.
       settings.Property->SetVisibilityFrom(entry.Filter->GetProperty()->GetVisibilityFrom());
       settings.Apply(entry.Filter);
     }
@@ -223,7 +225,7 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   }
   for (Entry& entry : this->All)
   {
-    // The first volume may share the device's filter.
+    // The first volume may have used the device's filter, which will change with the felt volume.
     entry.Filter = entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
     if (entry.Filter == filter)
     {
@@ -345,7 +347,7 @@ Press TouchedVolumes::ComputePress() const
 {
   if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
   {
-    return {}; // the nearest volume is found without a press
+    return {}; // to find the nearest volume, no press is needed
   }
   constexpr double voxels = 4.0;
   double least = HUGE_VAL;
@@ -389,7 +391,7 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
 void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
 {
   const double now = vtkTimerLog::GetUniversalTime();
-  // FORCE_FIELD has no contact, only a force.
+  // Check the force, too, because FORCE_FIELD has no contact.
   if (this->All.size() < 2 || !renderer || this->Scene.Device->GetState()->GetContact() != 0 ||
     Norm(FromArray(this->Scene.Device->GetState()->GetComputedForce())) > SmallForce ||
     now - this->ChosenTime < Pause)
@@ -430,8 +432,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
       best = ahead;
     }
   }
-  // Near a surface, the hand may have touched it since the last state. And volumes that are hardly
-  // better would make the choice change to and fro.
+  // Do not change near a surface, because the hand may have touched it since the last state. Demand
+  // that the best volume is clearly better, so that the choice does not alternate.
   const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
   if (least > voxel && IsBetter(best, demanded, choice))
   {

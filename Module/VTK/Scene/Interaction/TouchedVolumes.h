@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that a hand can touch, each with a filter of its own, and the choice which one is
+ * Keeps the volumes that a hand can touch, each with a filter of its own, and chooses which one is
  * felt.
  */
 #ifndef TouchedVolumes_h
@@ -25,11 +25,12 @@ namespace VolumeHaptics
 {
 
 /**
- * The servo feels one volume at a time. The style's FeltVolume chooses the volume whose surface
- * comes first ahead of the tip, along the line of sight, or the volume whose surface ahead pushes
- * back most strongly. The felt volume changes only while there is no force and the next surface
- * ahead is more than a voxel away, so that the force never jumps; the device's rate limits a drag
- * that begins. Invisible volumes are neither chosen nor felt.
+ * Keeps the touched volumes. The servo feels one volume at a time. By the style's FeltVolume, it is
+ * the volume whose surface comes first ahead of the tip along the line of sight, or whose surface
+ * ahead pushes back most strongly. The felt volume changes only while there is no force and the
+ * next surface ahead is more than a voxel away, so that the force never jumps. If drag begins with
+ * the new volume, the device's rate limit makes it grow gradually. Invisible volumes are neither
+ * chosen nor felt.
  */
 class TouchedVolumes
 {
@@ -48,8 +49,8 @@ public:
   bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   ///@}
   /**
-   * Adds a volume that feels like the first one: its filter takes over the settings of the first
-   * filter whenever that changes. Call Set() before, and Update() afterwards.
+   * Adds a volume that feels like the first one: whenever the settings of the first volume's filter
+   * change, they are copied to this volume's filter. Call Set() before, and Update() afterwards.
    */
   void AddAlike(vtkVolume* volume);
   /** Returns the felt volume; null if there is none. */
@@ -57,27 +58,28 @@ public:
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
   /**
-   * Returns the tissue that tools have removed, from the filters of the volumes and the device's
+   * Collects the tissue that tools have removed, from the filters of the volumes and the device's
    * filter.
    */
   std::vector<CarvedArray> CollectCarved() const;
   /**
-   * Passes what the volumes show now to their filters. Sets TouchedScene::Hidden if the felt volume
-   * is not shown.
+   * Passes what the volumes show to their filters. Sets TouchedScene::Hidden if the felt volume is
+   * not shown.
    */
   void Update();
-  /** Feels the first shown volume, if there is any and the felt volume is not shown. */
+  /** Makes the first shown volume the felt one. Does nothing if no volume is shown. */
   void FeelShown();
-  /** Chooses among the volumes along the line of sight through a position. */
+  /** Chooses the felt volume along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);
-  /** Chooses among the volumes ahead of the tip, while nothing is touched. */
+  /** Chooses the felt volume ahead of the tip. Does nothing while something is touched. */
   void ChooseAhead(vtkRenderer* renderer);
 
 private:
   struct Entry
   {
     std::unique_ptr<TouchedVolume> Volume;
-    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null stands for the device's filter
+    /** the volume's filter; null stands for the device's filter */
+    vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
     bool IsShown = true;
     bool IsAlike = false; ///< whether its filter has the settings of the first volume's filter
   };
@@ -86,10 +88,10 @@ private:
   /** Whether a volume can be touched; if not, reports why. */
   bool CanTouch(vtkVolume* volume) const;
   void Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
-  /** Adds the ports of the touched vtkMultiVolume that are new. */
+  /** Adds new ports of the touched vtkMultiVolume. */
   void FollowPorts();
   void CopySettings();
-  /** Returns the press that compares surfaces, four of the smallest voxels deep. */
+  /** Returns the press with which surfaces are compared: four of the smallest voxels deep. */
   Press ComputePress() const;
   /** Makes the device feel with this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);
@@ -104,9 +106,9 @@ private:
   std::vector<Entry> All;
   vtkSmartPointer<vtkMultiVolume> Multi; ///< the vtkMultiVolume whose ports are touched; null for
                                          ///< other volumes
-  vtkMTimeType CopiedTime = 0;           ///< change time of the first filter when its settings were
-                                         ///< copied
-  Vector3 ChosenTip;                     ///< position of the tip at the last choice
+  /** change time of the first volume's filter when its settings were copied */
+  vtkMTimeType CopiedTime = 0;
+  Vector3 ChosenTip; ///< position of the tip at the last choice
   double ChosenTime = 0.0;
 };
 

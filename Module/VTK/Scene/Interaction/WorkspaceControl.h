@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps a real device's workspace in the scene: it follows the camera, and the clutch shifts it.
+ * Places a real device's workspace in the scene: it follows the camera, and the clutch shifts it.
  */
 #ifndef WorkspaceControl_h
 #define WorkspaceControl_h
@@ -22,13 +22,16 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** Returns the camera's right, up and backward (towards the user) directions, as rows. */
+/**
+ * Returns a matrix whose rows are the camera's directions right, up and backward (towards the
+ * user).
+ */
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**
- * Turns the volume about the focal point, as seen by the user: the camera moves the other way. The
- * rate (rad/s) is along the camera's axes. If the timer paused, only the first 0.1 s of the time
- * (s) count, so that the view does not jump. False if nothing turns.
+ * Turns the volume about the focal point, as seen by the user, by moving the camera the other way.
+ * The rate (rad/s) is along the camera's axes. At most 0.1 s of the time count, so that the view
+ * does not jump after a pause of the timer. Returns false if nothing turns.
  */
 bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool resetsClippingRange);
 
@@ -42,12 +45,15 @@ bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool r
 class HapticWorkspace
 {
 public:
-  /** Returns the map from the device (m) to the world, at a scale (world units per metre). */
+  /**
+   * Returns the map from the device's positions (m) to the world, for a scale in world units per
+   * metre.
+   */
   vtkMatrix4x4* Place(vtkCamera* camera, double scale);
 
   /**
-   * Moves the workspace by the way of the hand, from one world position to another; call it after
-   * the clutch.
+   * Moves the workspace by the motion of the hand from one world position to another. Call it when
+   * the clutch is released.
    */
   void Shift(vtkCamera* camera, const Vector3& from, const Vector3& to);
   void Recenter() { this->Offset = {}; }
@@ -63,14 +69,14 @@ public:
   /** `armsAfterClutch` returns whether force may come back when the clutch is released. */
   WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch);
 
-  /** Releases the clutch of the device, and leaves the device without force. */
+  /** Releases the clutch of the device, and leaves the device disarmed. */
   void LeaveDevice();
   /** Places the workspace again, for a new device. */
   void Reset() { this->IsPlaced = false; }
 
   /**
-   * Places the workspace if it follows the camera, and the camera or a setting has changed. Returns
-   * whether it did; if so, publish the device.
+   * Places the workspace if it follows the camera, and if the camera or a setting has changed.
+   * Returns whether it was placed; if so, publish the device.
    */
   bool Update(vtkRenderer* renderer);
 
@@ -81,17 +87,20 @@ public:
   /** See vtkInteractorStyleHaptic::SetClutch. */
   void SetClutch(bool on);
   bool IsClutched() const { return this->IsOn; }
-  /** Keeps this style's clutch, which another style with this device may have released. */
+  /**
+   * Keeps the clutch of this style on, because another style with this device may have released it.
+   */
   void KeepClutch();
 
 private:
   TouchedScene& Scene;
   const std::function<bool()> ArmsAfterClutch;
   HapticWorkspace Workspace;
-  vtkMTimeType Placed = 0; ///< change time of camera and settings at the last placement
+  /** change time of camera and settings when the workspace was placed last */
+  vtkMTimeType Placed = 0;
   bool IsPlaced = false;
   bool IsOn = false;   ///< whether the clutch is on
-  Vector3 ClutchedTip; ///< world
+  Vector3 ClutchedTip; ///< position of the tip when the clutch was put on (world)
 };
 
 } // namespace VolumeHaptics

@@ -34,11 +34,12 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// Above VTK's widgets, whose priority is 0.5.
+/// The widget's priority: higher than that of VTK's widgets, 0.5.
 constexpr float WidgetPriority = 0.9f;
-/// The force fades after this time (s) without a timer event: no frame takes that long.
+/// The force fades after this time (s) without a timer event. It is long, so that no frame takes as
+/// long.
 constexpr double Attention = 10.0;
-/// The radius of the proxy, and the length of a newton's arrow, as fractions of the volume's
+/// The radius of the proxy, and the length of the arrow for 1 N, as fractions of the volume's
 /// diagonal.
 constexpr double ProxyFraction = 0.007;
 constexpr double ArrowFraction = 0.05;
@@ -50,8 +51,8 @@ double Round(double value)
   return unit * std::round(value / unit);
 }
 
-/// Makes a render pass of the program look up the props again: f3d's pass keeps them until it
-/// changes.
+/// Marks a program's render pass as modified, so that it looks up the props again: f3d's pass keeps
+/// them until then.
 void TellPass(vtkRenderer* renderer)
 {
   if (vtkRenderPass* const pass = renderer->GetPass())
@@ -61,7 +62,7 @@ void TellPass(vtkRenderer* renderer)
 }
 
 /// An interaction that uses events of the interactor in the touch mode, and leaves all others to
-/// the observers behind it.
+/// observers with lower priority.
 class StyleBeside : public vtkInteractorStyleHaptic
 {
 public:
@@ -69,12 +70,13 @@ public:
   vtkTypeMacro(StyleBeside, vtkInteractorStyleHaptic);
   using vtkInteractorStyleHaptic::GetInteraction;
 
-  /// Makes what a touch mode needs; false if there is nothing to be touched.
+  /// Prepares a touch mode. Returns false if there is nothing to touch.
   std::function<bool()> Prepare;
   bool HasActivationKey = true;
 
-  /// Also observes releases of buttons as a passive observer, because a style or a widget of the
-  /// program that has grabbed the focus at a press is the only active observer of the release.
+  /// Sets the interactor. Also observes releases of buttons as a passive observer: if a style or a
+  /// widget of the program has grabbed the focus at a press, active observers do not get the
+  /// release.
   void SetInteractor(vtkRenderWindowInteractor* interactor) override
   {
     if (interactor != this->Interactor)
@@ -103,7 +105,7 @@ public:
     this->Superclass::OnTimer();
     if (isOwn)
     {
-      this->Abort(); // the program did not ask for this timer
+      this->Abort(); // the program did not start this timer, so it must not get the event
     }
   }
   void OnMouseMove() override
@@ -153,8 +155,8 @@ public:
     const std::string name = this->GetKeyName();
     auto& interaction = this->GetInteraction();
     const bool begins = !this->GetTouchMode();
-    // A key that ended the touch and is still held is not for the program either. If something else
-    // has ended or begun the touch since, the release was lost.
+    // A key that ended the touch and is still held is not passed to the program. If the touch mode
+    // has changed since by other means, the release was lost, and this is a new press.
     const bool isHeld = interaction.IsRepeat(name) ||
       (!this->HeldKey.empty() && this->HeldKey == name && begins != this->HeldInTouch);
     if (!isHeld && begins && (!this->HasActivationKey || interaction.Keys.Find(name) != "t"))
@@ -210,8 +212,8 @@ private:
   };
 
   void Abort() { this->EventCallbackCommand->SetAbortFlag(1); }
-  /// Whether the hand has the mouse. A drag that the program has begun stays with the program;
-  /// slices beside the scene always belong to the hand.
+  /// Whether the hand gets the mouse. The program keeps a drag that it has begun. Slices beside the
+  /// scene always belong to the hand.
   bool HasMouse()
   {
     const int* const at = this->Interactor->GetEventPosition();
@@ -220,7 +222,7 @@ private:
       (slices && slices->FindSlice(at[0], at[1]) >= 0);
     return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
   }
-  /// Whether the hand has a click. A click on a slider, a handle or a text of the program belongs
+  /// Whether the hand gets a click. A click on a slider, a handle or a text of the program belongs
   /// to the program.
   bool HasClick()
   {
@@ -235,7 +237,7 @@ private:
       this->Abort();
     }
   }
-  /// Returns true if the press was used; the program must not get the release then.
+  /// Returns true if the hand has used the press; then the program must not get the release.
   bool Release(Button button)
   {
     const bool isUsed = (this->UsedButtons & button) != 0;
@@ -255,11 +257,10 @@ private:
   }
 
   vtkNew<vtkCallbackCommand> ReleaseObserver;
-  unsigned int Buttons = 0;     ///< bits of the buttons whose press the program got
+  unsigned int Buttons = 0;     ///< bits of the buttons whose press went to the program
   unsigned int UsedButtons = 0; ///< bits of the buttons whose press the hand used
-  std::string HeldKey;          ///< the last key that was used; its repeats are not for the program
-                                ///< either
-  bool HeldInTouch = false;     ///< the touch mode after that key was used
+  std::string HeldKey; ///< the last key that was used; its repeats are not passed to the program
+  bool HeldInTouch = false; ///< whether the touch mode was on after that key was used
 };
 
 vtkStandardNewMacro(StyleBeside);
@@ -278,7 +279,8 @@ struct vtkHapticWidget::vtkInternals
 {
   vtkInternals()
   {
-    this->Hand->UseBoundsOff(); // resetting the camera then shows the volume, wherever the hand is
+    // so that resetting the camera shows the volume, wherever the hand is
+    this->Hand->UseBoundsOff();
     this->Display->UseBoundsOff();
     this->Style->GetInteraction().Scene.TurnsView = false;
     this->Style->SetHeadUpDisplay(this->Display);
@@ -298,13 +300,16 @@ struct vtkHapticWidget::vtkInternals
     this->Display->SetDevice(device);
   }
 
-  /** Whether the program has connected the input of its filter. */
+  /** Whether the program has connected an input to its filter. */
   bool HasOwnInput() const
   {
     return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;
   }
 
-  /** Returns all volumes in a renderer that can be touched; only `Volume`, if it is set. */
+  /**
+   * Returns the volumes in a renderer that can be touched. If `Volume` is set, returns only its
+   * parts.
+   */
   std::vector<vtkVolume*> CollectVolumes(vtkRenderer* renderer) const
   {
     std::vector<vtkVolume*> found;
@@ -320,8 +325,8 @@ struct vtkHapticWidget::vtkInternals
   }
 
   /**
-   * Returns the uppermost renderer with volumes under the pointer, or else the first renderer with
-   * volumes.
+   * Returns the uppermost renderer with volumes under the pointer; if there is none, the first
+   * renderer with volumes.
    */
   vtkRenderer* ChooseRenderer(vtkRenderWindowInteractor* interactor) const
   {
@@ -351,7 +356,7 @@ struct vtkHapticWidget::vtkInternals
     return found ? found : first;
   }
 
-  /** Touches these volumes from now on, all with the settings of the filter. */
+  /** Sets the volumes that are touched from now on, all with the settings of the filter. */
   void Touch(const std::vector<vtkVolume*>& volumes)
   {
     const bool isSame =
@@ -370,7 +375,10 @@ struct vtkHapticWidget::vtkInternals
     this->Style->GetInteraction().Touched.Update();
   }
 
-  /** Shows the hand and the display for a volume of this length (world units). */
+  /**
+   * Shows the hand and the display in a renderer, with sizes for a volume of this length (world
+   * units).
+   */
   void Show(vtkRenderer* renderer, double length)
   {
     if (this->Renderer != renderer)
@@ -380,14 +388,14 @@ struct vtkHapticWidget::vtkInternals
       this->Style->SetDefaultRenderer(renderer);
       this->Style->SetCurrentRenderer(renderer);
     }
-    // Repeated in each call, because the program may have cleared its scene.
+    // Check this in each call, because the program may have cleared its scene.
     if (!renderer->HasViewProp(this->Hand) || !renderer->HasViewProp(this->Display))
     {
       renderer->AddViewProp(this->Hand);
       renderer->AddViewProp(this->Display);
       TellPass(renderer);
     }
-    // Sets the sizes as long as the application has not chosen others.
+    // Set the sizes unless the application has changed them.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
       this->Radius = ProxyFraction * length;
@@ -460,8 +468,8 @@ struct vtkHapticWidget::vtkInternals
   std::vector<vtkSmartPointer<vtkVolume>> Touched;
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
-  bool IsInputOurs = false; ///< whether the widget has set the filter's input, to what a volume
-                            ///< shows
+  /** whether the widget has connected the filter's input to what a volume shows */
+  bool IsInputOurs = false;
   bool HasOpened = false;
   bool HasStarted = false;
 };
@@ -693,7 +701,7 @@ void vtkHapticWidget::SetKeyPressActivationValue(char key)
 //------------------------------------------------------------------------------
 void vtkHapticWidget::OnChar()
 {
-  // While the widget is on, the interaction beside the style has the key.
+  // While the widget is on, StyleBeside handles the key.
   if (!this->Enabled && this->KeyPressActivation && this->Interactor &&
     this->Interactor->GetKeyCode() == this->KeyPressActivationValue)
   {

@@ -4,8 +4,8 @@
  * @class   vtkHapticWidget
  * @brief   touch in a window of any VTK program, beside its own style
  *
- * A widget by VTK's convention: it observes the interactor of a program that keeps its interactor
- * style, its widgets and its keys.
+ * A widget that follows VTK's convention: it observes the interactor of a program, and the program
+ * keeps its interactor style, its widgets and its keys.
  *
  *   vtkNew<vtkHapticWidget> widget;
  *   widget->SetInteractor(interactor);
@@ -14,22 +14,22 @@
  *
  * While it is on, the key t (KeyPressActivationValue) with the pointer on a volume begins the touch
  * mode of vtkInteractorStyleHaptic: the mouse strokes, the wheel presses, Escape lets go. The
- * touched volume is that of SetVolume(), or else the volume in the renderer under the pointer whose
- * surface comes first along the line of sight. Only what is shown of it is felt: see
- * vtkInteractorStyleHaptic::TouchVolume().
+ * touched volume is the one of SetVolume(), or if there is none, the volume in the renderer under
+ * the pointer whose surface comes first along the line of sight. Only what is shown of it is felt:
+ * see vtkInteractorStyleHaptic::TouchVolume().
  *
  * In the touch mode the widget aborts the events of keys, wheel and buttons that it uses, so that
- * no observer of the program with a lower Priority gets them. All other events go to the program,
- * and so do all events outside the touch mode, except the activation key: the right button turns
- * the camera as always, and so does a drag that began before the touch mode. The widget observes
- * the interactor and not the style, so that it goes on if the program sets another style. Default
+ * no observer of the program with a lower Priority gets them. The program gets all other events,
+ * and outside the touch mode all events except the activation key. So the right button turns the
+ * camera as always, and so does a drag that began before the touch mode. The widget observes the
+ * interactor and not the style, so that it goes on if the program sets another style. Default
  * Priority: 0.9, above VTK's widgets (0.5).
  *
  * The widget makes what it needs: a vtkHapticDevice, which it opens as "virtual" (the mouse) and
  * starts; a vtkVolumeHapticsFilter; and, in the renderer of the volume, a vtkHapticRepresentation
  * and a vtkHapticHeadUpDisplay. Each has a getter; device and filter also have a setter. Force ends
  * with the window: see vtkInteractorStyleHaptic. Off() ends all force, stops the device if the
- * widget has started it, and takes hand and display out of the renderer.
+ * widget has started it, and removes hand and display from the renderer.
  *
  * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
  *
@@ -59,16 +59,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Switches the widget on or off; On() and Off() call this. The widget stays off, with an error,
-   * without an interactor, or if the device does not open. If the window shows no volume yet, hand
-   * and display are added when the touch mode begins.
+   * Switch the widget on or off; On() and Off() call this. Without an interactor, or if the device
+   * does not open, the widget stays off and reports an error. If the window shows no volume yet,
+   * hand and display are added when the touch mode begins.
    */
   void SetEnabled(int enabling) override;
 
   ///@{
   /**
-   * The touch mode of vtkInteractorStyleHaptic. Default off. Turning it on begins with the volume
-   * under the pointer; it stays off, with an error, if the widget is off or there is no volume.
+   * The touch mode of vtkInteractorStyleHaptic. Default off. It begins with the volume under the
+   * pointer. If the widget is off or there is no volume, it stays off and an error is reported.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode();
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * The touched volume, which may be a vtkMultiVolume. Default nullptr: all volumes in the renderer
-   * under the pointer.
+   * The volume to touch, which may be a vtkMultiVolume. Default nullptr: all volumes in the
+   * renderer under the pointer can be touched.
    */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
@@ -96,11 +96,11 @@ public:
 
   ///@{
   /**
-   * The filter that says how volumes feel, and its property. If several volumes can be touched,
-   * this filter feels the first one, and a copy with the same settings feels each other one. A
-   * filter that has an input feels this input, whatever the window shows; the hand is then in the
-   * DefaultRenderer, or else in the window's first renderer. Default: a filter that the widget
-   * makes. nullptr is an error.
+   * The filter that determines how volumes feel, and its property. If several volumes can be
+   * touched, this filter feels the first one, and each other volume is felt by a copy with the same
+   * settings. A filter that has an input feels this input, whatever the window shows; the hand is
+   * then in the DefaultRenderer, or if there is none, in the window's first renderer. Default: a
+   * filter that the widget makes. nullptr is an error.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
@@ -108,16 +108,17 @@ public:
   ///@}
 
   /**
-   * Get the hand in the scene. Its sizes follow the touched volume, unless they were set before.
+   * Get the hand in the scene. Its sizes are fitted to the touched volume, unless the application
+   * has set them.
    */
   vtkHapticRepresentation* GetRepresentation();
-  /** Get the figures and the plot over the scene. */
+  /** Get the head-up display over the scene. */
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
 
   /**
-   * Get the interaction, for its settings: keys (SetKey), measurements, slices, method, comparison,
-   * and the events of contact and force. The widget sets its interactor, device and volume; it
-   * never becomes the interactor's style.
+   * Get the interaction, for its settings (keys by SetKey, measurements, slices, method,
+   * comparison) and for its events of contact and force. The widget sets its interactor, device and
+   * volume. It never becomes the interactor's style.
    */
   vtkInteractorStyleHaptic* GetStyle();
 
@@ -139,7 +140,10 @@ private:
   vtkHapticWidget(const vtkHapticWidget&) = delete;
   void operator=(const vtkHapticWidget&) = delete;
 
-  /** Searches the volumes, shows the hand beside them, and starts the device. */
+  /**
+   * Searches for volumes, shows the hand in their renderer, and starts the device. Returns false if
+   * that fails.
+   */
   bool Prepare(bool isNeeded);
 
   struct vtkInternals;

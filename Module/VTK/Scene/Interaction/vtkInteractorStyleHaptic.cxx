@@ -26,8 +26,8 @@ namespace
 {
 
 /**
- * Whether there is a window. Without one, such events do not occur, and VTK's own styles would
- * crash on them.
+ * Whether an interactor has a window. Without a window these events do not normally occur, and
+ * VTK's own styles would crash.
  */
 bool HasWindow(vtkRenderWindowInteractor* interactor)
 {
@@ -67,7 +67,8 @@ struct vtkInteractorStyleHaptic::vtkInternals
   {
     this->Timer = interactor->CreateRepeatingTimer(static_cast<unsigned long>(1000.0 / rate));
     this->IsEnabled = interactor->GetEnabled() != 0;
-    // This interactor does not know whose timer has fired: it names the timer made last.
+    // This class of interactor always reports the id of the timer that was made last, whichever
+    // timer has fired.
     this->SharesTimers =
       std::strcmp(interactor->GetClassName(), "vtkGenericRenderWindowInteractor") == 0;
   }
@@ -82,13 +83,19 @@ struct vtkInteractorStyleHaptic::vtkInternals
 
   HapticInteraction Interaction;
   TimerWatch Loop;
-  int Timer = 0;             ///< the timer; 0 if there is none, or the application has one of its
-                             ///< own
-  int FiredTimer = 0;        ///< interactors pass the timer's id to observers, but not to styles
+  int Timer = 0; ///< the id of the timer; 0 if there is none, because the application has its own
+  /**
+   * id of the last timer that fired; stored, because interactors pass it to observers, but not to
+   * styles
+   */
+  int FiredTimer = 0;
   bool SharesTimers = false; ///< whether a timer event may come from any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
-  bool IsEnabled = false; ///< state of the interactor; earlier timer events (wx has only one kind)
-                          ///< are dropped
+  /**
+   * whether the interactor is enabled; timer events before that are ignored, because wx has only
+   * one kind
+   */
+  bool IsEnabled = false;
   vtkNew<vtkCallbackCommand> EnableObserver;
 };
 
@@ -199,7 +206,8 @@ bool vtkInteractorStyleHaptic::GetTouchMode()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::FadeOut()
 {
-  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete this
+  // keep this alive, because observers may delete it
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
   this->Internals->Interaction.FadeOut();
 }
 
@@ -374,7 +382,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   {
     d.StartTimer(this->Interactor, this->DisplayRate);
     this->Interactor->AddObserver(vtkCommand::ModifiedEvent, d.EnableObserver);
-    // Called before the style itself gets the event.
+    // The priority is higher than the style's, so that this is called first.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
   this->Modified();
@@ -406,7 +414,8 @@ void vtkInteractorStyleHaptic::OnTimer()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::DrawHaptics()
 {
-  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete this style
+  // keep this style alive, because observers may delete it
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this);
   const bool isNew = this->UpdateHaptics();
   return this->Internals->Interaction.Frames.DrawIfDue(isNew);
 }
@@ -424,8 +433,8 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
     this->Interactor->Render();
     return;
   }
-  // Mappers draw as finely as this frame rate allows. Other frames, such as those of a dragged
-  // widget, keep their own rate.
+  // Mappers draw as finely as this frame rate allows. Restore the rate afterwards, so that other
+  // frames, such as those of a dragged widget, keep theirs.
   const double before = window->GetDesiredUpdateRate();
   window->SetDesiredUpdateRate(
     quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
@@ -462,8 +471,9 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   {
     return;
   }
-  // The superclass asks the renderer's window for its size. A renderer that was removed from its
-  // window, or that the application has set, may have no window.
+  // Pass the event on only if the renderer has a window, because the superclass asks the window for
+  // its size. A renderer that the application has set, or that was removed from its window, may
+  // have none.
   const int* const now = this->Interactor->GetEventPosition();
   this->FindPokedRenderer(now[0], now[1]);
   if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
@@ -506,7 +516,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   {
     return;
   }
-  // In the touch mode, the right button turns the camera, and the touch continues.
+  // In the touch mode, the right button turns the camera, while the touch continues.
   this->GetTouchMode() ? this->Superclass::OnLeftButtonDown()
                        : this->Superclass::OnRightButtonDown();
 }
@@ -518,7 +528,7 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
   {
     return;
   }
-  // End the action that the press began, even if the touch mode has changed since.
+  // End the action that the press began, also if the touch mode has changed since then.
   this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
                              : this->Superclass::OnLeftButtonUp();
 }

@@ -5,8 +5,8 @@
  * @brief   trackball camera, and a hand in the scene
  *
  * Lets the user touch the volumes of a scene with a vtkHapticDevice, or with the mouse in its
- * place, and moves the camera as vtkInteractorStyleTrackballCamera does. A timer takes the device's
- * states, sends changes of the filter to the servo, and renders:
+ * place, and moves the camera as vtkInteractorStyleTrackballCamera does. A timer collects the
+ * device's states, sends changes of the filter to the servo, and renders:
  *
  *   style->SetDevice(device);             // open, and started
  *   interactor->SetInteractorStyle(style);
@@ -78,11 +78,11 @@
  * the reason. It calls BeginLongWork by itself for the function editor's histogram of a large
  * volume.
  *
- * **Pictures.** As long as the style has the device, volumes of the scene show what is felt:
+ * **Pictures.** While a device is set, volumes of the scene show what is felt:
  *
  * - if the felt volume moves, the volumes of the renderer that show the felt image (by their
- *   mapper's input, or its scalars) show the time step nearest to what is felt. Their mappers have
- *   another input meanwhile. The head-up display tells the time;
+ *   mapper's input, or its scalars) show the time step nearest to what is felt. Meanwhile, their
+ *   mappers have another input. The head-up display shows the time;
  * - volumes in the window that show the touched array show what a vtkHapticBurr has left of it.
  *   vtkGPUVolumeRayCastMapper, also in a vtkSmartVolumeMapper, gets only the parts of its texture
  *   that have changed. Other mappers, textures that are divided (SetPartitions), and images that
@@ -90,8 +90,8 @@
  *   takes the memory of the array once more and is prepared as a whole after each change; the
  *   mapper has another input meanwhile. The image itself does not change.
  *
- * The head-up display gets a hint (vtkHapticHeadUpDisplay::SetHint) on how to begin, and on how to
- * go on until something was touched.
+ * The style sets a hint in the head-up display (vtkHapticHeadUpDisplay::SetHint) that says how to
+ * begin, and then how to go on, until something was touched.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor,
  * vtkHapticSliceView
@@ -128,13 +128,13 @@ public:
   vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Invoked in the order in which the changes happened in the servo, one event for each change. */
+  /** Events, one for each change, in the order of the changes in the servo. */
   enum HapticEvents
   {
     ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface holds the proxy
-    ContactEndEvent,                                 ///< no surface holds it any more
+    ContactEndEvent,                                 ///< no surface holds the proxy any more
     ArmedEvent,                                      ///< force may flow
-    DisarmedEvent,                                   ///< force may not flow; not after a fault
+    DisarmedEvent,                                   ///< force may not flow; not sent after a fault
     FaultEvent,                                      ///< the safety stage has cut the force off
     StatesEvent                                      ///< after each update with new states
   };
@@ -147,8 +147,8 @@ public:
 
   ///@{
   /**
-   * The head-up display, to which the style passes the states, and the function editor; both are
-   * optional. Keys toggle them. The application adds them to a renderer.
+   * The head-up display, to which the style passes the states, or the function editor. Both are
+   * optional. Keys switch them on and off. The application adds them to a renderer.
    */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
@@ -203,8 +203,8 @@ public:
 
   ///@{
   /**
-   * Keys of the application for the list of keys, as in vtkHapticHeadUpDisplay::HelpText; they
-   * stand below those of the style. Default empty.
+   * Keys of the application for the list of keys, in the form of vtkHapticHeadUpDisplay::HelpText.
+   * They stand below the keys of the style. Default empty.
    */
   void SetApplicationKeys(const char* keys);
   const char* GetApplicationKeys();
@@ -233,16 +233,16 @@ public:
   static vtkStringArray* GetKeyActions();
   ///@}
 
-  /** Get the list of keys, with those of the application, for the scene as it is now. */
+  /** Get the list of keys for the present scene, with the keys of the application. */
   std::string GetKeys();
 
   ///@{
   /**
-   * The touch mode, default off. On puts the tip of a virtual device in front of the first surface
-   * under the pointer, or if there is none, into the plane of the focal point, and arms. It stays
-   * off, with an error, without an interactor, without a device that runs, or if the window was
-   * closed. It also stays off if, while the surface is meshed, the loop ends, the device is
-   * disarmed, or the device or the interactor is removed.
+   * The touch mode, default off. Switching it on puts the tip of a virtual device in front of the
+   * first surface under the pointer, or if there is none, into the plane of the focal point, and
+   * arms the device. Without an interactor or a running device, or if the window was closed, it
+   * stays off and reports an error. It also stays off if one of these happens while the surface is
+   * meshed: the loop ends, the device is disarmed, or the device or the interactor is removed.
    */
   void SetTouchMode(bool on);
   virtual bool GetTouchMode();
@@ -250,8 +250,8 @@ public:
   ///@}
 
   /**
-   * Leave the touch mode and let the force fade, for a program that hides the view: without the
-   * jump of a force that is cut off.
+   * Leave the touch mode and let the force fade. For a program that hides the view: a force that is
+   * cut off would jump.
    *
    * The style lets the force fade by itself when a window of X11, or a window around it, is
    * minimised or hidden, which covers Tk and wx. Neither VTK nor X11 reports that a
@@ -272,14 +272,14 @@ public:
   ///@{
   /**
    * Whether the quality of ray casters is adjusted. While something moves, they draw as finely as
-   * 20 pictures per second allow. At rest, input interrupts a picture; while the device is armed, a
-   * picture takes 0.5 s at most, and 0.1 s if it can't be interrupted. Default on.
+   * 20 frames per second allow. At rest, input interrupts a frame; while the device is armed, a
+   * frame takes at most 0.5 s, or 0.1 s if it can't be interrupted. Default on.
    *
    * In motion, vtkGPUVolumeRayCastMapper and vtkFixedPointVolumeRayCastMapper cast fewer rays and
    * take fewer samples on them, at least one in each voxel. Only the fixed point mapper, which runs
    * on the processor, can be interrupted. If OpenGL runs on the processor, too,
-   * vtkSmartVolumeMapper uses that mapper while a scene is touched. Windows off the screen are left
-   * alone, unless AutoAdjustOffScreen is on.
+   * vtkSmartVolumeMapper uses that mapper while a scene is touched. Windows off the screen are not
+   * adjusted, unless AutoAdjustOffScreen is on.
    */
   vtkSetMacro(AutoAdjustVolumeQuality, bool);
   vtkGetMacro(AutoAdjustVolumeQuality, bool);
@@ -289,7 +289,7 @@ public:
   ///@{
   /**
    * Whether AutoAdjustVolumeQuality also adjusts a window off the screen, for applications that
-   * show its pictures elsewhere, such as in a browser. Default off.
+   * show its frames elsewhere, such as in a browser. Default off.
    */
   vtkSetMacro(AutoAdjustOffScreen, bool);
   vtkGetMacro(AutoAdjustOffScreen, bool);
@@ -300,8 +300,8 @@ public:
   /**
    * Updates per second, 1 to 240. Default 60. Takes effect with the next interactor.
    *
-   * At each update the timer takes the device's states, sends changes of the filter (image,
-   * functions, settings) to the servo, feeds the head-up display, invokes events, and renders. It
+   * At each update the timer collects the device's states, sends changes of the filter (image,
+   * functions, settings) to the servo, updates the head-up display, invokes events, and renders. It
    * never waits for the servo. While the tip or the camera moves, it renders at the interactor's
    * desired update rate, so that mappers with adjustable sample distances sample more coarsely. At
    * rest it renders once at the still rate, and then only when figures in the head-up display
@@ -313,9 +313,9 @@ public:
 
   ///@{
   /**
-   * Whether the mouse moves the tip along the first surface under it, at the depth to which the
-   * wheel has brought it, so that a stroke goes on around a head. If off, without a surface, or
-   * beyond an edge, the tip moves in the plane of the view. Default on.
+   * Whether the mouse moves the tip along the first surface under the pointer, at the depth that
+   * the wheel has set, so that a stroke can go around a head. If this is off, if there is no
+   * surface, or beyond an edge, the tip moves in the plane of the view. Default on.
    */
   vtkSetMacro(TipFollowsSurface, bool);
   vtkGetMacro(TipFollowsSurface, bool);
@@ -331,15 +331,15 @@ public:
 
   ///@{
   /**
-   * World units per metre of a real device's workspace, 0 or more. Default 0: by the filter's
-   * MetersPerWorldUnit.
+   * World units per metre of a real device's workspace, 0 or more. Default 0: computed from the
+   * filter's MetersPerWorldUnit.
    */
   vtkSetClampMacro(WorkspaceScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WorkspaceScale, double);
   ///@}
 
   ///@{
-  /** Bring the workspace of a real device back to the focal point, and clutch it. */
+  /** Bring the workspace of a real device back to the focal point, or switch its clutch. */
   void RecenterWorkspace();
   void SetClutch(bool on);
   virtual bool GetClutch();
@@ -350,9 +350,9 @@ public:
    * vtkVolumeHapticsFilter::GetMethodNames. The servo runs on, and the force grows at most at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
    * method, and then the surface around the tip (vtkHapticDevice::Publish); the head-up display
-   * announces that. False, with an error, if the method can't be felt, for example because IsoValue
-   * does not occur in the image; the previous method then stays, and the next call skips the method
-   * that failed.
+   * announces that. Returns false and reports an error if the method can't be felt, for example
+   * because IsoValue does not occur in the image. The previous method then stays, and the next call
+   * skips the method that failed.
    */
   bool NextMethod();
 
@@ -364,12 +364,12 @@ public:
    * if the other settings would give more force, that force comes only after the hand lifts and
    * presses again. A and B differ in the settings of the filter, of its property and of its label
    * table; the modes of PRIMITIVES and the inputs are the same in both. The head-up display tells
-   * which is felt. False, with an error and no change, without a filter, or if the other settings
-   * can't be felt here.
+   * which settings are felt. If there is no filter, or if the other settings can't be felt here,
+   * returns false, reports an error, and changes nothing.
    *
    * GetComparedSettings returns "A" or "B", whichever is felt, or an empty text if nothing is
-   * compared. EndComparison keeps the felt settings and drops the others; setting another device or
-   * filter does so, too.
+   * compared. EndComparison keeps the felt settings and discards the others, and so does setting
+   * another device or filter.
    */
   bool SwapSettings();
   std::string GetComparedSettings();
@@ -378,18 +378,18 @@ public:
 
   /**
    * Update once, as the timer does, without drawing: changes, states, events, head-up display. For
-   * applications without timers. True if there is something new to draw.
+   * applications without timers. Returns true if there is something new to draw.
    *
    * If an event loop sends mouse and key events, but no timer events for a second, the style warns
-   * once, and updates with these events and with each picture of the window, until the program
-   * calls UpdateHaptics() or DrawHaptics().
+   * once, and updates with these events and with each frame of the window, until the program calls
+   * UpdateHaptics() or DrawHaptics().
    */
   bool UpdateHaptics();
 
   /**
-   * Do all that the timer does: UpdateHaptics(), and a picture if one is due. For applications
-   * whose event loop runs no timers of VTK, such as a server; call it DisplayRate times a second.
-   * True if it has drawn.
+   * Do all that the timer does: call UpdateHaptics(), and draw a frame if one is due. For
+   * applications whose event loop runs no timers of VTK, such as a server; call it DisplayRate
+   * times a second. Returns true if it has drawn.
    */
   bool DrawHaptics();
 
@@ -405,14 +405,15 @@ public:
    * that the mapper hides by a mask or by the opacity of a mask's labels, blanked voxels, and
    * everything outside of all isosurfaces that it draws are cut away. Materials, method and
    * FeelCutFaces stay the filter's own. If a matrix places the image, only its current time step is
-   * felt. nullptr stops following, and leaves the filter unchanged. False, with an error, without a
-   * device, or if the volume has no mapper with an input. A device without a filter gets one, even
-   * if this call fails.
+   * felt. nullptr stops following, and leaves the filter unchanged. Returns false and reports an
+   * error if there is no device, or if the volume has no mapper with an input. A device without a
+   * filter gets one, even if this call fails.
    *
-   * What is not seen is not felt: if the volume, or an assembly around it, is made invisible, loses
-   * its mapper or its data, or is taken out of the default renderer (without one: of all renderers
-   * of the window), the style leaves the touch mode, disarms and warns. Until the volume is shown,
-   * every attempt to touch or arm ends in the same way. Default: nullptr.
+   * What is not visible is not felt. The style leaves the touch mode, disarms and warns if the
+   * volume or an assembly around it is made invisible, if the volume loses its mapper or its data,
+   * or if it is removed from the default renderer (if there is none, from all renderers of the
+   * window). Until the volume is shown again, every attempt to touch or arm ends in the same way.
+   * Default: nullptr.
    */
   bool TouchVolume(vtkVolume* volume);
   vtkVolume* GetTouchedVolume();
@@ -425,9 +426,10 @@ public:
    * through the pointer when the touch mode begins, and ahead of the tip later. The felt volume
    * changes only in the air, more than a voxel away from a surface, so that the force does not
    * jump. GetTouchedVolume() then returns the felt volume, and the device's filter is its filter.
-   * Volumes are numbered from that of TouchVolume(), or from the first call if there is none;
-   * TouchVolume() removes all others. False, with an error, without a device, volume or filter, if
-   * the volume has no mapper with an input, or if the filter already feels another volume.
+   * The first volume is the one of TouchVolume(), or of the first call of this function;
+   * TouchVolume() removes all others. Returns false and reports an error if there is no device,
+   * volume or filter, if the volume has no mapper with an input, or if the filter already feels
+   * another volume.
    */
   bool AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   int GetNumberOfTouchedVolumes();
@@ -441,10 +443,10 @@ public:
 
   ///@{
   /**
-   * How the felt volume is chosen from several ones. NEAREST (default): the volume whose surface
+   * How the felt volume is chosen among several ones. NEAREST (default): the volume whose surface
    * comes first along the line of sight. STRONGEST: the volume whose surface along this line pushes
-   * back with the largest force when pressed four of the smallest voxels deep; if forces are equal,
-   * the nearest.
+   * back with the largest force when pressed in by four of the smallest voxels; if forces are
+   * equal, the nearest volume.
    */
   vtkSetClampMacro(FeltVolume, int, NEAREST, STRONGEST);
   vtkGetMacro(FeltVolume, int);
@@ -456,19 +458,21 @@ public:
    * Warn if a visible volume in the renderer shows the image of the device's filter differently
    * from how it is felt: with a position, orientation, scale or user matrix, cropping, clipping
    * planes, a mask, a 2-D transfer function, or blanked points or cells. UpdateHaptics() does so,
-   * too. Each reason is reported once for a volume, and again if it has gone and come back.
+   * too. Each reason is reported once for a volume, and once again if it has disappeared and come
+   * back.
    */
   void CheckShownVolumes();
 
   /**
-   * Get the states that the last update took from the device: see vtkHapticState::Drain. Each style
-   * gets all states, even if several styles use one device.
+   * Get the states that the last update collected from the device: see vtkHapticState::Drain. Each
+   * style gets all states, even if several styles use one device.
    */
   vtkTable* GetStates();
 
   /**
-   * Interactors call this. A style that leaves its interactor, for another style or because the
-   * window closes, leaves the touch mode and disarms. The call always marks the style as modified.
+   * Interactors call this. When a style loses its interactor, to another style or because the
+   * window closes, it leaves the touch mode and disarms. The call always marks the style as
+   * modified.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -489,24 +493,25 @@ protected:
   ~vtkInteractorStyleHaptic() override;
 
   /**
-   * Draw the scene now: quickly while something moves, else finely. Sets the window's desired
+   * Draw the scene now: quickly while something moves, otherwise finely. Sets the window's desired
    * update rate and calls the interactor's Render(). For subclasses in applications that render in
    * another way.
    */
   virtual void DrawScene(bool quickly);
 
   /**
-   * Whether releasing the clutch may bring the force back: the device was armed before, and nothing
-   * has disarmed it since. For subclasses in applications that track arming themselves.
+   * Get whether releasing the clutch may bring the force back: the device was armed before, and
+   * nothing has disarmed it since. For subclasses in applications that track arming themselves.
    */
   virtual bool ArmsAfterClutch();
 
   ///@{
   /**
-   * For subclasses beside another style, as in vtkHapticWidget: the parts of this style; whether
-   * the last timer event came from its timer; whether the hand has used a mouse motion; and the
-   * name of the key of the last event. If a toolkit such as wx gives only a key's code, X11's name
-   * for the key is returned.
+   * For subclasses beside another style, as in vtkHapticWidget. GetInteraction() returns the parts
+   * of this style. IsOwnTimer() returns whether the last timer event came from its timer.
+   * UseMouseMove() returns whether the hand has used a mouse motion. GetKeyName() returns the name
+   * of the last event's key: if a toolkit such as wx sends only a key's code, X11's name for the
+   * key.
    */
   VolumeHaptics::HapticInteraction& GetInteraction();
   bool IsOwnTimer() const;
