@@ -28,7 +28,7 @@ struct EditedObjects
 };
 
 /**
- * A list of steps. Each step has the state before an edit, for the objects that the edit has
+ * A list of steps. Each step has the state before an edit of those objects that the edit has
  * changed. Changes by the program are no steps.
  */
 class EditHistory
@@ -41,22 +41,28 @@ public:
 
   ///@{
   /**
-   * Begin and end a step: call them before and after an edit. An edit that changed nothing makes no
-   * step.
+   * Begin or end a step: call Begin before an edit and End after it. An edit that changed nothing
+   * makes no step.
    */
   void Begin(const EditedObjects& objects);
   void End(const EditedObjects& objects);
   ///@}
 
   ///@{
-  /** Restores a state in place. False if there is none. */
+  /**
+   * Restore the state before the last edit, or after an undone edit, in the objects themselves.
+   * Return false if there is none.
+   */
   bool Undo(const EditedObjects& objects);
   bool Redo(const EditedObjects& objects);
-  /** Restores the state before the first edit, as a step of its own. */
+  /**
+   * Restores the state before the first edit, as a step of its own. Returns false if there is
+   * nothing to undo.
+   */
   bool Reset(const EditedObjects& objects);
   ///@}
 
-  /** Forgets all steps, before other objects are edited. */
+  /** Removes all steps. Call this before other objects are edited. */
   void Forget();
 
 private:
@@ -75,7 +81,7 @@ private:
   };
 
   static Times ReadTimes(const EditedObjects& objects);
-  /** Copies the objects, or with `like` only the objects that this step has. */
+  /** Copies the objects. If `like` is given, copies only the objects that this step has. */
   static Step Copy(const EditedObjects& objects, const Step* like);
   static void Restore(const Step& step, const EditedObjects& objects);
   static void Keep(std::deque<Step>& steps, Step step);
@@ -83,7 +89,7 @@ private:
 
   std::deque<Step> Done;
   std::deque<Step> Undone;
-  Step First;  ///< each object before its first edit
+  Step First;  ///< the state of each object before its first edit
   Step Before; ///< state before the edit in progress
   Times Begun;
 };

@@ -17,8 +17,8 @@ namespace
 {
 
 /**
- * Draws the editor in the docked renderer. The editor itself is not added to this renderer: the
- * editor owns the renderer, so they would keep each other alive.
+ * Draws the editor in the docked renderer. The editor itself is not added to this renderer, because
+ * it owns the renderer, and so they would keep each other alive.
  */
 class HapticDockedProp : public vtkProp
 {
@@ -39,7 +39,7 @@ private:
 
 vtkStandardNewMacro(HapticDockedProp);
 
-constexpr int BorderReach = 5; // pixels on each side of the border
+constexpr int BorderReach = 5; // pixels on each side of the border in which the mouse can grab it
 
 } // namespace
 
@@ -54,7 +54,7 @@ EditorDock::EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw)
   prop->Draw = std::move(draw);
   prop->PickableOff();
   this->Renderer->AddViewProp(prop);
-  this->Renderer->InteractiveOff(); // interactors leave its camera alone
+  this->Renderer->InteractiveOff(); // so that interactors do not move its camera
   this->Renderer->SetBackground(0.93, 0.94, 0.95);
   this->StartObserver->SetClientData(this);
   this->StartObserver->SetCallback(
@@ -199,7 +199,7 @@ bool EditorDock::IsOnBorder(int x, int y)
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();
   const int at[2] = { x - origin[0], y - origin[1] };
-  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis across the border
+  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis perpendicular to the border
   const int along = 1 - across;
   const int border = IsLow(this->GetEdge()) ? size[across] : 0;
   return std::abs(at[across] - border) <= BorderReach && at[along] >= 0 && at[along] < size[along];

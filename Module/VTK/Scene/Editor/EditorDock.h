@@ -27,7 +27,7 @@ namespace VolumeHaptics
 class EditorDock
 {
 public:
-  /** Draws the editor into a viewport. */
+  /** A function that draws the editor into a viewport. */
   using DrawFunction = std::function<int(vtkViewport*)>;
 
   EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw);
@@ -35,12 +35,12 @@ public:
   EditorDock(const EditorDock&) = delete;
   EditorDock& operator=(const EditorDock&) = delete;
 
-  /** Sets the renderer that has the editor; the editor docks in its window. Not kept alive. */
-  void SetHost(vtkRenderer* host);
   /**
-   * Takes the room, or returns it, as the editor's settings say; call before each frame of the
-   * window.
+   * Sets the renderer to which the editor was added. The editor docks in that renderer's window.
+   * The renderer is not kept alive.
    */
+  void SetHost(vtkRenderer* host);
+  /** Docks or undocks the editor by its settings. Call this before each frame of the window. */
   void Update();
   bool IsTaken() const { return this->HasRoom; }
 
@@ -52,15 +52,15 @@ public:
   ///@}
 
   ///@{
-  /** Converts from the display to the viewport that draws the editor, and back. */
+  /** Convert from the display to the viewport that draws the editor, or back. */
   void ToViewport(int& x, int& y);
   void ToDisplay(double position[2]);
   ///@}
 
   /**
-   * Drags the border between editor and scene by a vtkCommand of the left button, or
-   * MouseMoveEvent, at a position on the display. False if the event is not for the border.
-   * `isFree`: the mouse holds nothing else.
+   * Drags the border between editor and scene. `event` is a vtkCommand of the left button, or
+   * MouseMoveEvent, at a position on the display. `isFree`: whether no other drag is under way.
+   * Returns false if the event is not for the border.
    */
   bool MoveBorder(int event, bool isLeft, bool isFree, int x, int y);
 
@@ -71,7 +71,7 @@ private:
   void Leave();
   bool IsOnBorder(int x, int y);
   void Drag(int x, int y);
-  /** Sets the mouse cursor for a border that can be dragged, or the usual one. */
+  /** Shows the mouse cursor of a border that can be dragged, or the usual cursor. */
   void ShowCursor(bool isOnBorder);
 
   vtkHapticFunctionEditor* const Editor;

@@ -28,7 +28,7 @@ namespace
 struct LabelAccess
 {
   void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< -1: the functions decide
+  double (vtkHapticLabelTable::*Get)(int); ///< returns -1 if the functions decide
 };
 
 constexpr LabelAccess LabelQuantities[HapticMaterialList::Quantities] = {
@@ -46,7 +46,8 @@ struct EditedPage
   vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
 };
 
-// An empty function means the same as in vtkHapticProperty.
+// The numbers of a page: the value of an empty function (as in vtkHapticProperty), the usual top of
+// the axis, and the largest top.
 const EditedPage Pages[] = {
   { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
   { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },
@@ -57,16 +58,16 @@ const EditedPage Pages[] = {
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
 
-/** The lag (m) at which a drag gives a warning: twice the lag that presets allow. */
+/** The lag (m) from which on the drag is too strong: twice the lag that presets allow. */
 constexpr double LongDrag = 0.01;
 
-/** Returns the value of a function at a position; an empty function is constant. */
+/** Returns the value of a function at x. An empty function has the value `empty` everywhere. */
 double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
 {
   return function->GetSize() > 0 ? function->GetValue(x) : empty;
 }
 
-/** Returns the nodes of two functions, in ascending order. */
+/** Returns the positions of the nodes of two functions, in ascending order. */
 std::vector<double> CollectNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
 {
   std::vector<double> places;
@@ -83,8 +84,8 @@ std::vector<double> CollectNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* 
   return places;
 }
 
-constexpr int SheetWidth = 270;      // pixels: width of tissues beside a chart
-constexpr int LeastChartWidth = 330; // pixels: the least width of the chart beside them
+constexpr int SheetWidth = 270;      // pixels: width of the tissues beside a chart
+constexpr int LeastChartWidth = 330; // pixels: least width of the chart, if tissues stand beside it
 constexpr int LeastSheetHeight = 150;
 
 } // namespace
@@ -243,7 +244,8 @@ std::string HapticLabelList::Describe(int label) const
 }
 
 /**
- * Returns the property whose edges are shown: the proposal, or a property with an earlier proposal.
+ * Returns the property whose edges are shown: the current proposal, or the property if it has an
+ * accepted proposal. Returns null if neither has edges.
  */
 vtkHapticProperty* HapticProposalView::GetProposed() const
 {
@@ -251,7 +253,10 @@ vtkHapticProperty* HapticProposalView::GetProposed() const
   return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
 }
 
-/** Returns the data to search for edges; shows their histogram first. */
+/**
+ * Returns the data to search for edges. Shows the data's histogram first, because it tells the
+ * range of values.
+ */
 SearchedData HapticProposalView::GetSearched()
 {
   this->Chart.ShowData(this->Image, this->GetComponent());
@@ -414,7 +419,7 @@ vtkPiecewiseFunction* EditorPages::GetFunction() const
 //------------------------------------------------------------------------------
 EditedObjects EditorPages::GetEdited() const
 {
-  // Choose it as vtkHapticProperty::SetVisibilityFrom does.
+  // vtkHapticProperty::SetVisibilityFrom chooses the component in the same way.
   const int component = this->VolumeProperty && this->VolumeProperty->GetIndependentComponents()
     ? std::min(this->Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
     : 0;
@@ -445,7 +450,8 @@ std::string EditorPages::GetWarning() const
   { return Evaluate(stiffness, x, Pages[Editor::STIFFNESS].Quantity.EmptyValue); };
   const auto drag = [&](double x)
   { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
-  // Noise may yield a value at the other end of a ramp.
+  // Because of noise, a voxel on a ramp of the functions may have the value of either end. So
+  // compare the larger drag with the smaller stiffness.
   const std::vector<double> places = CollectNodes(stiffness, viscosity);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -463,7 +469,7 @@ std::string EditorPages::GetWarning() const
 //------------------------------------------------------------------------------
 void EditorPages::ScaleValues()
 {
-  // An opacity function takes unscaled scalars, so its axis is not scaled.
+  // The axis of an opacity function shows unscaled scalars, because these are its argument.
   vtkHapticProperty* const property =
     this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
   this->Chart.ScaleValues(property

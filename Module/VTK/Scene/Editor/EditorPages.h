@@ -36,8 +36,8 @@ namespace VolumeHaptics
 class HapticFunctionChart;
 
 /**
- * The labels of a label image or, without an image, of the table; and the material of the selected
- * one.
+ * The labels of a label image, or if there is no image, of the table; and the material of the
+ * selected label.
  */
 class HapticLabelList : public HapticMaterialList
 {
@@ -47,14 +47,14 @@ public:
 
   ///@{
   /**
-   * Searches the image for labels, and reports whether the list is up to date. A large image gives
-   * the labels of spread samples at first, until PollCount() finds that all voxels were searched
-   * in the background.
+   * Count() searches the image for labels. Of a large image, the list shows the labels of spread
+   * samples at first, until PollCount() finds that a thread has searched all voxels. IsCounted()
+   * returns whether the list is up to date.
    */
   void Count();
   bool IsCounted() const override;
   void PollCount();
-  /** Ends the search in an image that is no longer shown; the program may delete it. */
+  /** Ends the search in an image that is no longer shown, because the program may delete it. */
   void EndOtherCount();
   /** Returns the fraction of the image that was searched, 0 to 1. */
   double GetCountedFraction() const;
@@ -82,15 +82,17 @@ protected:
 
 private:
   std::vector<int> Present;
-  const vtkImageData* CountedImage = nullptr; ///< never dereferenced, only compared
+  /** the image of the list; only compared, never dereferenced */
+  const vtkImageData* CountedImage = nullptr;
   vtkTimeStamp CountTime;
-  vtkSmartPointer<vtkDataArray> Counted; // searched labels, during the search
+  // the labels that are being searched; null after the search
+  vtkSmartPointer<vtkDataArray> Counted;
   KeyedWork<vtkMTimeType, std::vector<int>> Counting;
 };
 
 /**
- * Shows the functions that are proposed for an image, and the edges that they come from, on the
- * chart of vtkHapticFunctionEditor.
+ * Shows proposed functions for an image, and the edges from which they were proposed, on the chart
+ * of vtkHapticFunctionEditor.
  */
 class HapticProposalView
 {
@@ -100,15 +102,16 @@ public:
   {
   }
 
-  vtkSmartPointer<vtkHapticProperty> Property; ///< receives an accepted proposal; may be null
-  vtkSmartPointer<vtkImageData> Image;         ///< searched image; may be null
+  /** the property that gets an accepted proposal; may be null */
+  vtkSmartPointer<vtkHapticProperty> Property;
+  vtkSmartPointer<vtkImageData> Image; ///< the image that is searched; may be null
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   ///@{
   /**
-   * SearchNow() waits for the end of the search. Begin() searches in the background; false, with
-   * the reason and the cure in `error`, if the image can't be looked at. Poll() returns the
-   * result once. Both show a proposal that was found.
+   * Search for a proposal, and show it if one is found. SearchNow() waits for the end of the
+   * search. Begin() searches in the background; if the image can't be searched, it returns false
+   * and writes the reason and the cure to `error`. Poll() returns the result once.
    */
   FoundFunctions SearchNow();
   bool Begin(std::string& error);
@@ -122,18 +125,21 @@ public:
 
   ///@{
   /**
-   * Tell of, accept and drop a proposal that is neither accepted nor dropped yet. Drop() also ends
-   * the search.
+   * Handle a proposal that was neither accepted nor dropped yet: IsThere() tells whether there is
+   * one, Apply() accepts it, Drop() drops it and ends the search.
    */
   bool IsThere() const { return this->Proposal != nullptr; }
   bool Apply();
   bool Drop();
   ///@}
 
-  /** Shows the edges of the proposal, or of one accepted before, once they are counted. */
+  /** Shows the edges of the current or the last accepted proposal once they are counted. */
   void PollEdges();
 
-  /** Draws the proposed function beside the edited one, and the limits of distinctness. */
+  /**
+   * Draws the proposed function beside the edited one, and the limits of distinctness.
+   * `get` returns the function of a property.
+   */
   void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
 
 private:
@@ -146,13 +152,14 @@ private:
   HapticFunctionChart& Chart;
   FunctionSearch Search;
   vtkSmartPointer<vtkHapticProperty> Proposal;
-  vtkSmartPointer<vtkTable> Boundaries; // shown by the chart
+  vtkSmartPointer<vtkTable> Boundaries; // boundaries of the edges that the chart shows
   vtkTimeStamp EdgeTime;
 };
 
 /**
- * The edited objects, and the charts and lists that show them: one page at a time, and in a wide
- * editor the tissues beside the chart of a function. Positions are pixels of the viewport.
+ * The edited objects, and the charts and lists that show them. It shows one page at a time; in a
+ * wide editor, the tissues stand beside the chart of a function. Positions are pixels of the
+ * viewport.
  */
 class EditorPages
 {
@@ -165,18 +172,20 @@ public:
 
   /** Sets the page, a vtkHapticFunctionEditor::FunctionType. */
   void SetPage(int page) { this->Page = page; }
-  /** Whether there is something to edit on a page. */
+  /** Whether a page has something to edit. */
   bool Has(int page) const;
   const char* GetTitle() const;
 
   /** Returns the function of the page; null if it has none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
-  /** Returns the functions that can be edited on the page. */
+  /** Returns only those objects that the page can edit. */
   EditedObjects GetEditable() const;
-  /** Returns the error in stiffness and viscosity, on their pages; empty if there is none. */
+  /**
+   * Returns what is wrong with stiffness and viscosity, on their pages; empty if nothing is wrong.
+   */
   std::string GetWarning() const;
-  /** Gives the axis of values the scale of the page's functions. */
+  /** Sets the scale of the axis of values to the scale of the page's functions. */
   void ScaleValues();
   /** Returns the time of the last edit. */
   vtkMTimeType GetEditTime() const;
@@ -193,18 +202,18 @@ public:
 
   /** Fits the page into a rectangle: left, bottom, width and height. */
   void Show(const int rectangle[4], bool isDragged, double scale = 1.0);
-  /** Returns the actors that draw the page. */
+  /** Return the actors that draw the page, or the actors of all pages. */
   std::vector<vtkContextActor*> GetActors();
   std::vector<vtkContextActor*> GetAllActors();
 
   /**
-   * Passes a mouse event to the part under the mouse, as HapticFunctionChart::SendMouse does; after
-   * a press, to the part that was pressed.
+   * Passes a mouse event to the part under the mouse, as HapticFunctionChart::SendMouse does. Until
+   * a button is released, its events go to the part that was pressed.
    */
   void SendMouse(int event, int button, int x, int y);
   void Turn(int x, int y, double steps);
 
-  /** Returns the page's list with sliders; null if it has none. */
+  /** Returns the page's list of materials; null if the page has none. */
   HapticMaterialSheet* GetSheet();
   HapticMaterialSheet& GetLabels() { return this->Labels; }
   HapticMaterialSheet& GetTissues() { return this->Tissues; }
@@ -217,8 +226,8 @@ private:
   HapticMaterialSheet Tissues{ TissueList };
   int Page = 0;
   bool HasBoth = false;    ///< whether chart and tissues are shown side by side
-  int Split = 0;           ///< x coordinates between chart and tissues
-  bool HoldsSheet = false; ///< true between press and release
+  int Split = 0;           ///< x coordinate of the border between chart and tissues
+  bool HoldsSheet = false; ///< whether the mouse has pressed a list and not yet been released
 };
 
 } // namespace VolumeHaptics

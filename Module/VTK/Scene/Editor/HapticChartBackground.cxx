@@ -27,7 +27,7 @@ namespace
 using VolumeHaptics::EdgeHistogram;
 
 constexpr unsigned char HistogramColour[3] = { 120, 70, 20 };
-constexpr double MostOpacity = 190.0; // of 255
+constexpr double MostOpacity = 190.0; // opacity, of at most 255
 constexpr unsigned char ArcColour[3] = { 205, 90, 20 };
 constexpr unsigned char LevelColour[3] = { 110, 115, 125 };
 
@@ -66,7 +66,8 @@ void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty
       *pixel++ = static_cast<unsigned char>(MostOpacity * fraction);
     }
   }
-  // Kindlmann and Durkin's arc: g_max exp(-x^2 / 2) over V1 + (V2 - V1) Phi(x).
+  // The arc of a boundary by Kindlmann and Durkin: gradient magnitude g_max exp(-x^2 / 2) at value
+  // V1 + (V2 - V1) Phi(x).
   this->Arcs.clear();
   for (vtkIdType i = 0; boundaries && i < boundaries->GetNumberOfRows(); ++i)
   {
@@ -170,7 +171,7 @@ void HapticEdgePlot::GetBounds(double bounds[4])
 namespace
 {
 
-constexpr int BandOpacity = 110; // of 255: the histogram shines through
+constexpr int BandOpacity = 110; // opacity, of at most 255, so that the histogram shows through
 constexpr double BandInk[3] = { 0.25, 0.27, 0.31 };
 constexpr float NameMargin = 3.0f; // pixels
 
@@ -232,7 +233,7 @@ void HapticTissueBands::PaintName(
   const float top = place.GetTop() - NameMargin;
   if (isUpright)
   {
-    // The end of the function's axis is at the top.
+    // The name begins below the end of the function's axis, which is at the top.
     text->SetOrientation(90.0);
     text->SetJustificationToCentered();
     text->SetVerticalJustificationToCentered();
@@ -252,7 +253,7 @@ bool HapticTissueBands::Paint(vtkContext2D* painter)
   {
     return false;
   }
-  // Use pixels, the unit of measured letters.
+  // Draw in pixels, because letters are measured in pixels.
   const vtkRectd scale = this->GetShiftScale();
   const auto scaled = [&scale](double value)
   { return static_cast<float>((value + scale[0]) * scale[2]); };

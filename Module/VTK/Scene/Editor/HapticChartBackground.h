@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plots behind the function of a HapticFunctionChart: edges and tissues.
+ * Draws what is behind the function of a HapticFunctionChart: edges and tissues.
  */
 #ifndef HapticChartBackground_h
 #define HapticChartBackground_h
@@ -25,10 +25,10 @@ class vtkRectf;
 /**
  * Draws the edges of a volume behind a function.
  *
- * The edges are a two-dimensional histogram, with value to the right and gradient magnitude
- * upwards, the arc of each boundary, and lines at the gradient magnitudes at which distinctness
- * begins and is full. The vertical axis runs from 0 to 1, as in the other plots of
- * HapticFunctionChart.
+ * The edges are a two-dimensional histogram of value (to the right) and gradient magnitude
+ * (upwards). Over it are the arc of each boundary, and lines at the gradient magnitudes at which
+ * distinctness begins and becomes full. The vertical axis runs from 0 to 1, as in the other plots
+ * of HapticFunctionChart.
  */
 class HapticEdgePlot : public vtkPlot
 {
@@ -36,12 +36,10 @@ public:
   static HapticEdgePlot* New();
   vtkTypeMacro(HapticEdgePlot, vtkPlot);
 
-  /**
-   * Shows a histogram, with the boundaries that a property has proposed; `proposed` may be null.
-   */
+  /** Shows a histogram, and the boundaries that a property has proposed. `proposed` may be null. */
   void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
-  /** Sets which values the axis shows for the scalars. */
+  /** Sets the scale that converts scalars to the values of the axis. */
   void ScaleValues(const VolumeHaptics::ValueScale& scale);
 
   /**
@@ -51,7 +49,7 @@ public:
   void ShowDistinctness(double start, double full);
 
   ///@{
-  /** Draw the plot and give its bounds; the chart calls them. */
+  /** Draw the plot, or compute its bounds; the chart calls them. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}
@@ -67,9 +65,9 @@ private:
   struct ArcPoint
   {
     double Value;
-    double Fraction; // relative to the largest shown gradient magnitude
+    double Fraction; // gradient magnitude as a fraction of the largest one shown
   };
-  /** Returns a scalar in VTK's scale for single precision. */
+  /** Returns a scalar's position, shifted and scaled as VTK's plots are for single precision. */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 
@@ -85,8 +83,8 @@ private:
  * The tissues of a property, as bands with names behind a function.
  *
  * The first tissue reaches to the left end of the axis, and the last one to the right end, because
- * functions continue there. In a narrow band the name stands upright, and in one that is too narrow
- * even for that, there is no name.
+ * functions are constant beyond the tissues. In a narrow band the name is vertical. A band that is
+ * too narrow for a vertical name has no name.
  */
 class HapticTissueBands : public vtkPlot
 {
@@ -95,14 +93,14 @@ public:
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
   /**
-   * Shows the tissues of a property, or none. `toValue`: the axis' values for scalars; `range`: the
-   * ends of the axis; `letters`: the size of the names.
+   * Shows the tissues of a property; shows none if it is null. `toValue`: the scale from scalars to
+   * the axis' values. `range`: the ends of the axis. `letters`: the size of the names.
    */
   void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
     const double range[2], int letters);
 
   ///@{
-  /** Draw the bands and give their bounds; the chart calls them. */
+  /** Draw the bands, or compute their bounds; the chart calls them. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}

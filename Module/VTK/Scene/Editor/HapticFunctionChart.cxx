@@ -35,10 +35,10 @@ constexpr double Farthest = VolumeHaptics::FarthestShown;
 /**
  * VTK's control points for functions whose values may exceed 1.
  *
- * vtkControlPointsItem shows and edits values from 0 to 1. This one shows Scale as 1. A value
- * above the scale is shown at the top, and is kept until its point is dragged down. An empty
- * function is shown without points. The first point that is added also adds one at both ends of
- * the range, with the value of the empty function.
+ * vtkControlPointsItem shows and edits values from 0 to 1. This class divides values by Scale. A
+ * value above Scale is shown at the top, and is kept until its point is dragged down. An empty
+ * function is shown without points. When the first point is added, a point with the value of the
+ * empty function is added at each end of the range.
  */
 class HapticControlPointsItem : public vtkPiecewiseControlPointsItem
 {
@@ -47,15 +47,18 @@ public:
   vtkTypeMacro(HapticControlPointsItem, vtkPiecewiseControlPointsItem);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Places the points between two x, and between 0 and the scale (above 0). */
+  /**
+   * Sets the range of x, and the scale (above 0): points are shown between these x, and between 0
+   * and the scale.
+   */
   void SetRange(double from, double to, double scale);
 
-  /** Sets the value of an empty function, and unselects the current point. */
+  /** Sets the value of an empty function, and deselects the current point. */
   void SetEmptyValue(double value);
 
   /**
-   * Returns the value and position of the current point, such as "800 at 70"; empty if there is
-   * none.
+   * Returns the value and the position of the current point, such as "800 at 70"; empty if there is
+   * no current point.
    */
   std::string DescribeCurrentPoint();
 
@@ -199,7 +202,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RightBottom = 1; // vtkChartXY's number for the axes of a plot
+constexpr int RightBottom = 1; // vtkChartXY's number of the right and the bottom axis, for a plot
 
 constexpr double DarkText[3] = { 0.12, 0.13, 0.15 };
 
@@ -241,9 +244,9 @@ HapticFunctionChart::HapticFunctionChart()
   this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
   this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
 
-  // Put all plots on the invisible right axis, from 0 to 1, which the control points need: plots on
-  // another axis would be painted before or after all of these. The left axis, from 0 to the scale,
-  // only shows the values.
+  // Put all plots on the right axis, which is invisible and runs from 0 to 1, because the control
+  // points need it, and because plots on different axes are not painted in the order of this list.
+  // The left axis, from 0 to the scale, only shows the values.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
          this->Bars, this->Edges, this->Bands, this->Proposed, this->Curve, this->Points })
   {
@@ -467,7 +470,7 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   {
     double node[4];
     function->GetNodeValue(i, node);
-    if (std::abs(node[0]) <= FarthestShown) // false for NaN, too
+    if (std::abs(node[0]) <= FarthestShown) // this is also false for NaN
     {
       ends[0] = std::min(ends[0], node[0]);
       ends[1] = std::max(ends[1], node[0]);
@@ -476,12 +479,12 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   }
   if (ends[0] <= ends[1])
   {
-    // Points beyond the data are shown, as long as the data fill most of the axis.
+    // Show points beyond the data, too, but let the data fill at least half of the axis.
     const double margin = this->HasData ? 0.5 * (to - from) : VTK_DOUBLE_MAX;
     from = this->HasData ? std::min(from, std::max(ends[0], from - margin)) : ends[0];
     to = this->HasData ? std::max(to, std::min(ends[1], to + margin)) : ends[1];
   }
-  // On a narrower axis, all ticks would have the same number.
+  // On a narrower axis, single precision would give all ticks the same number.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
@@ -530,8 +533,8 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
   const float* const top = this->Chart->GetAxis(vtkAxis::LEFT)->GetPoint2();
   const auto right = static_cast<float>(x);
   const auto up = static_cast<float>(y);
-  // The symbol of a control point at the end of an axis is partly beyond this end.
-  constexpr float reach = 4.0f; // pixels
+  // Near its end, an axis gives way to control points, whose symbols reach beyond it.
+  constexpr float reach = 4.0f; // pixels by which a symbol reaches beyond the axis
   if (up < corner[1] - reach && right >= corner[0] && right <= end[0])
   {
     return AxisKind::Values;
@@ -543,7 +546,7 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ChooseValues(double from, double to)
 {
-  // Stop where single precision no longer separates the ticks.
+  // Do not stretch the axis so far that single precision can't separate its ticks.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
@@ -558,7 +561,7 @@ void HapticFunctionChart::ChooseTop(double top)
 {
   if (this->Shown)
   {
-    constexpr double smallest = 1e-4; // relative to the usual top
+    constexpr double smallest = 1e-4; // smallest top, as a fraction of the usual top
     const double chosen = std::clamp(top, smallest * this->Shown->Usual, this->Shown->Most);
     this->ChosenTops[this->Shown] = chosen;
     this->SetAxes(this->Range[0], this->Range[1], chosen);
@@ -600,7 +603,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
   }
   else
   {
-    // Keep the value under the mouse in place.
+    // Keep the value under the mouse where the mouse is.
     const double foot = left->GetPoint1()[1];
     this->ChooseTop(
       this->Scale * std::max(1.0, this->LastMouse[1] - foot) / std::max(1.0, y - foot));
@@ -611,7 +614,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::Turn(int x, int y, double steps)
 {
-  constexpr double stretch = 1.25; // per step of the wheel
+  constexpr double stretch = 1.25; // factor for each step of the wheel
   const double factor = std::pow(stretch, -steps);
   if (this->FindAxis(x, y) == AxisKind::Function)
   {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The list in the function editor whose materials are edited by sliders: labels, or tissues.
+ * The rows of a list in the function editor, labels or tissues, whose materials are edited by
+ * sliders.
  */
 #ifndef HapticMaterialList_h
 #define HapticMaterialList_h
@@ -24,13 +25,13 @@ namespace VolumeHaptics
 struct MaterialQuantity
 {
   const char* Title;
-  double Usual; ///< end of the slider; larger values move it
-  double Most;  ///< largest end
+  double Usual; ///< usual end of the slider; a larger value moves the end
+  double Most;  ///< largest end of the slider
 };
 
 /**
- * Rows of materials in ascending order of their keys, a window of rows, and a selected row. Only
- * rows in the window are looked up, so that a million labels are as quick as ten.
+ * Rows of materials in ascending order of their keys, some of them visible, and one selected. Only
+ * visible rows are looked up, so that a million labels are as quick as ten.
  */
 class HapticMaterialList
 {
@@ -47,22 +48,23 @@ public:
   virtual int GetKey(vtkIdType row) const = 0;
   /** Whether the rows show the current data. */
   virtual bool IsCounted() const { return true; }
-  /** Returns the object whose MTime advances with edits; may be null. */
+  /** Returns the object whose MTime changes with edits; may be null. */
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /**
-   * Return what to paint: the title, or why there are no rows; and the text and colour of each row.
-   */
+  /** Return what to paint. GetTitle() returns the title, or why there are no rows. */
   virtual std::string GetTitle() const = 0;
-  /** Returns a hint how to select a row. */
+  /** Returns a hint that tells the user how to select a row. */
   virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;
   ///@}
 
   ///@{
-  /** Tell whether rows have boxes (felt, forbidden), and get and change the values of the boxes. */
+  /**
+   * HasBoxes() returns whether rows have boxes for "felt" and "forbidden". The other functions get
+   * and change the values of the boxes.
+   */
   virtual bool HasBoxes() const { return false; }
   virtual bool IsFelt(int) const { return true; }
   virtual bool IsForbidden(int) const { return false; }
@@ -72,19 +74,20 @@ public:
 
   ///@{
   /**
-   * Tell, in lists with boxes, whether a row has a material of its own, and remove this material.
+   * Return whether a row has a material of its own, or remove that material. Only lists with boxes
+   * distinguish this.
    */
   virtual bool HasMaterial(int) const { return true; }
   virtual void RemoveMaterial(int) {}
   ///@}
 
-  /** Returns the row of a key; -1 if it is not listed. */
+  /** Returns the row with a key; -1 if the list does not have the key. */
   vtkIdType FindRow(int key) const;
 
   ///@{
   /**
-   * Set and get the window of rows; its first row is moved so that all rows of the window exist, if
-   * possible.
+   * Set and get the visible rows: their number, and the first one. The first row is moved so that
+   * as many visible rows as possible exist.
    */
   void SetVisibleRows(vtkIdType rows);
   vtkIdType GetVisibleRows() const { return this->VisibleRows; }
@@ -94,23 +97,23 @@ public:
 
   ///@{
   /**
-   * Select and get the key of a listed row. Select also scrolls to the row; false if the key is not
-   * listed.
+   * Select a row, or get the key of the selected row. Select() also scrolls to the row; it returns
+   * false if the list does not have the key.
    */
   bool Select(int key);
   std::optional<int> GetSelected() const;
   ///@}
 
   ///@{
-  /** Returns a quantity of the selected row; -1 if the functions decide it. */
+  /** Returns a quantity of the selected row; -1 if the functions determine it. */
   double GetValue(int quantity) const;
   void SetValue(int quantity, double value);
   ///@}
 
   ///@{
   /**
-   * Return the end of a slider, and fit the ends to the values. A slider's end stays while it is
-   * dragged.
+   * GetEnd() returns the end of a slider. FitEnds() fits all ends to the values; do not call it
+   * during a drag, so that the slider stays.
    */
   double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
   void FitEnds();
@@ -127,14 +130,14 @@ private:
   std::array<double, Quantities> Ends{ 1.0, 1.0, 1.0, 1.0 };
 };
 
-/** Returns the colour of a tissue by number, in lists and bands: RGB, 0 to 1. */
+/** Returns the colour of a tissue by its number (RGB, 0 to 1), for lists and bands. */
 std::array<double, 3> GetTissueColor(int tissue);
 
 /** The tissues that the function editor lists, and the material of the selected tissue. */
 class HapticTissueList : public HapticMaterialList
 {
 public:
-  /** Borrows the property, which may be null. */
+  /** `property` must outlive this list. It may hold null. */
   explicit HapticTissueList(const vtkSmartPointer<vtkHapticProperty>& property)
     : Property(property)
   {

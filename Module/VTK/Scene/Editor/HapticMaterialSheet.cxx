@@ -69,7 +69,7 @@ std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
   }
   constexpr const char* rest = "...";
   const auto isWithin = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
-  std::size_t fits = 0; // bytes
+  std::size_t fits = 0; // number of bytes that fit
   std::size_t tooLong = text.size();
   while (fits + 1 < tooLong)
   {
@@ -80,7 +80,7 @@ std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
     }
     if (middle == fits)
     {
-      break; // keeps at least one character
+      break; // the first character is too long already
     }
     (widthOf(text.substr(0, middle) + rest) <= width ? fits : tooLong) = middle;
   }
@@ -132,7 +132,7 @@ public:
   vtkTypeMacro(HapticMaterialItem, vtkContextItem);
 
   /**
-   * Sets the list to draw, which has to outlive the item; its rectangle; and the pixels for each
+   * Sets the list to draw, which must outlive the item, its rectangle, and the pixels for each
    * point of letters.
    */
   void Show(
@@ -324,7 +324,7 @@ bool Holds(const vtkRectf& r, float x, float y)
   return x >= r.GetLeft() && x < r.GetRight() && y >= r.GetBottom() && y < r.GetTop();
 }
 
-/** Distinguishable steps of a slider. */
+/** The number of steps in the range of a slider, for the wheel and for the mouse. */
 constexpr double SliderSteps = 200.0;
 constexpr double RowsPerTurn = 3.0;
 
@@ -624,7 +624,7 @@ void HapticMaterialSheet::Turn(int x, int y, double steps)
   {
     const double end = this->List.GetEnd(part.Quantity);
     const double before = std::max(0.0, this->List.GetValue(part.Quantity));
-    // A program may have set a value beyond the largest end.
+    // Do not lower a value beyond the largest end, which a program may have set.
     const double after = before + steps * end / SliderSteps;
     this->List.SetValue(part.Quantity, std::clamp(after, 0.0, std::max(end, before)));
   }

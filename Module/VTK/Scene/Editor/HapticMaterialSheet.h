@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The mouse on a page of vtkHapticFunctionEditor that lists labels or tissues.
+ * Draws a list of labels or tissues on a page of vtkHapticFunctionEditor, and handles the mouse
+ * there.
  */
 #ifndef HapticMaterialSheet_h
 #define HapticMaterialSheet_h
@@ -22,29 +23,29 @@ namespace VolumeHaptics
 
 class HapticMaterialList;
 
-/** The part of the list at a position. */
+/** The part of the sheet at a position. */
 struct MaterialPart
 {
   enum KindType
   {
     Nothing,
-    Name, ///< name and swatch
-    Felt, ///< box, as the next part: in lists with boxes
+    Name, ///< a row's name or swatch
+    Felt, ///< box of a row, as the next part; only in lists with boxes
     Forbidden,
     ScrollBar,
-    ByFunctions, ///< the button that removes the material
+    ByFunctions, ///< the button that removes a row's own material
     Slider
   };
 
   KindType Kind = Nothing;
-  vtkIdType Row = 0; ///< row of Name, Felt or Forbidden
-  int Quantity = 0;  ///< quantity of Slider
+  vtkIdType Row = 0; ///< the row, for Name, Felt and Forbidden
+  int Quantity = 0;  ///< the quantity, for Slider
 };
 
 /**
- * Places the parts from top to bottom: a title with the heads of the columns; rows with swatch and
- * name, two boxes if the list has them, and a scroll bar; name, button and sliders of the selected
- * row. All rectangles are in pixels of the viewport.
+ * Computes the rectangles of the parts, from top to bottom: a title with the heads of the columns;
+ * rows with swatch and name, two boxes if the list has them, and a scroll bar; name, button and
+ * sliders of the selected row. All rectangles are in pixels of the viewport.
  */
 class HapticMaterialLayout
 {
@@ -70,11 +71,13 @@ public:
   vtkRectf GetSlider(int quantity) const;
 
   MaterialPart Find(float x, float y) const;
-  /** Returns the first visible row for a position on the scroll bar. */
+  /**
+   * Returns the row that becomes the first visible row if the scroll bar is clicked at a position.
+   */
   vtkIdType GetFirstRowAt(float y) const;
 
 private:
-  float GetLineTop(int line) const; ///< counted from 0, from the top
+  float GetLineTop(int line) const; ///< the top of a line; lines count from 0 at the top
   float GetFooterTop() const;
   float GetNamesRight() const;
 
@@ -89,7 +92,7 @@ private:
 class HapticMaterialSheet
 {
 public:
-  /** Borrows the list, which has to outlive the sheet. */
+  /** The list must outlive the sheet. */
   explicit HapticMaterialSheet(HapticMaterialList& list);
   ~HapticMaterialSheet();
 
@@ -100,17 +103,17 @@ public:
   HapticMaterialLayout GetLayout() const { return { this->Rectangle, this->List, this->Scale }; }
 
   /**
-   * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
+   * Handles a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
    * Other buttons do nothing.
    */
   void SendMouse(int event, int button, int x, int y);
-  /** Turns the wheel at a position in the viewport. */
+  /** Handles a turn of the wheel at a position in the viewport. */
   void Turn(int x, int y, double steps);
 
   ///@{
   /**
-   * Computes the position in the viewport of a row's name or one of its boxes, or of a value on the
-   * slider of a quantity. False if it is not shown.
+   * Compute a position in the viewport: of a row's name or one of its boxes, or of a value on the
+   * slider of a quantity. Return false if the part is not shown.
    */
   bool GetRowPosition(int key, MaterialPart::KindType part, double position[2]) const;
   bool GetSliderPosition(int quantity, double value, double position[2]) const;
@@ -130,7 +133,7 @@ private:
   vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
   double Scale = 1.0;
-  MaterialPart Held; ///< scroll bar or slider that holds the mouse from press to release
+  MaterialPart Held; ///< the scroll bar or slider that the mouse drags, from press to release
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The values that the axis of a chart shows for the scalars of an image.
+ * The scale between the scalars of an image and the values that the axis of a chart shows.
  */
 #ifndef HapticValueScale_h
 #define HapticValueScale_h
@@ -19,7 +19,10 @@
 namespace VolumeHaptics
 {
 
-/** The scale of vtkHapticProperty: (scalar + Shift) Scale. By default, the scalars themselves. */
+/**
+ * The scale of vtkHapticProperty: value = (scalar + Shift) Scale. By default, values are the
+ * scalars themselves.
+ */
 struct ValueScale
 {
   double Shift = 0.0;
@@ -34,8 +37,8 @@ struct ValueScale
 
 /**
  * Returns the title of a chart's axis: the array's name, its unit (vtkDataArray::UNITS_LABEL), or
- * both. Leaves out names that VTK's readers give to all arrays: they describe the storage, not the
- * meaning. "Value" if nothing is known.
+ * both; "Value" if nothing is known. Leaves out names that VTK's readers give to all arrays,
+ * because they describe the file, not the quantity.
  */
 inline std::string NameValues(vtkDataArray* values)
 {
@@ -56,7 +59,7 @@ inline std::string NameValues(vtkDataArray* values)
   return unit.empty() || unit == name ? name : name + " (" + unit + ")";
 }
 
-/** Returns the next round number. */
+/** Returns the smallest round number that is not less than a value. */
 inline double RoundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

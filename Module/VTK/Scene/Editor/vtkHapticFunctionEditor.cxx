@@ -35,7 +35,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   VolumeHaptics::EditorPages Pages;
   VolumeHaptics::EditHistory History;
   VolumeHaptics::EditorDock Dock;
-  int Held = 0;       // the button, between press and release
+  int Held = 0;       // the pressed button; 0 if none is pressed
   int CanDraw = -1;   // whether charts can be drawn; -1: not known yet
   double Scale = 1.0; // pixels for each point of letters
   bool IsCounting = false;
@@ -43,7 +43,7 @@ struct vtkHapticFunctionEditor::vtkInternals
 
   /**
    * Does the editor's work between StartEvent and EndEvent. Observers may render meanwhile, which
-   * shows the chart as it is, and may release the editor.
+   * shows the chart without the work's results, and may release the editor.
    */
   template <typename WorkType>
   void DoLongWork(vtkHapticFunctionEditor* editor, const WorkType& work)
@@ -66,7 +66,7 @@ vtkHapticFunctionEditor::vtkHapticFunctionEditor()
 vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
 
 //------------------------------------------------------------------------------
-// Edits of other objects are forgotten; images are not edited.
+// If another object is set, the edits of the previous one are forgotten. Images have no edits.
 #define vtkHapticEditorObjectMacro(name, type, member, forget) \
   void vtkHapticFunctionEditor::Set##name(type* object)        \
   {                                                            \
@@ -243,7 +243,7 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::EstimateUpdateTime()
 {
-  constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
+  constexpr double proposing = 1.0; // s: time of Propose(), measured on a desktop computer of 2023
   return this->Internals->WaitsForProposal ? proposing : 0.0;
 }
 
@@ -273,7 +273,8 @@ bool vtkHapticFunctionEditor::Propose()
   {
     return false;
   }
-  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
+  // keep the editor alive, because observers may release it
+  const vtkSmartPointer<vtkHapticFunctionEditor> self(this);
   VolumeHaptics::FoundFunctions found;
   d.WaitsForProposal = true;
   d.DoLongWork(this,
@@ -414,7 +415,7 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
   if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
   {
-    return d.Held != 0; // a second button during a drag is used up, without effect
+    return d.Held != 0; // during a drag, a second button has no effect, but is used
   }
   const bool ends = event == vtkCommand::LeftButtonReleaseEvent;
   if (ends && d.Held != button)
@@ -563,7 +564,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
   }
   if (d.CanDraw == -1)
   {
-    // A chart without a device to draw on would crash.
+    // Check this first: a chart crashes if there is no class that draws it.
     const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     d.CanDraw = device ? 1 : 0;
     if (!device)

@@ -13,26 +13,26 @@
  *   editor->SetInputData(image);
  *   renderer->AddViewProp(editor);
  *
- * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
- * Right button: select points; a drag beside two or more then moves all of them. The first and the
- * last point only move up and down. The title shows value and position of the point that was
- * touched last. If a point is left at the top of the chart, the axis grows. The left button drags
- * the axes, too: it moves the axis of values and stretches the function's axis; the wheel stretches
- * the axis of values about the mouse, or the function's axis if over it; a double click on an axis
- * fits it again.
+ * The left button drags a point; a click away from the points adds one. The middle button removes a
+ * point. The right button selects points; if two or more are selected, a drag away from them moves
+ * all of them. The first and the last point move only up and down. The title shows value and
+ * position of the point that was touched last. If a point is left at the top of the chart, the axis
+ * grows. The left button also drags the axes: it moves the axis of values and stretches the
+ * function's axis. The wheel stretches the axis of values about the mouse, or the function's axis
+ * if the mouse is on it. A double click on an axis fits the axes again.
  *
- * The tissues of the property (vtkHapticProperty::AddTissue), which its presets bring, are bands
- * with names behind the function. A page of their own has sliders for the material of each tissue,
- * like the page of labels below.
+ * The tissues of the property (vtkHapticProperty::AddTissue), which presets also add, are bands
+ * with names behind the function. A separate page has sliders for the material of each tissue, like
+ * the page of labels below.
  *
- * Edits are live: they change the vtkPiecewiseFunction itself, so the property's MTime advances;
- * the hand feels them with the next vtkHapticDevice::Publish. To follow edits, observe
- * vtkCommand::ModifiedEvent of the function, or vtkCommand::InteractionEvent of this editor, which
- * is invoked after every mouse event that changed something.
+ * Edits take effect at once: they change the vtkPiecewiseFunction itself, so the property's MTime
+ * advances, and the hand feels them with the next vtkHapticDevice::Publish. To follow edits,
+ * observe vtkCommand::ModifiedEvent of the function, or vtkCommand::InteractionEvent of this
+ * editor, which is invoked after every mouse event that changed something.
  *
- * An empty function is shown as its constant, without points, and stays empty until the first point
- * is added: that adds the constant at both ends of the axis, too. So showing a function never
- * changes it.
+ * An empty function is shown as its constant value, without points. It stays empty until the first
+ * point is added; then points with the constant value are added at both ends of the axis, too. So
+ * showing a function never changes it.
  *
  * The editor can propose functions for an image:
  *
@@ -41,8 +41,8 @@
  *
  * The edges are a histogram of value (to the right) and gradient magnitude (upwards), in which each
  * boundary between two materials is an arc. Dotted lines are the gradient magnitudes at which
- * distinctness begins, and from which on it is full. The histogram and the lines are shown as long
- * as the property has a proposal.
+ * distinctness begins and at which it becomes full. The histogram and the lines are shown while the
+ * property has a proposal.
  *
  * With a label table, the page after the functions edits materials by label:
  *
@@ -50,20 +50,20 @@
  *   editor->SetLabelData(segmentation);
  *   editor->SetFunctionToLabels();
  *
- * The page lists the labels of the image with their colours and names; boxes tell whether a label
- * is felt and whether it is forbidden. A click on a label shows sliders for its material; a slider
- * without a bar is a quantity that comes from the functions. The wheel scrolls the list, or moves a
- * slider by a two-hundredth. If a slider is left near its end, its range grows. Edits change the
- * table at once, as those of functions do.
+ * The page lists the labels of the image with their colours and names; boxes show whether a label
+ * is felt and whether it is forbidden. A click on a label shows sliders for its material. A slider
+ * without a bar stands for a quantity that comes from the functions. The wheel scrolls the list, or
+ * moves a slider by a two-hundredth of its range. If a slider is left near its end, its range
+ * grows. Edits change the table at once, like edits of functions.
  *
- * Undo(), Redo() and Reset() take edits back.
+ * Undo() and Reset() take edits back; Redo() repeats an edit.
  *
- * The editor lies over the scene, in its rectangle, or beside it, in a viewport of its own at an
- * edge of the window, whose border to the scene the mouse drags:
+ * The editor lies over the scene, in its rectangle, or beside the scene, in a viewport at an edge
+ * of the window. The mouse can drag the border between that viewport and the scene:
  *
  *   editor->DockedOn();
  *
- * If it is wide there, the tissues stand beside the function.
+ * If the docked editor is wide, the tissues stand beside the function.
  *
  * The editor takes no events by itself. An interactor style passes the events that it wants:
  *
@@ -101,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The property whose functions are edited. Its component is the one whose histogram and opacity
-   * are shown.
+   * The property whose functions are edited. Its component determines which histogram and which
+   * opacity are shown.
    */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * The data, for histogram, range and name of the value axis. Without data the axis fits the
-   * points.
+   * The data, which determine the histogram, the range and the name of the axis of values. Without
+   * data, the axis is fitted to the points.
    */
   void SetInputData(vtkImageData* image);
   vtkImageData* GetInputData();
@@ -127,8 +127,8 @@ public:
 
   ///@{
   /**
-   * The table whose materials are edited, and the label image, whose point scalars decide which
-   * labels are listed; without an image, the labels of the table are listed.
+   * The table whose materials are edited, or the label image, whose point scalars determine which
+   * labels are listed. Without an image, the labels of the table are listed.
    */
   void SetLabelTable(vtkHapticLabelTable* table);
   vtkHapticLabelTable* GetLabelTable();
@@ -150,8 +150,8 @@ public:
   ///@{
   /**
    * The edited function; LABELS and TISSUES are lists. Default STIFFNESS. NextFunction goes through
-   * the choices whose property or table is set, in the order above, and skips TISSUES if there are
-   * none.
+   * the functions whose property or table is set, in the order above, and skips TISSUES if there
+   * are no tissues.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -167,14 +167,15 @@ public:
 
   ///@{
   /**
-   * Propose looks for functions that suit the input data (vtkHapticProperty::ProposeFromImage), and
-   * shows them beside those of the property, dashed, until they are taken or dropped. It returns
-   * false, with an error, if there is no property, or nothing to propose; the work takes about a
-   * second, between vtkCommand::StartEvent and vtkCommand::EndEvent.
+   * Propose searches for functions that suit the input data (vtkHapticProperty::ProposeFromImage),
+   * and shows them, dashed, beside the functions of the property, until they are taken or dropped.
+   * Returns false and reports an error if there is no property, or nothing to propose. The work
+   * takes about a second, between vtkCommand::StartEvent and vtkCommand::EndEvent.
    *
-   * BeginProposal does the same in the background, so that a hand can go on to feel. It returns at
-   * once; false, with an error, if there is no property or no volume. Update() shows the proposal
-   * when it is there, or tells in an error why there is none; until then IsProposing is true.
+   * BeginProposal does the same in the background, so that a hand can go on touching, and returns
+   * at once. It returns false and reports an error if there is no property or no volume. Update()
+   * shows the proposal when it is ready, or reports an error that says why there is none. Until
+   * then, IsProposing returns true.
    *
    * TakeProposal makes the proposal the property's functions and surface side, and invokes
    * vtkCommand::InteractionEvent; the kernel's radius that suits it is
@@ -192,7 +193,7 @@ public:
   ///@{
   /**
    * Get the labels in the list, in ascending order; the index counts from 0. The image is searched
-   * again if it has changed. An index that does not exist is an error, and returns 0.
+   * again if it has changed. For an index that does not exist, an error is reported and 0 returned.
    */
   vtkIdType GetNumberOfListedLabels();
   int GetListedLabel(vtkIdType index);
@@ -200,8 +201,9 @@ public:
 
   ///@{
   /**
-   * The label whose material has sliders. SelectLabel also scrolls to the label, and returns false
-   * if the list does not have it. GetSelectedLabel returns 0 if HasSelectedLabel is false.
+   * The label for whose material sliders are shown. SelectLabel also scrolls to the label, and
+   * returns false if the list does not have it. GetSelectedLabel returns 0 if HasSelectedLabel is
+   * false.
    */
   bool SelectLabel(int label);
   bool HasSelectedLabel();
@@ -210,8 +212,8 @@ public:
 
   ///@{
   /**
-   * The tissue whose material has sliders, by its number in the property. SelectTissue returns
-   * whether there is such a tissue; GetSelectedTissue returns -1 if none is selected.
+   * The tissue for whose material sliders are shown, by its number in the property. SelectTissue
+   * returns whether there is such a tissue. GetSelectedTissue returns -1 if none is selected.
    */
   bool SelectTissue(int tissue);
   int GetSelectedTissue();
@@ -220,25 +222,27 @@ public:
   ///@{
   /**
    * Undo the last edit of this editor, redo it, or undo all edits. Each returns whether there was
-   * something to do, and invokes vtkCommand::InteractionEvent. An edit goes from the press of a
-   * button to its release, or is a step of the wheel, a proposal that was taken, or another
+   * something to do, and invokes vtkCommand::InteractionEvent. An edit is what happens from the
+   * press of a button to its release, a step of the wheel, a proposal that was taken, or another
    * Reset(). Functions, surface side and tissues of the property, opacity and label table become
-   * what they were before the edit, even if a program has changed them since; the component and the
-   * visibility stay. The last 100 edits are kept. Setting another property, volume property or
-   * label table clears them.
+   * what they were before the edit, even if a program has changed them since. The component and the
+   * visibility stay unchanged. The last 100 edits are kept. Setting another property, volume
+   * property or label table clears them.
    */
   bool Undo();
   bool Redo();
   bool Reset();
   ///@}
 
-  /** Get name and unit of the edited function, as in the title: "Stiffness (N/m)". */
+  /**
+   * Get the name and the unit of the edited function, as the title shows them: "Stiffness (N/m)".
+   */
   std::string GetTitle();
 
   /**
-   * Get the warning in the title of stiffness and viscosity, if at some value the drag is too
-   * strong for the stiffness: the proxy would lag by more than 10 mm, so the drag is limited
-   * instead. Empty if nothing is wrong.
+   * Get the warning that the title of stiffness and viscosity shows if the drag is too strong for
+   * the stiffness at some value: the proxy would lag by more than 10 mm, so the drag is limited.
+   * Empty if nothing is wrong.
    */
   std::string GetWarning();
 
@@ -247,9 +251,9 @@ public:
 
   ///@{
   /**
-   * Lower left corner, width and height in pixels of the viewport, unless it is Docked; 120 x 90 or
-   * more is readable. Corner coordinates are clamped to -16384 to 16384, width and height to 1 to
-   * 16384. Default (10, 10, 300, 200).
+   * Lower left corner, width and height in pixels of the viewport, for an editor that is not
+   * Docked. 120 x 90 or more is readable. Corner coordinates are clamped to -16384 to 16384, width
+   * and height to 1 to 16384. Default (10, 10, 300, 200).
    */
   void SetRectangle(int x, int y, int width, int height);
   void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
@@ -258,9 +262,9 @@ public:
 
   ///@{
   /**
-   * Whether the editor is beside the scene, in a viewport of its own, instead of over it in its
-   * rectangle. Default off. While the editor is visible, the other renderers of the window share
-   * the rest. Takes effect with the next picture of the window in which the editor was drawn.
+   * Whether the editor is beside the scene, in a viewport of its own, instead of over the scene in
+   * its rectangle. Default off. While the editor is visible, the other renderers of the window
+   * share the rest. Takes effect with the next frame of the window in which the editor was drawn.
    */
   vtkSetMacro(Docked, bool);
   vtkGetMacro(Docked, bool);
@@ -298,13 +302,14 @@ public:
   /**
    * Update recomputes the histogram, or the list of LABELS, if the data have changed, between
    * vtkCommand::StartEvent and vtkCommand::EndEvent. Mouse events and rendering also call it.
-   * EstimateUpdateTime returns about how long (s) the update takes on a desktop computer: only that
-   * of Propose() takes time. If it is long, vtkInteractorStyleHaptic fades the force out first.
+   * EstimateUpdateTime returns the approximate time (s) of the update on a desktop computer; only
+   * Propose() takes a noticeable time. If it is long, vtkInteractorStyleHaptic fades the force out
+   * first.
    *
    * For a large image (more than 4 million points), histogram and list first come from samples that
    * are spread over the image. A background thread then reads all values and edges, and the next
-   * Update() shows the result. GetCountedFraction returns the fraction of this work that is done (0
-   * to 1); vtkInteractorStyleHaptic redraws the editor while it grows.
+   * Update() shows the result. GetCountedFraction returns the finished fraction of this work (0 to
+   * 1); vtkInteractorStyleHaptic redraws the editor while the fraction grows.
    */
   void Update();
   double EstimateUpdateTime();
@@ -323,7 +328,8 @@ public:
 
   ///@{
   /**
-   * Handle mouse events at a position on the display (pixels). True if the editor uses the event.
+   * Handle mouse events at a position on the display (pixels). Return true if the editor uses the
+   * event.
    */
   bool MouseMove(int x, int y);
   bool ButtonPress(int button, int x, int y);
@@ -332,12 +338,14 @@ public:
   ///@}
 
   /**
-   * Handle the mouse wheel; steps away from the user count up. True if the editor uses the event.
+   * Handle a turn of the mouse wheel; steps away from the user are positive. Returns true if the
+   * editor uses the event.
    */
   bool TurnWheel(double steps, int x, int y);
 
   /**
-   * Get the position on the display (pixels) of a data value and a function value, after a render.
+   * Get where a data value and a function value are on the display (pixels). Call it after a
+   * render.
    */
   void GetDisplayPosition(double value, double functionValue, double position[2])
     VTK_SIZEHINT(position, 2);
@@ -351,10 +359,10 @@ public:
 
   ///@{
   /**
-   * Get the position on the display (pixels) of a label's name or one of its boxes, of a tissue's
-   * name, and of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after
-   * a render. False if it is not shown: it is scrolled away, no label or tissue is selected, or the
-   * image was replaced or has changed since the render.
+   * Get a position on the display (pixels): of a label's name or one of its boxes, of a tissue's
+   * name, or of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH. Call
+   * these after a render. They return false if it is not shown: it is scrolled away, no label or
+   * tissue is selected, or the image was replaced or has changed since the render.
    */
   bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
   bool GetTissuePosition(int tissue, double position[2]) VTK_SIZEHINT(position, 2);
