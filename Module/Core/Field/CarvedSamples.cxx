@@ -9,7 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Copies what remains of samples along x; the fraction of the first one is the lowest byte. */
+/**
+ * Copies samples along x as they remain. The lowest byte of `fractions` belongs to the first
+ * sample.
+ */
 template <typename T>
 inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t fractions, int last,
   const CarvedView& carved, double* to)
@@ -21,7 +24,7 @@ inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t fractions,
   }
 }
 
-/** The bricks of a box, by their numbers, x first. */
+/** The numbers of the bricks in a box, x first. */
 struct BoxBricks
 {
   static constexpr std::int64_t MostAlong = CarvedBox::MostSide / CarvedBricks::Side + 1;
@@ -30,7 +33,7 @@ struct BoxBricks
   std::int64_t First[3];
   std::int64_t Count[3];
 
-  /** Finds the bricks of a box; returns false if the box has no brick. */
+  /** Finds the bricks of a box. Returns false if it has none. */
   bool Find(const CarvedBricks& bricks, const CarvedBox& box) noexcept
   {
     for (int a = 0; a < 3; ++a)
@@ -56,7 +59,7 @@ struct BoxBricks
   }
 };
 
-/** Copies what remains of the samples of a box. */
+/** Copies the samples of a box as they remain. */
 template <typename T>
 void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
   const BoxBricks& bricks, double* to)
@@ -101,7 +104,7 @@ CarvedBox ComputeBox(
     const auto least = static_cast<double>(first);
     const auto most = static_cast<double>(last);
     const double inside = position[a] > least ? std::min(position[a], most) : least;
-    // At the last sample, a kernel may use the cell before it.
+    // At the last sample, a kernel may use the previous cell.
     const std::int64_t cell =
       std::max(std::min(static_cast<std::int64_t>(inside), last - 1), first);
     box.Low[a] = std::max(cell - before, first);
@@ -130,7 +133,7 @@ bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedB
   {
     elements += box.Low[a] * copy.Stride[a];
   }
-  // The address is computed as a number, because no memory may be there.
+  // The address is computed as a number, because there may be no memory at it.
   copy.Data = reinterpret_cast<const void*>(
     reinterpret_cast<std::uintptr_t>(to) - static_cast<std::uintptr_t>(elements) * sizeof(double));
   return true;

@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The remaining fractions, and the value of a sample without tissue. Borrows the bricks; Bricks is
- * null if nothing is removed.
+ * The remaining fractions, and the value of a sample without tissue. Keeps only a pointer to the
+ * bricks; it is null if nothing can be removed.
  */
 struct CarvedView
 {
@@ -31,8 +31,8 @@ struct CarvedView
   /** Returns whether any tissue was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
   /**
-   * Returns a sample's value after the removal: `value` itself, to the bit, if all of the sample's
-   * tissue remains.
+   * Returns a sample's value after the removal. If all of the sample's tissue remains, returns
+   * `value` itself, to the bit.
    * @param fraction 0 to CarvedBricks::Whole, or a mean of such fractions
    */
   double Left(double value, double fraction) const noexcept
@@ -42,7 +42,7 @@ struct CarvedView
   }
 };
 
-/** A box of samples, both ends included; at most MostSide long along each axis. */
+/** A box of samples, both ends included. It is at most MostSide samples long along each axis. */
 struct CarvedBox
 {
   static constexpr std::int64_t MostSide = 64;
@@ -56,17 +56,17 @@ struct CarvedBox
 
 /**
  * Returns the box of the samples that a kernel reads at a position: from `before` samples before
- * the position's cell to `behind` samples after it, as far as they are resident. The position is
- * clamped to the resident samples.
+ * the position's cell to `behind` samples after it, limited to the resident samples. Clamps the
+ * position to the resident samples first.
  */
 CarvedBox ComputeBox(
   const VolumeView& view, const double* position, int before, int behind) noexcept;
 
 /**
- * Copies the remaining samples of a box to `to`, x first, if tissue was removed in the box. `copy`
- * receives a view of them whose indices are the whole volume's; only the box may be read.
- * @param whole its Data points to the volume's first sample, see WholeData
- * @return false, without a copy, if nothing was removed in the box
+ * Copies the samples of a box, as they remain, to `to`, x first. `copy` receives a view of them
+ * with the indices of the whole volume; only samples in the box may be read. Returns false and
+ * copies nothing if no tissue was removed in the box.
+ * @param whole a view whose Data points to the volume's first sample (WholeData)
  */
 bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to,
   VolumeView& copy) noexcept;

@@ -10,10 +10,11 @@ namespace
 {
 
 constexpr int MostNewtonSteps = 3;
-/** A step as short as this (voxels) is the last one. */
+/** No step is taken after a step that is shorter than this length (voxels). */
 constexpr double ShortNewtonStep = 0.01;
 /**
- * Below this determinant of the map from the first time step, the displacements fold the volume.
+ * The displacements fold the volume where the determinant of the map from the first time step is
+ * below this limit.
  */
 constexpr double LeastVolume = 0.05;
 
@@ -54,7 +55,7 @@ DisplacementField::DisplacementField(
 
 DisplacementField::Sample DisplacementField::Read(const Vector3& index) const noexcept
 {
-  // Also for NaN.
+  // The order of the arguments replaces NaN, too.
   const Vector3 inside = Least(Most(index, this->Low), this->High);
   VectorSample found;
   if (!this->Displacements.Sample(inside, found))
@@ -64,7 +65,7 @@ DisplacementField::Sample DisplacementField::Read(const Vector3& index) const no
   Matrix3 slope{ { found.Gradient[0], found.Gradient[1], found.Gradient[2] } };
   for (Vector3& row : slope.Row)
   {
-    // Beyond the points, displacements do not change.
+    // Outside the points, the displacement is constant.
     row.X = inside.X == index.X ? row.X : 0.0;
     row.Y = inside.Y == index.Y ? row.Y : 0.0;
     row.Z = inside.Z == index.Z ? row.Z : 0.0;
@@ -83,7 +84,7 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
   {
     const Sample u = this->Read(first);
     const Matrix3 map = PlusIdentity(fraction, u.Slope);
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (!(Determinant(map) > LeastVolume))
     {
       motion = i > 0 ? this->Read(index).Value : u.Value;
@@ -97,7 +98,8 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
-  // Computed from the motion, so that without motion this is the index itself, to the bit.
+  // Computed from the motion, so that both places are the index itself, to the bit, without a
+  // motion.
   place.First = index - fraction * motion;
   place.Second = index + (1.0 - fraction) * motion;
   return place;

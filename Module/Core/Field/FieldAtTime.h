@@ -22,22 +22,24 @@
 namespace VolumeHaptics
 {
 
-/** Borrows the time steps, which have the same geometry. */
+/**
+ * The field at one instant. Keeps references to the time steps, which must have the same geometry.
+ */
 class FieldAtTime
 {
 public:
-  /** @param memory holds the last gradients; may be null */
+  /** @param memory stores the last gradients; may be null */
   explicit FieldAtTime(const FieldSampler& field, TickMemory* memory = nullptr) noexcept
     : First(field)
     , Memories(MakeMemories(memory, 0))
   {
   }
   /**
-   * @param fraction of the second time step, 0 to 1
-   * @param motion of the material from the first time step to the second one; null if it is not
-   * known
-   * @param memory holds the last gradients; may be null
-   * @param timeStep the number of the first time step, for the memory
+   * @param fraction position between the first time step (0) and the second one (1)
+   * @param motion motion of the material from the first time step to the second one; null if it is
+   * not known
+   * @param memory stores the last gradients; may be null
+   * @param timeStep index of the first time step, for the memory
    */
   FieldAtTime(const FieldSampler& first, const FieldSampler& second, double fraction,
     const DisplacementField* motion = nullptr, TickMemory* memory = nullptr,
@@ -46,7 +48,7 @@ public:
         first, { second, fraction, first.BlendsSamples(second) }, motion, memory, timeStep)
   {
   }
-  /** Adds a second time step; `second.AreSamplesBlended` tells whether samples are blended. */
+  /** Blends a time step with `second`. */
   FieldAtTime(const FieldSampler& first, const FieldSampler::OtherTimeStep& second,
     const DisplacementField* motion, TickMemory* memory, std::size_t timeStep) noexcept
     : First(second.Fraction < 1.0 ? first : second.Field)
@@ -58,7 +60,7 @@ public:
   {
   }
 
-  // See FieldSampler for Value, Values and Gradient.
+  // These functions return what FieldSampler's functions of the same names return.
   double Value(const Vector3& index) const noexcept
   {
     if (this->FollowsMaterial())
@@ -69,7 +71,7 @@ public:
     }
     return this->Second ? this->First.Value(this->GetOther(), index) : this->First.Value(index);
   }
-  /** Returns the values at two instants, which is faster than two calls of Value. */
+  /** Returns the values at one index and two instants. This is faster than two calls of Value. */
   static FractionPair Values(
     const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
   {
@@ -102,7 +104,7 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
-  /** Returns whether each time step is read at a position of its own. */
+  /** Returns whether the time steps are read at different places, where the material is in each. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   FieldSampler::OtherTimeStep GetOther() const noexcept
@@ -126,13 +128,16 @@ private:
     return FieldSampler::Blend(first, second, this->Fraction);
   }
 
-  /** Reads a time step at the place that the material has in it, with the gradient there. */
+  /**
+   * Reads a time step at the place of the material in it. The gradient is with respect to the place
+   * at the instant.
+   */
   static FieldSample ReadMaterial(const FieldSampler& timeStep, const Vector3& place,
     const Matrix3& slope, TapMemory* memory) noexcept
   {
     const Vector3 inside = timeStep.Nearest(place);
     const FieldSample sample = timeStep.Gradient(inside, memory);
-    // Beyond the border, the value does not change.
+    // Outside the border the value is constant.
     const Vector3 gradient{ inside.X == place.X ? sample.Gradient.X : 0.0,
       inside.Y == place.Y ? sample.Gradient.Y : 0.0,
       inside.Z == place.Z ? sample.Gradient.Z : 0.0 };
@@ -140,7 +145,7 @@ private:
   }
 
   /**
-   * Returns the values on both sides of a place in the material. The offset turns and stretches
+   * Returns the values on both sides of a place in the material. The offset is turned and stretched
    * with the material.
    */
   ValuePair ValuesOfMaterial(const Vector3& index, const Vector3& offset) const noexcept
@@ -155,7 +160,7 @@ private:
   }
 
   const FieldSampler& First;
-  const FieldSampler* const Second = nullptr; ///< null if the instant is that of a time step
+  const FieldSampler* const Second = nullptr; ///< null if the instant is that of one time step
   const double Fraction = 0.0;
   const bool AreSamplesBlended = false;
   const DisplacementField* const Motion = nullptr; ///< null if the motion is not known

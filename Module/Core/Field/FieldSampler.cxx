@@ -96,13 +96,13 @@ bool FieldSampler::ReadCarved(const Vector3& index, FieldSample& sample) const n
 {
   const double position[3] = { index.X, index.Y, index.Z };
   const int reach = this->View.Kernel.Radius;
-  // The position may be rounded up into the next cell.
+  // Read one sample more, because rounding may move the position into the next cell.
   const CarvedBox box = ComputeBox(this->Given, position, reach, reach + 1);
   if (!this->Carved.Bricks->HasBricks(box.Low, box.High))
   {
     return false;
   }
-  // A large copy needs much of the stack, so only wide kernels use it.
+  // A large copy uses much of the stack, so only wide kernels make one.
   constexpr int fewest = 9;
   const auto read = 2 * reach + 3 <= fewest ? GradientOfCopy<fewest>
                                             : GradientOfCopy<GradientKernel::MaximumTaps + 1>;

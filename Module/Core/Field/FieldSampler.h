@@ -4,10 +4,10 @@
  * @file
  * Values and gradients of a volume at continuous positions.
  *
- * The kernels are compiled once per instruction set, each in its own translation unit, and chosen
- * at run time: code around them (and VTK) stays baseline. All variants carry out the same
- * operations in the same order, without fused multiply-add, so that a trace does not depend on the
- * processor.
+ * The kernels are compiled once for each instruction set, in a translation unit of their own, and
+ * chosen at run time, so that the code around them (and VTK) needs only the baseline. All variants
+ * carry out the same operations in the same order, without fused multiply-add, so that a trace does
+ * not depend on the processor.
  */
 #ifndef FieldSampler_h
 #define FieldSampler_h
@@ -27,33 +27,34 @@ namespace VolumeHaptics
 struct FieldSample
 {
   /**
-   * The estimator's own (smoothed) value. With CubicBSpline and GaussianWeights::OwnDerivative, the
-   * gradient is its derivative; otherwise this value is only a measure of scale.
+   * The estimator's own (smoothed) value. With CubicBSpline and with
+   * GaussianWeights::OwnDerivative, the gradient is its derivative. Otherwise the value only shows
+   * how large values are.
    */
   double Value = 0.0;
-  /** Derivative per step of the index, along the index axes. */
+  /** Derivative per index step, along the index axes. */
   Vector3 Gradient;
 };
 
-/** The samples and the weights of a kernel; borrows both. */
+/** The samples and the weights of a kernel. Points to memory of others. */
 struct FieldView
 {
-  /** Data points to the volume's first sample, even if only a region is resident. */
+  /** The samples. Data points to the volume's first sample, even if only a region is resident. */
   VolumeView Volume;
   KernelView Kernel;
-  double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis
-  double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest resident index along each axis
-  std::uint64_t Number = 0;            ///< unique among all fields
+  double First[3] = { 0.0, 0.0, 0.0 }; ///< smallest resident index along each axis
+  double Last[3] = { 0.0, 0.0, 0.0 };  ///< largest resident index along each axis
+  std::uint64_t Number = 0;            ///< number that no other field has
 };
 
-/** The values on both sides of a position; a tick always needs both. */
+/** The values on both sides of a position, at +offset and -offset. A tick always needs both. */
 struct ValuePair
 {
   double Ahead;
   double Behind;
 };
 
-/** Two time steps; Fraction (0 to 1) is the second one's. */
+/** Two time steps, blended. Fraction (0 to 1) is the weight of the second one. */
 struct TimeStepBlend
 {
   const FieldView& First;
@@ -61,7 +62,7 @@ struct TimeStepBlend
   double Fraction;
 };
 
-/** The values of a blend at two fractions. */
+/** The values of a blend for two fractions. */
 struct FractionPair
 {
   double First = std::numeric_limits<double>::quiet_NaN();
@@ -69,7 +70,7 @@ struct FractionPair
 };
 
 /**
- * The memories of a tick, including memories of time steps that are read separately; all may be
+ * The memories of a tick. First and Second are for time steps that are read separately. All may be
  * null.
  */
 struct BlendMemories
@@ -79,13 +80,16 @@ struct BlendMemories
   TickMemory* Tick = nullptr;
 };
 
-// Positions are passed as numbers, which the compiler keeps in registers.
+// Positions are passed as three numbers, which the compiler keeps in registers.
 using ValueFunction = double (*)(const FieldView&, double x, double y, double z) noexcept;
 using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** The same functions for a blend of two time steps with the same geometry, type and kernel. */
+/**
+ * Types of the same functions for a blend of two time steps with the same geometry, type and
+ * kernel.
+ */
 using BlendedValueFunction = double (*)(
   const TimeStepBlend&, double x, double y, double z) noexcept;
 using SharedValuesFunction = FractionPair (*)(
@@ -96,7 +100,9 @@ using BlendedGradientFunction = FieldSample (*)(
   const TimeStepBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 ///@{
-/** The same functions for values of a blend, read from a memory of both time steps. */
+/**
+ * Types of the same functions for values of a blend that are read from a memory of both time steps.
+ */
 using TapValueFunction = double (*)(
   const TimeStepTaps&, const FieldView&, double fraction, double x, double y, double z) noexcept;
 using SharedTapValuesFunction = FractionPair (*)(const TimeStepTaps&, const FieldView&,
@@ -105,35 +111,37 @@ using TapPairFunction = ValuePair (*)(const TimeStepTaps&, const FieldView&, dou
   double x, double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
 /**
- * Reads all taps from the first one on to a memory; returns false if some are outside the samples.
+ * Reads all taps to a memory, beginning with the tap at `first`. Returns false if some taps are
+ * outside the samples.
  */
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
 /**
- * Computes the gradient from the memory's taps, which are read again if necessary; returns false if
- * the gradient can't be computed in this way.
+ * Computes the gradient from the taps in a memory, and reads the taps first if necessary. Returns
+ * false if the gradient can't be computed from a memory.
  */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
 
-/** The kernels for one scalar type and one estimator. */
+/** The kernels for one scalar type and one estimator. Any except the first three may be null. */
 struct FieldFunctions
 {
   ValueFunction Value = nullptr;
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  SharedValuesFunction SharedValues = nullptr; ///< values at the blend's fraction and at another
+  /** Values for the blend's fraction and for another one. */
+  SharedValuesFunction SharedValues = nullptr;
   BlendedPairFunction BlendedPair = nullptr;
-  /** Null for kernels of many taps. */
+  /** Null for kernels with many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
   ///@{
-  /** Null for estimators that gain nothing by a memory. */
+  /** Null for estimators that a memory does not make faster. */
   FillFunction Fill = nullptr;
   RememberedFunction Remembered = nullptr;
   ///@}
   ///@{
-  /** Null for estimators without such a memory, or with values that are not trilinear. */
+  /** Null for estimators without a memory of both time steps, or whose values are not trilinear. */
   TapValueFunction TapValue = nullptr;
   SharedTapValuesFunction SharedTapValues = nullptr;
   TapPairFunction TapPair = nullptr;
@@ -146,17 +154,17 @@ enum class InstructionSet : std::uint8_t
   AVX2
 };
 
-/** Returns the best instruction set that was compiled in and that this processor has. */
+/** Returns the best instruction set for which kernels were compiled and that this processor has. */
 InstructionSet DetectInstructionSet();
 
 /**
- * A volume and an estimator, ready to be sampled. Borrows the samples, the kernel's table, and the
- * remaining fractions of tissue.
+ * Samples a volume with an estimator. Keeps references to the samples, to the kernel's table, and
+ * to the remaining fractions of tissue.
  */
 class FieldSampler
 {
 public:
-  /** Another time step of the volume, with its fraction from 0 to 1. */
+  /** Another time step of the volume, and its weight in the blend, from 0 to 1. */
   struct OtherTimeStep
   {
     const FieldSampler& Field;
@@ -171,8 +179,8 @@ public:
     InstructionSet instructions = DetectInstructionSet());
 
   /**
-   * Returns V at a continuous index, clamped to the resident samples; BorderValue if a sample is
-   * not finite.
+   * Returns V at a continuous index, which is clamped to the resident samples. Returns BorderValue
+   * if a sample is not finite.
    */
   double Value(const Vector3& index) const noexcept
   {
@@ -183,7 +191,7 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
-  /** Returns V at index + offset and at index - offset, which is faster than two calls of Value. */
+  /** Returns V at index + offset and at index - offset. This is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
     if (this->Carved.HasAny())
@@ -197,8 +205,8 @@ public:
   }
 
   /**
-   * Returns value and gradient at a continuous index, which must lie inside; they may be NaN. A
-   * memory saves time where one gradient follows another nearby.
+   * Returns value and gradient at a continuous index, which must be inside. They may be NaN. With a
+   * memory, the gradient is faster if the previous one was nearby.
    */
   FieldSample Gradient(const Vector3& index, TapMemory* memory = nullptr) const noexcept
   {
@@ -218,9 +226,9 @@ public:
 
   ///@{
   /**
-   * Return the same results for a blend with another time step of the volume. Where possible,
-   * samples are blended before they are summed, else the sums are blended. If `taps` (GetTaps() of
-   * a gradient's memory) has the samples, values come from there.
+   * Return the same results for a blend with another time step of the volume. Where possible, the
+   * samples are blended before they are summed; otherwise the sums are blended. If `taps` (from
+   * GetTaps() of a gradient's memory) has the samples, values are computed from it.
    */
   double Value(const OtherTimeStep& other, const Vector3& index,
     const TimeStepTaps* taps = nullptr) const noexcept
@@ -246,7 +254,7 @@ public:
     return this->BlendValue(other, other.Fraction, index);
   }
   /**
-   * Returns the values at the other time step's fraction and at a second fraction, which is faster
+   * Returns the values for the other time step's fraction and for a second fraction. This is faster
    * than two calls of Value.
    */
   FractionPair Values(const OtherTimeStep& other, double fraction, const Vector3& index,
@@ -298,8 +306,8 @@ public:
       Blend(first.Behind, second.Behind, other.Fraction) };
   }
   /**
-   * Returns the samples of both time steps that a gradient has stored in a memory; null if the
-   * memory has other time steps, or if samples are not blended.
+   * Returns the samples of both time steps that a gradient has stored in a memory. Returns null if
+   * the memory belongs to other time steps, or if the samples are not blended.
    */
   const TimeStepTaps* GetTaps(const OtherTimeStep& other, const TickMemory& memory) const noexcept
   {
@@ -331,8 +339,8 @@ public:
   }
   ///@}
   /**
-   * Returns whether a continuous index lies within the bounding box of the volume's samples,
-   * resident or not.
+   * Returns whether a continuous index is inside the bounding box of the volume's samples, whether
+   * they are resident or not.
    */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -341,7 +349,10 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** Returns the nearest index within the bounding box; 0 along an axis where the index is NaN. */
+  /**
+   * Returns the nearest index in the bounding box. If the index is NaN along an axis, the result is
+   * 0 along it.
+   */
   Vector3 Nearest(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
@@ -351,8 +362,8 @@ public:
   }
 
   /**
-   * Returns the distance (voxels) of an index from the volume's nearest border, along that border's
-   * axis.
+   * Returns the distance (voxels) of an index from the volume's nearest border, along the axis of
+   * that border.
    */
   double DistanceToBorder(const Vector3& index) const noexcept
   {
@@ -364,8 +375,8 @@ public:
   }
 
   /**
-   * Returns whether the samples of this time step and another one can be blended: kernel, type and
-   * resident samples are the same, and no tissue was removed.
+   * Returns whether the samples of this time step and another one can be blended. For this, kernel,
+   * type and resident samples must be the same, and no tissue may have been removed.
    */
   bool BlendsSamples(const FieldSampler& other) const noexcept
   {
@@ -376,7 +387,7 @@ public:
       std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
       !this->Carved.HasAny() && !other.Carved.HasAny();
   }
-  /** Return the samples, as they were given, and what was removed from them. */
+  /** Return the view of the samples as it was given, and what was removed from them. */
   const VolumeView& GetView() const noexcept { return this->Given; }
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
@@ -395,18 +406,18 @@ private:
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
   }
 
-  /** Reads the value where tissue may have been removed. */
+  /** Returns the value at an index where tissue may have been removed. */
   double CarvedValue(const Vector3& index) const noexcept;
-  /** Computes the gradient if tissue was removed around the index. */
+  /** Computes the gradient if tissue was removed around the index. Otherwise returns false. */
   bool ReadCarved(const Vector3& index, FieldSample& sample) const noexcept;
 
   FieldView View;
   VolumeView Given;
   CarvedView Carved;
-  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< largest index of the volume along each axis
   FieldFunctions Functions;
-  FieldFunctions OfCopies; ///< functions for copies, which are doubles
-  int ValueReach = 0;      ///< number of samples that a value needs beyond a position's cell
+  FieldFunctions OfCopies; ///< functions for copies of samples, which are doubles
+  int ValueReach = 0;      ///< number of samples behind a position's cell that a value needs
 };
 
 } // namespace VolumeHaptics

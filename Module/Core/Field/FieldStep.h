@@ -9,15 +9,15 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving volume at two instants between the same two time steps. Gives the results of two
- * FieldAtTime, to the bit, with less work, since both instants read the same samples, and the
+ * A moving volume at two instants between the same two time steps. The results are those of two
+ * FieldAtTime, to the bit, but need less work, because both instants read the same samples, and the
  * samples of the last gradient are stored. Neither instant may be that of a time step.
  */
 class FieldStep
 {
 public:
   /**
-   * Borrows the time steps, whose samples are blended, and a memory.
+   * Keeps references to the time steps, whose samples must be blended, and to a memory.
    * @param before, now fractions of the second time step, more than 0 and less than 1
    */
   FieldStep(const FieldSampler& first, const FieldSampler& second, double before, double now,
@@ -33,13 +33,13 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
   /**
-   * Reads value and gradient at the later instant. Call this function first: it reads the samples
-   * for the other calls.
+   * Returns value and gradient at the later instant. Call this function first, because it reads the
+   * samples that the other functions use.
    */
   FieldSample Gradient(const Vector3& index) noexcept
   {
     const FieldSampler::OtherTimeStep now = this->GetNow();
-    // Blended time steps have no separate memories.
+    // Blended time steps use no memory of one time step.
     const FieldSample sample =
       this->First.Gradient(now, index, { nullptr, nullptr, &this->Memory });
     this->Taps = this->First.GetTaps(now, this->Memory);
@@ -54,10 +54,7 @@ public:
   }
 
   ///@{
-  /**
-   * The functions below return the results of the same functions of FieldAtTime, at the later
-   * instant.
-   */
+  /** Return what FieldAtTime's functions of the same names return at the later instant. */
   double Value(const Vector3& index) const noexcept
   {
     return this->First.Value(this->GetNow(), index, this->Taps);

@@ -15,22 +15,20 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * If a slice lacks a label, the label counts as this many slices away, but at most Farthest fine
- * voxels.
- */
+/** Distance of a label that a slice lacks: AwaySlices slices, but at most Farthest fine voxels. */
 constexpr double AwaySlices = 12.0;
 constexpr double Farthest = 120.0;
 /**
- * A pixel nearer than this (fine voxels) to another label in its slice may have a fraction of that
- * label above 0.
+ * Distance (fine voxels) from another label in the slice below which a pixel may have a part of
+ * that label.
  */
 constexpr double ActiveWidth = 4.0;
-/** The number of slices that are processed at once. */
+/** Number of slices that are processed at once. */
 constexpr std::int64_t ChunkSlices = 16;
 
 /**
- * A cubic between two values, whose slopes are limited so that the cubic stays between the values.
+ * A cubic between two values. Its slopes are limited so that it does not leave the range of the
+ * values.
  */
 struct Cubic
 {
@@ -59,11 +57,11 @@ struct Cubic
   float C0, C1, C2, C3;
 };
 
-/** The labels with the largest and the second largest distance, at a fine voxel. */
+/** The labels with the largest and the second largest distance at a fine voxel. */
 template <typename T>
 struct Place
 {
-  /** Adds a label. `rise` is how much the distance grows from this layer to the next one. */
+  /** Adds a label. `rise` is the difference of its distance between the next layer and this one. */
   void Add(T label, float distance, float rise)
   {
     if (distance > this->Best)
@@ -82,8 +80,8 @@ struct Place
   }
 
   /**
-   * Returns the other label's fraction, in parts. The boundary is half the difference of the
-   * distances away, within the slice.
+   * Returns the other label's fraction in parts. In the slice, the boundary is half the difference
+   * of the distances away.
    */
   std::uint8_t ComputeFraction() const
   {
@@ -111,7 +109,7 @@ std::uint64_t HashSlice(const std::vector<std::int64_t>& labels)
   return hash;
 }
 
-/** Returns the narrowest type that holds labels from low to high. */
+/** Returns the smallest type that holds all labels from `low` to `high`. */
 ScalarType TypeOf(std::int64_t low, std::int64_t high)
 {
   const auto fits = [&](auto t)
@@ -137,7 +135,7 @@ std::array<int, 3> FromCoarsest(const Vector3& spacing)
 
 struct FineLabels::Pass
 {
-  /** Refines the image along an axis by a factor. */
+  /** Prepares the refinement of the image by a factor along an axis. */
   Pass(const VolumeView& image, int axis, int factor, const double* spacing, double finest)
     : Image(image)
     , Axis(axis)
@@ -177,7 +175,8 @@ struct FineLabels::Pass
   }
 
   /**
-   * Returns the slices whose hash has changed since the last time; all slices at the first time.
+   * Returns for each slice whether its hash has changed since the last time. The first time, all
+   * have.
    */
   std::vector<char> CollectChanged(const std::vector<std::uint64_t>& last) const
   {
@@ -189,7 +188,7 @@ struct FineLabels::Pass
     return changed;
   }
 
-  /** Computes hashes, work and the range of labels. */
+  /** Computes the hashes of the slices, the work, and the range of labels. */
   void Scan(const Loop& loop)
   {
     const auto count = static_cast<std::size_t>(this->Slices);
@@ -218,7 +217,7 @@ struct FineLabels::Pass
     }
   }
 
-  /** Returns the layout of the resulting labels, without their data. */
+  /** Returns the layout of the resulting labels. Its Data is not set. */
   VolumeView MakeView() const
   {
     VolumeView view;
@@ -232,13 +231,16 @@ struct FineLabels::Pass
   }
 
   /**
-   * Collects the pixels whose label changes up to the next slice, or differs from a nearby pixel's
-   * in one of the two slices; `Piece` of a run is the number of such pixels before it. `from` has
-   * the labels of the slice.
+   * Collects the pixels whose label changes up to the next slice, or differs from the label of a
+   * nearby pixel in one of both slices. In each run, `Piece` is the number of such pixels before
+   * it. `from` has the labels of the slice.
    */
   std::vector<PieceRun> FindActive(const std::vector<std::int64_t>& from, std::int64_t slice) const;
 
-  /** Computes the labels from a slice up to the next one, or the labels of the last slice. */
+  /**
+   * Computes the labels between a slice and the next one. For the last slice, computes its own
+   * labels.
+   */
   template <typename T>
   void FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice, const VolumeView& view,
     T* labels, std::uint8_t* fractions) const;
@@ -275,7 +277,7 @@ std::vector<PieceRun> FineLabels::Pass::FindActive(
         : 0;
     }
   }
-  // the box is widened along columns, then along rows
+  // Widen the box along columns, then along rows.
   std::int64_t reach[2];
   for (int a = 0; a < 2; ++a)
   {
@@ -299,7 +301,7 @@ std::vector<PieceRun> FineLabels::Pass::FindActive(
   {
     count(j + reach[1], 1);
     count(j - reach[1] - 1, -1);
-    std::int64_t end = 0; // the end of the row's last run
+    std::int64_t end = 0; // end of the row's last run
     for (std::int64_t i = 0; i < width; ++i)
     {
       if (edges[static_cast<std::size_t>(i)] == 0)
@@ -331,7 +333,8 @@ template <typename T>
 void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice,
   const VolumeView& view, T* labels, std::uint8_t* fractions) const
 {
-  // The slices around the gap; the first and last slices of the image repeat.
+  // The two slices at each side of the gap. At the ends of the image, the first or the last slice
+  // repeats.
   const SliceShapes* around[4];
   for (int s = 0; s < 4; ++s)
   {
@@ -347,8 +350,8 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
     : runs.back().Piece + static_cast<std::size_t>(runs.back().End - runs.back().Begin);
   const std::size_t count = static_cast<std::size_t>(layers) * area;
   std::vector<Place<T>> places(count);
-  std::vector<float> limits[4]; // limits for the distances in the four slices; empty if no piece
-                                // ends
+  // limits of the distances in the four slices; empty if no piece ends here
+  std::vector<float> limits[4];
   for (int s = 1; s < 3 && layers > 1; ++s)
   {
     for (const LabelShape& shape : *around[s])
@@ -369,7 +372,8 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
     }
   }
 
-  // All labels of both slices in rising order: if distances are equal, the first label counts.
+  // All labels of both slices in ascending order, because among equal distances the first label
+  // wins.
   std::vector<std::int64_t> known;
   for (int s = 1; s < 3; ++s)
   {
@@ -416,7 +420,8 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
           }
           if (std::min(limits[1][place], limits[2][place]) < HUGE_VALF)
           {
-            // Continue the line through the two distances: the piece ends where the line is 0.
+            // Continue the line through both distances, because the piece ends where this line is
+            // 0.
             along[0] = 2.0F * along[1] - along[2];
             along[3] = 2.0F * along[2] - along[1];
           }
@@ -433,7 +438,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
       }
     }
   }
-  // Elsewhere the label is the same in both slices.
+  // At all other pixels, the label is the same in both slices.
   const std::int64_t* const stride = view.Stride;
   const std::int64_t across[2] = { stride[this->Across[0]], stride[this->Across[1]] };
   const std::int64_t up = stride[this->Axis];
@@ -509,7 +514,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
   std::shared_ptr<FineLabels> fine(new FineLabels);
   fine->Spacing = spacing;
   fine->Steps = steps;
-  std::vector<std::byte> before; // the labels of the previous pass
+  std::vector<std::byte> before; // labels of the previous axis
   for (const int axis : FromCoarsest(spacing))
   {
     if (factors[axis] == 1)
@@ -606,7 +611,8 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
     }
     step[axis] /= factors[axis];
     image = found;
-    before = std::move(fine->Labels); // the memory does not move: the next pass reads it
+    // Moving keeps the memory in place, so that the next axis can read it.
+    before = std::move(fine->Labels);
     image.Data = before.data();
   }
   fine->Labels = std::move(before);

@@ -37,35 +37,38 @@ namespace VolumeHaptics
 class FineLabels
 {
 public:
-  /** Spacings up to this multiple of the finest one are not refined. */
+  /** Largest ratio of a spacing to the finest one that is not refined. */
   static constexpr double LargestRatio = 1.5;
-  /** The most fine voxels: 2 to 9 bytes each. Beyond, fine voxels are made longer. */
+  /**
+   * Limit of the fine voxels, which take 2 to 9 bytes each. If it would be exceeded, fine voxels
+   * are made longer.
+   */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 28;
-  /** The most pixels in the boxes of all labels; each costs about 100 ns. */
+  /** Limit of the pixels in the boxes of all labels. Each pixel costs about 100 ns. */
   static constexpr std::int64_t MostWork = std::int64_t{ 1 } << 30;
-  /** The number of parts that make a whole voxel. */
+  /** Number of parts that a voxel has in GetFractions(). */
   static constexpr int Parts = 254;
 
   using Body = std::function<void(std::int64_t)>;
   /**
-   * Calls a function with each number below a count, in any order, perhaps in parallel. If a loop
-   * leaves out numbers, Make() ends, and its result is of no use.
+   * Calls a function with each number below `count`, in any order, possibly in parallel. If a loop
+   * leaves out numbers, Make() ends early, and its result must not be used.
    */
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
   /**
-   * Returns the number of fine voxels in a voxel of the image, along each axis; all are 1 if there
-   * is no finer grid.
+   * Returns the number of fine voxels per voxel of the image along each axis. All are 1 if no finer
+   * grid is needed.
    */
   static Vector3 ChooseSteps(
     const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels = MostVoxels);
 
   /**
    * Makes the finer grid of an image. Returns null if the spacings are similar, or if the image is
-   * too large or has too many labels; walls then come from the image's own voxels. If `last` was
+   * too large or has too many labels; then walls come from the image's own voxels. If `last` was
    * made from an earlier state of the same image, only changed slices are computed again.
-   * @param spacing the spacing of the image, above 0
-   * @param mostVoxels MostVoxels; less in tests
+   * @param spacing spacing of the image, above 0
+   * @param mostVoxels limit of the fine voxels: MostVoxels, or less in tests
    */
   static std::shared_ptr<const FineLabels> Make(const LabelView& view, const Vector3& spacing,
     const Loop& loop = nullptr, const FineLabels* last = nullptr,
@@ -76,23 +79,23 @@ public:
 
   const LabelView& GetView() const noexcept { return this->View; }
   /**
-   * Returns the number of fine voxels in a voxel of the image, along each axis. The first samples
-   * of both grids coincide.
+   * Returns the number of fine voxels per voxel of the image along each axis. The first samples of
+   * both grids coincide.
    */
   const Vector3& GetSteps() const noexcept { return this->Steps; }
   /**
-   * For each sample of GetView(), returns how much of the voxel has another label, in Parts. The
-   * other label belongs to the first neighbour with a different label, in the order of axes and
-   * down before up.
+   * Returns, for each sample of GetView(), how much of the voxel has another label, in Parts. The
+   * other label is that of the first neighbour with a different label. Neighbours are searched axis
+   * by axis, along each axis first at the lower index.
    */
   const std::uint8_t* GetFractions() const noexcept { return this->Fractions.data(); }
-  /** Returns the size in bytes. */
+  /** Returns the size of the object in bytes. */
   std::size_t GetMemorySize() const noexcept
   {
     return sizeof(*this) + this->Labels.capacity() + this->Fractions.capacity() +
       this->Hashes.capacity() * sizeof(std::uint64_t);
   }
-  /** Returns the number of slices that Make computed, without those taken over from `last`. */
+  /** Returns the number of slices that Make() computed. Slices from `last` do not count. */
   std::int64_t GetSlicesFound() const noexcept { return this->SlicesFound; }
 
 private:
@@ -105,8 +108,9 @@ private:
   std::vector<std::byte> Labels;
   std::vector<std::uint8_t> Fractions;
   ///@{
-  /** The data of the image, which Make() compares with the data of the last image. */
-  std::vector<std::uint64_t> Hashes; ///< one per slice; empty if more than one axis was refined
+  /** Data of the image that Make() compares with those of the last image. */
+  /** One for each slice; empty if more than one axis was refined. */
+  std::vector<std::uint64_t> Hashes;
   Vector3 Spacing;
   ///@}
   std::int64_t SlicesFound = 0;

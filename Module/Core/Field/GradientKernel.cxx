@@ -14,9 +14,9 @@ namespace
 {
 
 /**
- * Computes the tap weights that give the value (`smoothing`) and the slope (`derivative`) of the
- * line fitted by least squares, weighted with `window`. The value is the line's at `mean`, the
- * weighted mean of the taps' positions.
+ * Computes tap weights for the line that is fitted by least squares, where each tap counts with
+ * `window`. The weights `smoothing` sum up to the line's value at `mean`, the weighted mean of the
+ * taps' positions, and the weights `derivative` to its slope.
  */
 void FitLine(int radius, double fraction, const std::function<double(double)>& window,
   double* smoothing, double* derivative, double& mean)
@@ -64,7 +64,7 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
 namespace
 {
 
-/** Replaces the smoothing weights by a_i; Differentiate then writes their derivative. */
+/** Replaces the smoothing weights by a_i. Differentiate() computes their derivative later. */
 void ComputeFittedValueWeights(int radius, double s, double fraction, double* value, double* slope)
 {
   const double cut = radius + 1.0;
@@ -87,8 +87,8 @@ void ComputeFittedValueWeights(int radius, double s, double fraction, double* va
 }
 
 /**
- * Computes the polynomials of the derivative from the polynomials of the smoothing, along the
- * fraction.
+ * Computes the polynomials of the derivative weights, as derivatives of the smoothing weights'
+ * polynomials with respect to the fraction.
  */
 void Differentiate(const GradientKernel& kernel, double* coefficients)
 {
@@ -105,9 +105,9 @@ void Differentiate(const GradientKernel& kernel, double* coefficients)
 }
 
 /**
- * Finds the polynomials through the weights at equidistant fractions of an interval, by Newton's
- * divided differences. They are linear in the weights, as are the sums that make linear fields
- * exact.
+ * Computes the polynomials through the weights at equidistant fractions of an interval, by Newton's
+ * divided differences. The polynomials depend linearly on the weights, as do the sums that make
+ * linear fields exact.
  */
 void Interpolate(const GradientKernel& kernel, int interval, double* coefficients)
 {
@@ -143,7 +143,7 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
         difference[j] = (difference[j] - difference[j - 1]) / (node(j) - node(j - level));
       }
     }
-    // Multiplies Newton's form out, from the innermost bracket on.
+    // Multiply out Newton's form, beginning with the innermost bracket.
     double power[order] = { difference[order - 1] };
     for (int j = order - 2; j >= 0; --j)
     {

@@ -55,7 +55,7 @@ enum class GaussianWeights : std::uint8_t
   OwnDerivative
 };
 
-/** The part of a kernel that a tick needs; borrows the table. */
+/** The part of a kernel that a tick needs. Points to the kernel's table. */
 struct KernelView
 {
   const double* Table = nullptr;
@@ -66,13 +66,16 @@ struct KernelView
 struct GradientKernel
 {
   static constexpr int MaximumRadius = 16;
-  /** Scale of the Gaussian, in radii. */
+  /** Standard deviation of the Gaussian divided by the radius. */
   static constexpr double ScalePerRadius = 0.53;
   static constexpr double OwnScalePerRadius = 0.56;
   static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
-  /** Intervals of the sub-voxel fraction: the error of a weight is about 1e-10 at most. */
+  /**
+   * Number of intervals of the sub-voxel fraction. With 32, the error of a weight is at most about
+   * 1e-10.
+   */
   static constexpr int Intervals = 32;
-  /** The number of coefficients in each interval. */
+  /** Number of coefficients in each interval. */
   static constexpr int Coefficients = 6;
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
@@ -80,20 +83,23 @@ struct GradientKernel
   /** Radius in voxels, 1 to MaximumRadius. */
   int Radius = 2;
   /**
-   * The number of taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius +
-   * 1.
+   * Number of taps of the Gaussian along an axis, from floor(x) - Radius to floor(x) + Radius + 1.
    */
   int Taps = 6;
-  /** Scale of the Gaussian of GaussianWeights::OwnDerivative, in voxels. */
+  /** Standard deviation (voxels) of the Gaussian of GaussianWeights::OwnDerivative. */
   double OwnScale = 0.0;
   /**
-   * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
-   * constant coefficients of all weights, then the linear coefficients, and so on.
+   * Weights of the Gaussian: for each interval, the constant coefficients of all weights, then the
+   * linear coefficients, and so on. The weights are Taps for smoothing, then Taps for the
+   * derivative.
    */
   std::vector<double, CacheLines<double>> Table;
 
   GradientKernel() = default;
-  /** Computes the weights. A scale (voxels) of 0 stands for the default of OwnDerivative. */
+  /**
+   * Computes the weights. `ownScale` is the standard deviation (voxels) for OwnDerivative; 0 for
+   * its default.
+   */
   GradientKernel(GradientEstimator estimator, int radius,
     GaussianWeights weights = GaussianWeights::FittedLine, double ownScale = 0.0);
 
@@ -101,8 +107,8 @@ struct GradientKernel
 };
 
 /**
- * Computes smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the
- * formulas above.
+ * Computes the weights of the Gaussian for smoothing and for the derivative, at a fraction in [0,
+ * 1], by the formulas above.
  */
 void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative);
 

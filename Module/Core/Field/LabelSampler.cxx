@@ -15,7 +15,7 @@ LabelFunctions SelectAVX2LabelFunctions(ScalarType);
 namespace
 {
 
-/** The weights and slopes of a kernel at a fraction i / Intervals of a voxel. */
+/** The weights and slopes of a kernel at the fraction i / Intervals of a voxel. */
 struct WeightsAt
 {
   WeightsAt(const GradientKernel& kernel, int i)
@@ -29,7 +29,7 @@ struct WeightsAt
     {
       this->Value[tap] = c[tap];
       this->Slope[tap] = c[kernel.Taps + tap];
-      // At the end of the last interval, a polynomial is the sum of its coefficients.
+      // At the end of the last interval, the value of a polynomial is the sum of its coefficients.
       for (int power = 1; power < GradientKernel::Coefficients && i > last; ++power)
       {
         this->Value[tap] += c[power * count + tap];
@@ -74,7 +74,7 @@ std::vector<double> MakeTable(const GradientKernel& kernel)
 constexpr int Patterns = 256;
 constexpr std::uint16_t NoStep = 0xFFFF;
 
-/** Makes the table of places in StepWeights::Sums by the bits of a row. */
+/** Returns, for each pattern of a row's bits, the position of its sums in StepWeights::Sums. */
 constexpr std::array<std::uint16_t, Patterns> MakePlaces() noexcept
 {
   std::array<std::uint16_t, Patterns> places{};

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The labels around a position and their fractions, weighted by a Gaussian of 8 taps.
+ * The labels around a position, and the fractions of their voxels under a Gaussian of 8 taps.
  *
- * Collect() reads the 8^3 voxels and stores a bit for each label and voxel: whether the voxel has
- * the label. Fraction() sums the kernel's weights over the bits of a label. A row along x has 8
- * bits; the sums of its weights over all patterns of 4 bits are in a table (LabelWeights), so that
- * a row costs two lookups, for any labels.
+ * Collect() reads the 8^3 voxels, and stores for each label and voxel a bit that tells whether the
+ * voxel has the label. Fraction() sums the kernel's weights over the bits of a label. A row along x
+ * has 8 bits. LabelWeights has a table of the weights' sums for all patterns of 4 bits, so that a
+ * row needs two lookups, whatever its labels.
  *
- * Across a wall, rows mostly begin or end with a label: then the sums over the first and over the
- * last voxels suffice, and a row costs one lookup (LabelSteps, StepWeights).
+ * Near a wall, most rows begin or end with a label. Then the sums over the first and over the last
+ * voxels suffice, and a row needs one lookup (LabelSteps, StepWeights).
  *
- * The kernels are compiled once per instruction set, as for FieldSampler; all of them give the same
- * fractions, to the bit.
+ * The kernels are compiled once for each instruction set, as those of FieldSampler. All variants
+ * return the same fractions, to the bit.
  */
 #ifndef LabelSampler_h
 #define LabelSampler_h
@@ -30,36 +30,40 @@ namespace VolumeHaptics
 struct LabelBlock
 {
   static constexpr int Taps = 8;
-  /** The most labels around one position; further ones count as the last of them. */
+  /** Limit of the labels around a position. Further labels count as the last one. */
   static constexpr int Most = 32;
 
-  int Count; ///< the number of labels
+  int Count; ///< number of labels
   std::int64_t Label[Most];
   /** For each label and plane k: bit i + 8 j is set if voxel (i, j, k) has the label. */
   std::uint64_t Planes[Most][Taps];
 };
 
 /**
- * The rows of a label, if each row begins or ends with the label, or has the label everywhere or
- * nowhere. Holds for each row the place in StepWeights::Sums, in bytes.
+ * The rows of a label if each row begins or ends with the label, is full of it, or lacks it. Place
+ * is the position of each row's sums in StepWeights::Sums, in bytes.
  */
 struct LabelSteps
 {
-  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< the place for plane k, row j
+  /** Position for row j of plane k: Place[k][j]. */
+  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps];
 
-  /** Sets the places from the planes of a label; returns false if a row has another form. */
+  /** Sets the positions from the planes of a label. Returns false if a row has another form. */
   bool Set(const std::uint64_t* planes) noexcept;
 };
 
-/** The weights of a kernel at a position, prepared for rows of LabelSteps. */
+/** The weights of a kernel at a position, prepared for the rows of LabelSteps. */
 struct StepWeights
 {
   static constexpr int Ends = LabelBlock::Taps + 1;
 
-  /** The sums over the first 0 to 8 weights of a row, then over the last 0 to 8: LabelWeights. */
+  /**
+   * Sums over the first 0 to 8 weights of a row, followed by sums over the last 0 to 8 weights.
+   * Each sum has the numbers of LabelWeights::Low.
+   */
   alignas(32) double Sums[2 * Ends][4];
   ///@{
-  /** The factors of rows and planes: see LabelWeights. */
+  /** Factors of rows and planes, as in LabelWeights. */
   alignas(32) double Across[LabelBlock::Taps][4];
   alignas(32) double Along[2 * LabelBlock::Taps];
   ///@}
@@ -71,26 +75,27 @@ struct LabelWeights
   static constexpr int Patterns = 16;
 
   /**
-   * The sums for each pattern of the first and the last four bits of a row: the sums of the weights
-   * of the value, of the slope, and of the value again.
+   * Sums for each pattern of the first (Low) and the last (High) four bits of a row. A sum has the
+   * numbers value, slope, and value again.
    */
   alignas(32) double Low[Patterns][4];
   alignas(32) double High[Patterns][4];
-  /** The factors of these sums for each row of a plane: value, value, slope. */
+  /** Factors of these numbers for each row of a plane: value, value, slope. */
   alignas(32) double Across[LabelBlock::Taps][4];
-  /** The factors for each plane: value, then slope. */
+  /** Factors for each plane: all values, then all slopes. */
   alignas(32) double Along[2 * LabelBlock::Taps];
 };
 
-/** The samples and the weights of a kernel; borrows both. */
+/** The samples and the weights of a kernel. Points to memory of others. */
 struct LabelField
 {
-  static constexpr int Intervals = 32; ///< intervals per voxel
+  static constexpr int Intervals = 32; ///< number of intervals per voxel
   static constexpr int Coefficients = 4;
 
   VolumeView Volume;
   /**
-   * Polynomials of the weights: for each interval the constant coefficients of all taps, and so on.
+   * Polynomials of the weights: for each interval the constant coefficients of all taps, then the
+   * linear ones, and so on.
    */
   const double* Table = nullptr;
 };
@@ -106,11 +111,12 @@ struct LabelFunctions
 };
 
 /**
- * A label image and a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Borrows the samples.
+ * Samples a label image with a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Keeps a view of
+ * the samples.
  *
- * At 32 fractions of a voxel, the weights are the kernel's; in between, they are cubic Hermite
- * polynomials: so the weights and their slopes are continuous, and each slope is the derivative of
- * its weight. They differ from the kernel's own weights by less than 1e-8.
+ * At 32 fractions of a voxel, the weights are the kernel's. Between them, they are cubic Hermite
+ * polynomials, so that weights and slopes are continuous, and each slope is the derivative of its
+ * weight. They differ from the kernel's own weights by less than 1e-8.
  */
 class LabelSampler
 {
@@ -121,33 +127,36 @@ public:
   LabelSampler& operator=(const LabelSampler&) = delete;
 
   /**
-   * Collects the labels around a continuous index within the image, whose border repeats beyond it.
+   * Collects the labels around a continuous index in the image. Outside the image, the voxels at
+   * its border repeat.
    */
   void Collect(const Vector3& index, LabelBlock& block) const noexcept
   {
     this->Functions.Collect(this->View, index.X, index.Y, index.Z, block);
   }
 
-  /** Computes the weights at a continuous index within the image. */
+  /** Computes the weights at a continuous index in the image. */
   void Weigh(const Vector3& index, LabelWeights& weights) const noexcept
   {
     this->Functions.Weigh(this->View, index.X, index.Y, index.Z, weights);
   }
 
-  /** Returns the fraction of a label around a position, and its gradient per index step. */
+  /**
+   * Returns the fraction of a label around a position, and the fraction's gradient per index step.
+   */
   FieldSample Fraction(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
   {
     return this->Functions.Fraction(weights, planes);
   }
 
-  /** Returns the same for a label whose rows are steps, at a continuous index within the image. */
+  /** Returns the same for a label whose rows are steps. The index must be in the image. */
   FieldSample Fraction(const Vector3& index, const LabelSteps& steps) const noexcept
   {
     return this->Functions.FractionSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{
-  /** Return the memory outside the object, and its size (bytes). */
+  /** Return the memory outside the object and its size in bytes. */
   const void* GetMemory() const noexcept { return this->Table.data(); }
   std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
   ///@}

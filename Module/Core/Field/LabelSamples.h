@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The samples of a label image as labels.
+ * Converts the samples of a label image to labels.
  */
 #ifndef LabelSamples_h
 #define LabelSamples_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-// In an unnamed namespace, as the kernels need it: see FieldKernels.h.
+// The namespace is unnamed because the kernels need that: see FieldKernels.h.
 namespace
 {
 
@@ -31,7 +31,7 @@ VOLUME_HAPTICS_INLINE constexpr std::int64_t ToLabel(T sample) noexcept
   }
   else if constexpr (std::is_floating_point_v<T>)
   {
-    // Beyond this number, and for NaN, the result would be undefined.
+    // The conversion of NaN, or of a number beyond these limits, would be undefined.
     constexpr T end = T(9223372036854775808.0);
     return sample >= -end && sample < end ? static_cast<std::int64_t>(sample) : NoLabel;
   }

@@ -11,16 +11,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The width (fine voxels) of the Gaussian that smooths distances along a slice. */
+/** Standard deviation (fine voxels) of the Gaussian that smooths distances in a slice. */
 constexpr double Smoothing = 2.0;
-/** Labels or gaps twice this thick (fine voxels) are smoothed; those half as thick are not. */
+/**
+ * Half of the thickness (fine voxels) from which labels and gaps are fully smoothed. Those half as
+ * thick are not smoothed at all.
+ */
 constexpr float Thick = 4.0F;
-/** Distances are kept in parts of a fine voxel. */
+/** Number of parts of a fine voxel in which distances are stored. */
 constexpr float DistanceParts = 256.0F;
 constexpr float NoSite = 1e12F;
 
 /**
- * Computes squares of the distances to the nearest site, from distances along rows: the lower
+ * Computes the squared distances to the nearest site from the distances along rows, as the lower
  * envelope of parabolas (P. F. Felzenszwalb and D. P. Huttenlocher, Theory of Computing 8, 2012).
  */
 class ColumnTransform
@@ -85,7 +88,7 @@ private:
   std::vector<float> Begins;
 };
 
-/** Computes distances in a box of a slice. */
+/** Computes the distances in a box of a slice. */
 class DistanceMap
 {
 public:
@@ -95,7 +98,7 @@ public:
   {
   }
 
-  /** Computes distances that are above 0 where `is` is set. */
+  /** Computes the signed distances, which are above 0 where `is` is set. */
   std::vector<std::int16_t> Compute(const std::vector<std::uint8_t>& is)
   {
     const std::vector<float> inside = this->Transform(is, 0);
@@ -127,14 +130,14 @@ public:
   }
 
 private:
-  /** Computes the squares of the distances to the nearest pixel of this kind. */
+  /** Computes the squared distances to the nearest pixel of a kind. */
   std::vector<float> Transform(const std::vector<std::uint8_t>& is, std::uint8_t kind) const
   {
     std::vector<float> squares(is.size(), NoSite);
     const auto pixel = static_cast<float>(this->Grid.Pixel[0]);
     for (std::int64_t j = 0; j < this->Size[1]; ++j)
     {
-      // Goes along a row, up and then down.
+      // Go along a row in both directions.
       const std::uint8_t* const row = &is[static_cast<std::size_t>(this->Size[0] * j)];
       float* const to = &squares[static_cast<std::size_t>(this->Size[0] * j)];
       float way = NoSite;
@@ -160,7 +163,9 @@ private:
     return squares;
   }
 
-  /** Smooths the values along an axis with a Gaussian; the border repeats. */
+  /**
+   * Smooths the values along an axis with a Gaussian. Values outside repeat those at the border.
+   */
   void Smooth(std::vector<float>& values, int axis) const
   {
     const double scale = Smoothing / this->Grid.Pixel[axis];
@@ -178,7 +183,8 @@ private:
       sum += weights.back();
     }
     const std::int64_t count = this->Size[axis];
-    const std::int64_t width = axis == 0 ? 1 : this->Size[0]; // values smoothed at once
+    // number of values that are smoothed at once
+    const std::int64_t width = axis == 0 ? 1 : this->Size[0];
     const std::int64_t lines = axis == 0 ? this->Size[1] : 1;
     std::vector<float> line(static_cast<std::size_t>((count + 2 * radius) * width));
     for (std::int64_t l = 0; l < lines; ++l)
@@ -209,7 +215,7 @@ private:
     return values[static_cast<std::size_t>(x + this->Size[0] * y)];
   }
 
-  /** Interpolates values between pixels bilinearly. */
+  /** Returns a bilinearly interpolated value between pixels. */
   float Between(const std::vector<float>& values, float x, float y) const
   {
     const float left = std::floor(x);
@@ -225,7 +231,10 @@ private:
     return from + (y - low) * (row(j + 1) - from);
   }
 
-  /** Returns 1 at a boundary that is thick on both sides, 0 if one side is thin. */
+  /**
+   * Returns how thick the shape is on both sides of a boundary: 1 if it is thick on both sides, 0
+   * if it is thin on one side, and a linear ramp between.
+   */
   float ThickFraction(const std::vector<float>& raw, const std::vector<float>& smooth,
     std::int64_t i, std::int64_t j) const
   {
@@ -254,12 +263,13 @@ private:
 };
 
 /**
- * Returns where a piece that the next slice lacks ends, as a fraction of the way to that slice, at
- * a pixel with the distance `here` in this slice and `before` in the previous one. The piece's
- * largest distances are `most` and `mostBefore`. Slices are `step` fine voxels apart.
+ * Returns where a piece ends that the next slice lacks, as a fraction of the distance to that
+ * slice. At the pixel, the piece's distance is `here` in this slice and `before` in the previous
+ * one. Its largest distances there are `most` and `mostBefore`. Slices are `step` fine voxels
+ * apart.
  *
  * In the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
- * difference -2 step^2. A piece that does not become smaller ends halfway.
+ * difference -2 step^2. A piece that does not get smaller ends halfway.
  */
 float ComputeEnd(float here, float before, float most, float mostBefore, float step)
 {
@@ -279,8 +289,8 @@ float ComputeEnd(float here, float before, float most, float mostBefore, float s
 }
 
 /**
- * Returns by how much the radius of such a piece decreases up to the next slice; 0 if the radius
- * does not decrease.
+ * Returns the length by which the radius of a piece decreases up to the next slice; 0 if it does
+ * not decrease. The arguments are those of ComputeEnd.
  */
 float ComputeFall(float most, float mostBefore, float step)
 {
@@ -288,10 +298,7 @@ float ComputeFall(float most, float mostBefore, float step)
   return mostBefore > 0.0F ? std::max(fall, 0.0F) : 0.0F;
 }
 
-/**
- * Gives connected pieces of pixels within the label their numbers, by neighbours along rows and
- * columns.
- */
+/** Numbers the connected pieces of a label. Pixels are connected along rows and columns. */
 void CollectPieces(LabelShape& shape)
 {
   std::vector<std::size_t> parents;
@@ -304,7 +311,7 @@ void CollectPieces(LabelShape& shape)
     return run;
   };
   const PixelBox& box = shape.Box;
-  std::size_t first = 0; // the first run of the previous row
+  std::size_t first = 0; // index of the previous row's first run
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)
   {
     const std::int16_t* const row = shape.GetRow(j);
@@ -394,7 +401,7 @@ SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>
     }
     shapes.push_back(std::move(shape));
   }
-  // Sorted, so that the order does not depend on the hash.
+  // Sort the labels, so that their order does not depend on the hash.
   std::sort(shapes.begin(), shapes.end(),
     [](const LabelShape& a, const LabelShape& b) { return a.Label < b.Label; });
   return shapes;
@@ -472,8 +479,8 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
   }
   const PixelBox& box = shape.Box;
   const std::int64_t width = box.Size(0);
-  std::vector<float> falls(shape.Distances.size(), 0.0F); ///< the decrease at the pixels of such
-                                                          ///< pieces
+  /** Decrease of the radius at the pixels of pieces that end. */
+  std::vector<float> falls(shape.Distances.size(), 0.0F);
   const auto step = static_cast<float>(grid.Step);
   for (const PieceRun& run : shape.Runs)
   {
@@ -488,7 +495,7 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }
-  // Around a piece, the decrease is as large as at the piece's nearest pixel.
+  // Around a piece, the decrease is that at the nearest pixel of the piece.
   const auto acrossX = static_cast<float>(grid.Pixel[0]);
   const auto acrossY = static_cast<float>(grid.Pixel[1]);
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes of labels in one slice of a label image: distances from their outlines, and connected
- * pieces.
+ * The shapes of labels in one slice of a label image: the distances from their outlines, and their
+ * connected pieces.
  */
 #ifndef LabelShapes_h
 #define LabelShapes_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Pixels of a slice: from Low (included) to High (excluded) along the two axes. */
+/** A box of pixels in a slice: from Low (included) to High (excluded) along both axes. */
 struct PixelBox
 {
   std::int64_t Low[2];
@@ -25,7 +25,7 @@ struct PixelBox
   std::int64_t Area() const { return this->Size(0) * this->Size(1); }
 };
 
-/** Pixels of a row within a label, with the number of their connected piece. */
+/** A run of pixels in a row that belong to a label, and the number of their connected piece. */
 struct PieceRun
 {
   std::int64_t Row;
@@ -34,18 +34,21 @@ struct PieceRun
   std::size_t Piece;
 };
 
-/** The signed distances of a label in a slice, in a box beyond which they are -Away. */
+/**
+ * The signed distances of a label in a slice. They are stored for a box; outside it, they are
+ * -Away.
+ */
 struct LabelShape
 {
   std::int64_t Label;
   PixelBox Box;
   std::vector<std::int16_t> Distances;
-  std::vector<PieceRun> Runs; ///< the runs where distances are above 0, row by row
+  std::vector<PieceRun> Runs; ///< runs of pixels whose distances are above 0, row by row
   std::size_t Pieces = 0;
 
   /**
-   * Returns the distances in 256ths of a fine voxel, from the box's first pixel of a row on; null
-   * if the box does not contain the row.
+   * Returns the distances of a row in 256ths of a fine voxel, beginning with the box's first pixel.
+   * Returns null if the box does not contain the row.
    */
   const std::int16_t* GetRow(std::int64_t j) const
   {
@@ -57,33 +60,35 @@ struct LabelShape
 
 using SliceShapes = std::vector<LabelShape>;
 
-/** The pixels of a slice in fine voxels, and the distance of a label that the slice lacks. */
+/**
+ * The sizes of a slice's pixels in fine voxels, and the distance of a label that the slice lacks.
+ */
 struct SliceGrid
 {
   std::int64_t Size[2];
   double Pixel[2];
-  double Step; ///< distance to the next slice
+  double Step; ///< distance to the next slice in fine voxels
   double Away;
 };
 
-/** Returns the shape of a label in a slice; null if the slice lacks the label. */
+/** Returns the shape of a label in a slice, or null if the slice lacks the label. */
 const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label);
 
 /**
- * Returns the shapes of a slice's labels, one after another; MeasureShapes() computes their
- * distances.
+ * ExtractShapes() returns the shapes of a slice's labels without distances. MeasureShapes()
+ * computes the distances.
  */
 SliceShapes ExtractShapes(const SliceGrid& grid, const std::vector<std::int64_t>& labels);
 
 void MeasureShapes(
   const SliceGrid& grid, const std::vector<std::int64_t>& labels, SliceShapes& shapes);
 
-/** Returns the signed distance of a label at a pixel, in fine voxels. */
+/** Returns the signed distance of a label at a pixel in fine voxels. */
 float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i, std::int64_t j);
 
 /**
- * Limits the distances of all labels in the next slice around pieces of a label that the next slice
- * lacks, so that the piece ends as a ball would, with the same slope around its end.
+ * Limits the distances of all labels in the next slice, around the pieces of a label that the next
+ * slice lacks, so that each piece ends as a ball would, with the same slope around its end.
  */
 void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape* before,
   const LabelShape* next, std::vector<float>& limits);

@@ -19,18 +19,18 @@ LabelCell CellOutside() noexcept
   return cell;
 }
 
-/** The voxel before a position along an axis, and the distance from it to the position. */
+/** The voxel before a position along an axis, and the position's distance behind it. */
 struct AxisPart
 {
   std::int64_t Low;
   double Fraction;
-  bool HasLow; ///< whether both voxels belong to the image
+  bool HasLow; ///< whether the voxel before the position is in the image
   bool HasHigh;
 };
 
 /**
- * Finds the voxel before a position. Returns false for a position more than a voxel away from the
- * image, and for NaN.
+ * Locates the voxel before a position. Returns false if the position is more than a voxel outside
+ * the image or NaN.
  */
 bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
 {
@@ -46,7 +46,7 @@ bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
   return true;
 }
 
-/** Sets the trilinear fractions at a place in a cell. */
+/** Sets the trilinear weights of the eight voxels for a position in a cell. */
 void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
 {
   const double along[2] = { 1.0 - x, x };
@@ -57,7 +57,7 @@ void SetFractions(double x, double y, double z, LabelCell& cell) noexcept
   }
 }
 
-/** Reads a cell that may lack some of its voxels. */
+/** Reads a cell that may lie partly outside the image. */
 template <typename T>
 LabelCell ReadAtBorder(const VolumeView& view, double x, double y, double z) noexcept
 {

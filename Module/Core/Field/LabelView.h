@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A typed view of a label image: no copy, no ownership.
+ * A view of a label image by type: no copy, no ownership.
  *
- * A label is an integer. There is no label outside the image, or where the image holds NoLabel or
- * an unsigned number that does not fit into a signed one of 64 bits.
+ * A label is an integer. There is no label outside the image, nor where the image has the value
+ * NoLabel or an unsigned number that does not fit into a signed integer of 64 bits.
  */
 #ifndef LabelView_h
 #define LabelView_h
@@ -21,23 +21,27 @@ namespace VolumeHaptics
 
 constexpr std::int64_t NoLabel = std::numeric_limits<std::int64_t>::min();
 
-/** The labels of the eight voxels around a position, with their trilinear fractions. */
+/** The labels of the eight voxels around a position, and their trilinear weights. */
 struct LabelCell
 {
   static constexpr int Corners = 8;
 
-  std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first label is set
-  std::array<double, Corners> Fraction;    ///< sum to 1; not set if the cell is uniform
-  bool IsUniform;                          ///< all labels equal the first one
+  std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first one is set
+  /** Trilinear weights, whose sum is 1; not set if the cell is uniform. */
+  std::array<double, Corners> Fraction;
+  bool IsUniform; ///< whether all voxels have the first label
 };
 
-/** The voxels of a label image, at its own continuous indices. Borrows the memory. */
+/**
+ * The voxels of a label image, at continuous indices of this image. Keeps only a view of the
+ * memory.
+ */
 class LabelView
 {
 public:
   LabelView() = default;
   /**
-   * Makes a view of the whole image; only dimensions, strides and type of the argument count.
+   * Makes a view of the whole image. Uses only data, dimensions, strides and type of the argument.
    * Floating-point samples must be whole numbers.
    */
   explicit LabelView(const VolumeView& view) noexcept;

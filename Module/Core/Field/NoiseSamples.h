@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples of a whole volume, from which its noise and its border value are estimated.
+ * Samples of a whole volume from which its noise and its border value are estimated.
  *
- * A region of a volume is touched with the noise and the border value of the whole. If the volume
- * is in pieces, each piece gives its samples (NoiseEstimate.h): up to 4096 blocks of 5^3 samples,
- * 512 in a large volume, and the corners. Merge joins blocks that pieces share. The data are plain
- * numbers, which can be sent directly.
+ * A region of a volume feels as the whole volume does, with its noise and its border value. If a
+ * volume is in pieces, each piece adds its samples (NoiseEstimate.h): up to 4096 blocks of 5^3
+ * samples, or 512 in a large volume, and the corners. Merge() joins the samples of pieces. The data
+ * are plain numbers, so that they can be sent between processes directly.
  */
 #ifndef NoiseSamples_h
 #define NoiseSamples_h
@@ -29,19 +29,19 @@ struct NoiseSamples
   /** Dimensions of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * The numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any
-   * order, and their values.
+   * Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order,
+   * and the values of these samples.
    */
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * The smallest and the largest value of all samples of the pieces if HasRangeOfAll() says so,
-   * else of the samples in Values. If there are no samples, the first number is larger.
+   * Smallest and largest value: of all samples if HasRangeOfAll() is true, otherwise of the samples
+   * in Values. If there are no samples, the first number is the larger one.
    */
   double Range[2] = { 1.0, 0.0 };
   /**
-   * The range of all samples that are finite and do not stand for missing values
-   * (OutsideSamples.h), if the range covers all samples.
+   * If HasRangeOfAll() is true, the range of all samples that are finite and do not stand for
+   * missing values (OutsideSamples.h).
    */
   double Inside[2] = { 1.0, 0.0 };
 
@@ -54,8 +54,8 @@ struct NoiseSamples
   }
 
   /**
-   * Returns the number of the corner whose value is Values[s]: bit a is set at the end of axis a.
-   * -1 if the sample is no corner.
+   * Returns the number of the corner whose value is Values[s]. Its bit a is set at the end of axis
+   * a. Returns -1 if the sample is not at a corner.
    */
   int GetCorner(std::size_t s) const
   {
@@ -72,7 +72,10 @@ struct NoiseSamples
     return corner;
   }
 
-  /** Adds the samples of another piece of the same volume; samples in both count once. */
+  /**
+   * Adds the samples of another piece of the same volume. Samples that both pieces have are counted
+   * once.
+   */
   void Merge(const NoiseSamples& other)
   {
     this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The box of resident samples in a larger volume (VolumeView::Whole).
+ * The box of the resident samples in a larger volume (VolumeView::Whole).
  */
 #ifndef ResidentBox_h
 #define ResidentBox_h
@@ -13,15 +13,16 @@
 namespace VolumeHaptics
 {
 
-/** Voxels over which the residency falls from 1 to 0. */
+/** Number of voxels over which the residency falls from 1 to 0. */
 constexpr double ResidencyBand = 4.0;
 
-/** The box of the resident samples, in index steps. */
+/** The box of the resident samples in index steps. */
 class ResidentBox
 {
 public:
   /**
-   * Makes the box; `fraction` is below 1 if the samples of the view only stand in for the volume's.
+   * Makes the box of a view's samples. `fraction` is below 1 if they are coarser than the volume's
+   * own.
    */
   explicit ResidentBox(const VolumeView& view, double fraction = 1.0) noexcept;
 
@@ -29,13 +30,13 @@ public:
   bool IsWhole() const noexcept { return this->Whole; }
 
   /**
-   * Returns the residency of the box between two corners, with a margin along each axis; at most
-   * `fraction`.
+   * Returns the residency of a box from `low` to `high` with a margin along each axis. The
+   * residency is at most `fraction`.
    */
   double Compute(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:
-  Vector3 Low; ///< infinite where the border is the volume's own
+  Vector3 Low; ///< smallest resident index; infinite at the volume's own border
   Vector3 High;
   bool Whole = true;
   double Fraction;

@@ -10,27 +10,27 @@ namespace VolumeHaptics
 {
 
 /**
- * The samples of the last gradient, stored as numbers from one tick to the next, because a hand
- * stays within a voxel for many ticks. The memory changes no result.
+ * The samples of the last gradient. They are stored from one tick to the next, because a hand stays
+ * within a voxel for many ticks. The memory changes no result.
  */
 struct TapMemory
 {
-  static constexpr int MostTaps = 6; ///< along an axis
+  static constexpr int MostTaps = 6; ///< largest number of taps along an axis
 
-  std::uint64_t Field = 0;             ///< the number of the FieldSampler; 0: no samples
-  std::int64_t First[3] = { 0, 0, 0 }; ///< the index of the first tap along each axis
+  std::uint64_t Field = 0; ///< number of the FieldSampler; 0 if the memory has no samples
+  std::int64_t First[3] = { 0, 0, 0 }; ///< index of the first tap along each axis
   /** Pairs of rows along x, in the layout of RowPair. */
   alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
 };
 
 /**
- * The samples around the last gradient in two blended time steps, to blend them with any fraction.
- * Rows lie along x as in a volume, so that values can be read from them, too.
+ * The samples around the last gradient in two time steps, which can be blended with any fraction.
+ * Rows are along x as in a volume, so that values can be computed from them, too.
  */
 struct TimeStepTaps
 {
   static constexpr int MostTaps = TapMemory::MostTaps;
-  /** The length of a row of N taps, rounded up to whole vectors. */
+  /** Length of a row of N taps, rounded up to whole vectors. */
   template <int N>
   static constexpr int Line = (N + 3) / 4 * 4;
   static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
@@ -39,28 +39,28 @@ struct TimeStepTaps
   std::uint64_t SecondField = 0; ///< number of the second time step
   std::int64_t First[3] = { 0, 0, 0 };
   alignas(64) double Taps[Most];    ///< taps of the first time step
-  alignas(64) double Changes[Most]; ///< taps of the second time step, minus Taps
+  alignas(64) double Changes[Most]; ///< taps of the second time step minus Taps
 };
 
-/** The samples of two time steps, blended: TapMemory::Field is the first time step. */
+/** The blended samples of two time steps. TapMemory::Field is the first time step's number. */
 struct BlendMemory : TapMemory
 {
   std::uint64_t SecondField = 0;
-  double Fraction = 0.0; ///< fraction of the second time step
+  double Fraction = 0.0; ///< weight of the second time step
 };
 
 /**
- * The memories of a tick. If each time step is read at its own place, each of the two time steps
- * has a memory; if they are blended, both share a memory, and each of the two instants of a tick
- * has a memory for its blend. A time step keeps its memory when the volume moves past it; a volume
- * that stands still uses the first memory.
+ * The memories of a tick. If both time steps are read at places of their own, each has a memory of
+ * its own (TimeSteps). If they are blended, both share a memory (Pair), and the blend at each of a
+ * tick's two instants has one (Blends). A time step keeps its memory when the data time passes it.
+ * A volume that does not move uses the first memory.
  */
 struct TickMemory
 {
   TapMemory TimeSteps[2];
   TimeStepTaps Pair;
   BlendMemory Blends[2];
-  int OldBlend = 0; ///< the blend to replace next
+  int OldBlend = 0; ///< index of the blend to replace next
 
   TapMemory& Of(std::size_t timeStep) noexcept { return this->TimeSteps[timeStep % 2]; }
 };

@@ -14,7 +14,7 @@ double SumOfSquares(const Matrix3& m) noexcept
   return Dot(m.Row[0], m.Row[0]) + Dot(m.Row[1], m.Row[1]) + Dot(m.Row[2], m.Row[2]);
 }
 
-/** Returns the matrix of the unit vectors along the index axes. */
+/** Returns the matrix whose columns are the unit vectors along the index axes. */
 Matrix3 DirectionOf(const Affine3& indexToWorld) noexcept
 {
   const Matrix3 columns = Transpose(indexToWorld.Linear);

@@ -21,14 +21,14 @@
 namespace VolumeHaptics
 {
 
-/** The axes to which the components of an array refer. */
+/** The axes along which the components of an array are. */
 enum class VectorAxes : std::uint8_t
 {
   World,
   Image
 };
 
-/** Borrows the samples. */
+/** The vectors or tensors of a volume. Keeps only a view of the samples. */
 class VectorField
 {
 public:
@@ -43,8 +43,8 @@ public:
   ///@{
   /**
    * Reads the vector at a continuous index, and its Jacobian, whose row c is the gradient of
-   * component c. Returns false outside the volume, where samples are not finite, and if there are
-   * no vectors; both results are 0 then.
+   * component c. Returns false outside the volume, where samples are not finite, and if the field
+   * has no vectors. Then both results are 0.
    */
   bool Read(const Vector3& index, Vector3& vector) const noexcept;
   bool Read(const Vector3& index, Vector3& vector, Matrix3& jacobian) const noexcept;
@@ -52,24 +52,24 @@ public:
 
   /**
    * Reads the tensor at a continuous index: from 6 components (XX YY ZZ XY YZ XZ, as in VTK), or
-   * the symmetric part of 9 (row by row). Returns false, with a result of 0, in the same cases as
-   * Read.
+   * the symmetric part of 9 components (row by row). Returns false as Read does; then the result is
+   * 0.
    */
   bool ReadTensor(const Vector3& index, Matrix3& tensor) const noexcept;
 
   const VectorSampler& GetSampler() const noexcept { return this->Sampler; }
 
   /**
-   * Returns the sum of the squares of a voxel's edges (world units): no displacement by a voxel is
-   * longer.
+   * Returns the sum of the squares of a voxel's edges (world units), which limits the squared
+   * length of a displacement by one voxel.
    */
   double GetSquaredVoxel() const noexcept { return this->SquaredVoxel; }
 
 private:
   VectorSampler Sampler;
-  bool IsOfImage = false; ///< the components are along the axes of the image
+  bool IsOfImage = false; ///< whether the components are along the axes of the image
   Matrix3 ToWorld;        ///< maps components to the world's axes
-  Matrix3 WorldToIndex;   ///< maps displacements to index steps
+  Matrix3 WorldToIndex;   ///< maps displacements in the world to index steps
   double SquaredVoxel = 0.0;
 };
 

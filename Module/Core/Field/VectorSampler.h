@@ -25,7 +25,7 @@
 namespace VolumeHaptics
 {
 
-/** The components at a position: as many as the view has; the others are not set. */
+/** The components at a position. Only as many are set as the view has. */
 struct VectorSample
 {
   double Value[VectorView::MostComponents] = {};
@@ -33,7 +33,7 @@ struct VectorSample
 };
 
 /**
- * The samples as the kernels read them; Data of View.Volume points to the volume's first sample.
+ * The samples as the kernels read them. Data of View.Volume points to the volume's first sample.
  */
 struct VectorFieldView
 {
@@ -41,7 +41,7 @@ struct VectorFieldView
   std::int64_t ComponentStride = 1;
 };
 
-/** Reads a sample; returns false if it is not finite. */
+/** Reads a sample. Returns false if it is not finite. */
 using VectorFunction = bool (*)(
   const VectorFieldView&, double x, double y, double z, VectorSample&) noexcept;
 
@@ -52,12 +52,12 @@ struct VectorFunctions
   VectorFunction Gradient = nullptr;
 };
 
-/** A volume of vectors or tensors, ready to be sampled. Borrows the samples. */
+/** Samples a volume of vectors or tensors. Keeps only a view of the samples. */
 class VectorSampler
 {
 public:
   VectorSampler() = default;
-  /** Makes a sampler for 3, 6 or 9 components; with another number, the sampler is not valid. */
+  /** Makes a sampler for 3, 6 or 9 components. For any other number, the sampler is not valid. */
   explicit VectorSampler(
     const VectorView& view, InstructionSet instructions = DetectInstructionSet());
 
@@ -65,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Reads the components at a continuous index, clamped to the resident samples, with and without
-   * their gradients. Returns false if a sample with a weight is not finite; the result is then of
-   * no use.
+   * Read the components at a continuous index, which is clamped to the resident samples. Sample()
+   * reads their gradients, too. Both return false if a sample with a weight is not finite; then the
+   * result must not be used.
    */
   bool Sample(const Vector3& index, VectorSample& sample) const noexcept
   {
@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * See FieldSampler. For an index that is NaN, IsInside returns false and DistanceToBorder a
-   * negative number.
+   * Do the same as FieldSampler's functions. For an index that is NaN, IsInside() returns false and
+   * DistanceToBorder() a negative number.
    */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -95,7 +95,7 @@ public:
 
 private:
   VectorFieldView View;
-  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< largest index of the volume along each axis
   int Components = 0;
   VectorFunctions Functions;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A typed view of an array of vectors or tensors: no copy, no ownership.
+ * A view of an array of vectors or tensors by type: no copy, no ownership.
  */
 #ifndef VectorView_h
 #define VectorView_h
@@ -17,9 +17,9 @@ struct VectorView
 {
   static constexpr int MostComponents = 9;
 
-  VolumeView Volume;       ///< view of the first component; its BorderValue is not used
-  int Components = 3;      ///< 3: a vector; 6: a symmetric tensor; 9: a tensor
-  std::int64_t Stride = 1; ///< elements from one component of a sample to the next
+  VolumeView Volume;       ///< the first component; its BorderValue is not used
+  int Components = 3;      ///< 3 for vectors, 6 for symmetric tensors, 9 for tensors
+  std::int64_t Stride = 1; ///< number of elements from one component of a sample to the next
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A typed view of a scalar array: no copy, no ownership.
+ * A view of a scalar array by type: no copy, no ownership.
  */
 #ifndef VolumeView_h
 #define VolumeView_h
@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** The scalar types a volume may have; each VTK scalar type is one of these. */
+/** The scalar types of volumes. Each VTK scalar type is one of them. */
 enum class ScalarType : std::uint8_t
 {
   Int8,
@@ -27,7 +27,7 @@ enum class ScalarType : std::uint8_t
   Float64
 };
 
-/** Calls f with a value of the C++ type that a scalar type stands for. */
+/** Calls f with a value of the C++ type that belongs to a scalar type. */
 template <typename F>
 auto WithSampleType(ScalarType type, F&& f)
 {
@@ -58,13 +58,13 @@ auto WithSampleType(ScalarType type, F&& f)
 }
 
 /**
- * One component of a structured point array. The sample with index (i, j, k) stands
- * i*Stride[0] + j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices run from 0 to
- * Dimensions - 1, whatever extent the image had: the index-to-space maps account for that.
+ * One component of a structured point array. The sample with index (i, j, k) is i*Stride[0] +
+ * j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices are from 0 to Dimensions - 1,
+ * whatever extent the image has: the maps from index to space account for the extent.
  *
- * A view may be of a region of a larger volume. Its indices are then the volume's: they count from
- * First, the index of the sample that `Data` points to. So reading in a region gives the same
- * values as in the whole, to the bit.
+ * A view may show a region of a larger volume. Then its indices are those of the volume, and `Data`
+ * points to the sample with the index First. So reading in a region gives the same values as
+ * reading in the whole volume, to the bit.
  */
 struct VolumeView
 {
@@ -73,12 +73,15 @@ struct VolumeView
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   std::int64_t Stride[3] = { 0, 0, 0 };
   std::int64_t First[3] = { 0, 0, 0 };
-  /** The dimensions of the whole volume, if this is a region; else 0. */
+  /** Dimensions of the whole volume if the view shows a region, otherwise 0. */
   std::int64_t Whole[3] = { 0, 0, 0 };
-  /** The value that stands for a sample that is NaN or infinite (Documentation/method.md). */
+  /** Value that replaces a sample that is NaN or infinite (Documentation/method.md). */
   double BorderValue = 0.0;
 
-  /** Return the largest index along an axis: of a resident sample, and of the volume. */
+  /**
+   * Last() returns the largest index of a resident sample along an axis, Border() the largest index
+   * of the whole volume.
+   */
   std::int64_t Last(int axis) const noexcept
   {
     return this->First[axis] + this->Dimensions[axis] - 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes where the samples of a whole volume begin, if a view shows a region of it.
+ * Computes the address of a whole volume's first sample from a view of a region.
  */
 #ifndef WholeData_h
 #define WholeData_h
@@ -19,8 +19,8 @@ inline std::int64_t SizeOf(ScalarType type) noexcept
 }
 
 /**
- * Returns the address of the whole volume's first sample, computed as a number, since there may be
- * no memory at this address.
+ * Returns the address of the whole volume's first sample. It is computed as a number, because there
+ * may be no memory at it.
  */
 inline const void* WholeData(const VolumeView& view) noexcept
 {

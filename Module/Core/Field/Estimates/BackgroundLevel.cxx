@@ -11,33 +11,37 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * A background and a solid part exist if the difference between them accounts for this fraction of
- * the variance of all values. For the halves of a normal distribution it is 0.637.
+ * The volume has a background and a solid part if the difference between them accounts for this
+ * fraction of the variance of all values. For the halves of a normal distribution it is 0.637.
  */
 constexpr double ApartFraction = 0.65;
 /**
- * The values of an even block differ by at most this fraction of the rise from background to solid.
+ * A block is even if its values differ by at most this fraction of the rise from background to
+ * solid.
  */
 constexpr double EvenFraction = 0.15;
 ///@{
 /**
- * A darker material stands out if the difference accounts for this fraction of the variance of the
- * even places.
+ * A darker material counts if the difference between it and the background accounts for this
+ * fraction of the variance in the even places.
  */
 constexpr double DarkFraction = 0.88;
 /**
- * The least rise of the darker material, as a fraction of the brighter one's, and its least
- * fraction of the even places.
+ * Least rise of the darker material as a fraction of the brighter one's, and its least fraction of
+ * the even places.
  */
 constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
-/** The distance from the threshold to Full, as a fraction of the way to the solid's median. */
+/**
+ * Distance from the threshold to Full, as a fraction of the distance from the threshold to the
+ * solid's median.
+ */
 constexpr double FullFraction = 0.15;
-constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
+constexpr int Inner = NoiseBlockSide - 2; // number of means along each axis of a block
 
-/** The means in a block, and the differences between them. */
+/** The mean of a block's means, and the difference between the largest and the smallest of them. */
 struct BlockMeans
 {
   double Mean;
@@ -82,8 +86,8 @@ public:
     level.IsThere = true;
     level.Threshold = 0.5 * (this->All[split.Below - 1] + this->All[split.Below]);
     const double rise = solid - background;
-    // Values between background and solid may belong to an edge: only even blocks show a darker
-    // material.
+    // A value between background and solid may belong to an edge, so only even blocks can show a
+    // darker material.
     std::vector<double> even;
     for (const BlockMeans& block : this->Blocks)
     {
@@ -118,8 +122,8 @@ public:
 
 private:
   /**
-   * The number of ascending values below a threshold, and the fraction of the variance that the
-   * split accounts for.
+   * A split of ascending values: the number of values below the threshold, and the fraction of the
+   * variance that the split accounts for.
    */
   struct Split
   {
@@ -144,11 +148,11 @@ private:
     return sum / 27.0;
   }
 
-  /** Computes Otsu's split. */
+  /** Returns the split of Otsu's threshold. */
   static Split ComputeSplit(const std::vector<double>& values)
   {
-    const double first = values.empty() ? 0.0 : values.front(); // subtracted, so that no digits are
-                                                                // lost
+    // subtracted from all values for precision
+    const double first = values.empty() ? 0.0 : values.front();
     double sum = 0.0;
     double squares = 0.0;
     for (const double value : values)

@@ -17,22 +17,25 @@ using LatticePlace = std::array<std::int64_t, 3>;
 
 constexpr double MostPlaces = 8000.0;
 constexpr std::size_t MostEdges = 256;
-/** The number of samples to either side. */
+/**
+ * Number of samples to either side within which an edge's plateaus, and the moved edge, are
+ * searched.
+ */
 constexpr std::int64_t EdgeReach = 64;
 /**
- * An edge rises at least by these fractions of the range of values: from one sample to the next,
- * and in all.
+ * Least rise of an edge as a fraction of the range of values: from one sample to the next, and in
+ * total.
  */
 constexpr double LeastEdgeSlope = 0.03;
 constexpr double LeastEdgeRise = 0.1;
-/** An edge also rises by at least these multiples of the noise. */
+/** Least rise of an edge as a multiple of the noise: from one sample to the next, and in total. */
 constexpr double SlopeOverNoise = 4.0;
 constexpr double RiseOverNoise = 10.0;
-/** A plateau begins where the rest of the rise is less than this fraction of the range. */
+/** A plateau begins where the remaining rise is less than this fraction of the range. */
 constexpr double EdgeTail = 1e-3;
 /**
- * The tolerance of a plateau in another time step (fraction of the rise), and its distance from the
- * middle of the edge (widths).
+ * Tolerance of a plateau's value in the other time step (as a fraction of the rise), and the
+ * distance (widths) from the edge's middle at which it is compared.
  */
 constexpr double SamePlateau = 0.3;
 constexpr double PlateauDistance = 3.0;
@@ -71,7 +74,7 @@ private:
   double (*const Read)(const void*, std::int64_t);
 };
 
-/** The samples along an axis through a place. */
+/** The samples on a line through a place, along an axis. */
 class SampleLine
 {
 public:
@@ -98,24 +101,24 @@ private:
 /** An edge on a line. */
 struct FoundEdge
 {
-  double Low;    ///< V1, the value on the lower side of the index if the edge rises
-  double High;   ///< V2
-  double Middle; ///< the index of the middle
+  double Low;    ///< V1, the value of the plateau at lower indices
+  double High;   ///< V2, the value of the plateau at higher indices
+  double Middle; ///< index of the edge's middle
   double Width;  ///< width in samples
   double Rising; ///< 1 if the edge rises, else -1
 };
 
-/** A place where the gradient is steep. */
+/** A place with a steep gradient. */
 struct SteepPlace
 {
   LatticePlace At;
-  std::size_t Axis; ///< the axis of the steepest slope
-  double Rising;    ///< 1 or -1
-  double Cosine;    ///< 1 if the gradient rises along the axis, else -1
+  std::size_t Axis; ///< axis along which the slope is steepest
+  double Rising;    ///< 1 if the values rise along the axis, else -1
+  double Cosine;    ///< cosine between the gradient and the axis, 0 to 1
 };
 
 /**
- * Walks from a steep place to the beginning of a plateau; returns false if there is none within
+ * Walks from a steep place to the beginning of a plateau. Returns false if no plateau is within
  * reach.
  */
 bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward, double tolerance,
@@ -140,7 +143,7 @@ bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward
   }
 }
 
-/** Returns the index between i and i + 1 at which a line has a value. */
+/** Returns the position between the indices i and i + 1 at which a line has a value. */
 double FindCrossing(const SampleLine& line, std::int64_t i, double value)
 {
   const double a = line(i);
@@ -187,7 +190,7 @@ bool FindEdge(const SampleLine& line, const SteepPlace& steep, double tolerance,
   return false;
 }
 
-/** Returns whether a crossing leads from one plateau of the edge to the other. */
+/** Returns whether a crossing lies between both plateaus of an edge. */
 bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 {
   const auto distance = static_cast<std::int64_t>(std::ceil(PlateauDistance * edge.Width));
@@ -199,15 +202,15 @@ bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
 }
 
 /**
- * Returns the motion (samples) of an edge to the nearest place on a line that has the edge; -1 if
- * there is none.
+ * Returns the distance (samples) from an edge to the nearest place on a line that has this edge, or
+ * -1 if there is none.
  */
 double MeasureMotion(const SampleLine& line, const FoundEdge& edge)
 {
   const double value = 0.5 * (edge.Low + edge.High);
   const auto begin = static_cast<std::int64_t>(std::floor(edge.Middle));
   double nearest = std::numeric_limits<double>::max();
-  // The crossing one sample farther on the other side may be nearer.
+  // Search one sample farther, because a crossing on the other side may be nearer.
   for (std::int64_t i = 0; i <= EdgeReach && static_cast<double>(i) <= nearest + 1.0; ++i)
   {
     for (const std::int64_t at : { begin - i, begin + i })
@@ -233,7 +236,10 @@ double Median(std::vector<double>& values)
   return *middle;
 }
 
-/** Collects the places of a lattice over the samples where gradients are steep. */
+/**
+ * Collects the places of a lattice where gradients are steep. Writes the difference between the
+ * largest and the smallest value to `range`.
+ */
 std::vector<SteepPlace> CollectSteepPlaces(
   const EdgeSamples& samples, const Vector3& spacing, double noise, double& range)
 {

@@ -14,29 +14,28 @@ namespace
 {
 
 /**
- * The number of blends through which a point is followed, and the number of steps to its level in
- * each blend.
+ * Number of blends through which a point is followed, and limit of the steps to its level in each.
  */
 constexpr int Blends = 8;
 constexpr int MostSteps = 4;
 ///@{
 /**
- * In voxels: the longest step, the step after which the level is reached, and the step after which
- * it is lost.
+ * Lengths in voxels: the longest step; the step after which the level counts as reached; and the
+ * step after which it counts as lost.
  */
 constexpr double LongestStep = 0.5;
 constexpr double ShortStep = 1e-4;
 constexpr double LostStep = 0.1;
 ///@}
 
-/** Returns a step of Newton's method to a level, along the gradient. */
+/** Returns a step of Newton's method to a level, along the gradient (index steps). */
 Vector3 ComputeStep(const FieldAtTime& field, double value, const Vector3& index)
 {
   const Vector3 slope = field.Gradient(index).Gradient;
   return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
 }
 
-/** Moves an index to a level; leaves it in place if the level can't be reached. */
+/** Returns an index moved to a level, or `start` if the level can't be reached. */
 Vector3 GoToLevel(
   const FieldSampler& inside, const FieldAtTime& field, double value, const Vector3& start)
 {
@@ -46,7 +45,7 @@ Vector3 GoToLevel(
   {
     const Vector3 whole = ComputeStep(field, value, index);
     length = Norm(whole);
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (!(length < 1e9))
     {
       return start;
@@ -80,7 +79,7 @@ std::vector<Vector3> MeasureIsoMotions(
   {
     const Vector3 begin = worldToIndex(point);
     Vector3 end = material ? material->Compute(begin, 0.0).Second : begin;
-    // A nearby level needs no blends in between.
+    // If the level is near already, the blends between the time steps are not needed.
     const bool isNear =
       material || Norm(ComputeStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
     for (int blend = isNear ? Blends : 1; blend <= Blends; ++blend)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Moves the points of an isosurface from one time step of a moving volume to the next.
+ * Computes where the points of an isosurface move from one time step of a volume to the next.
  *
- * A point follows its level through the blends of the time steps (FieldAtTime.h), along the
- * gradient, by Newton's method; where displacements are known, it moves with its material first,
- * and the level in the next time step only corrects that. If the level vanishes on the way, because
- * its structure disappears, the point stays where it lost the level.
+ * A point follows its level through the blends of both time steps (FieldAtTime.h), along the
+ * gradient, by Newton's method. Where displacements are known, it moves with its material first,
+ * and the level in the next time step only corrects its position. If the level vanishes on the way
+ * because its structure disappears, the point stays where it lost the level.
  */
 #ifndef IsoMotion_h
 #define IsoMotion_h
@@ -26,13 +26,17 @@ struct IsoTimeSteps
 {
   VolumeView First;
   VolumeView Second;
-  /** Displacements on the points of First, to Second; without Data, the motion is not known. */
+  /**
+   * Displacements from First to Second, at the points of First. Without Data, the motion is not
+   * known.
+   */
   DisplacementView Displacements;
   Affine3 IndexToWorld;
 };
 
 /**
- * Computes the motions of points of the isosurface in the first time step (both in world units).
+ * Returns the motions of points of the isosurface in the first time step. Points and motions are in
+ * world units.
  */
 std::vector<Vector3> MeasureIsoMotions(
   const std::vector<Vector3>& points, double value, const IsoTimeSteps& timeSteps);

@@ -13,17 +13,18 @@ namespace
 {
 constexpr int BlockSide = NoiseBlockSide;
 constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
-constexpr int Quadratic = 10; // coefficients
-/** Their product is the number of blocks. */
+constexpr int Quadratic = 10; // number of coefficients of a quadratic
+/** Limits of the blocks along an axis. Their third power limits the number of blocks. */
 constexpr int MostBlocksAlongAnAxis = 16;
 constexpr int MostBlocksAlongAnAxisIfLarge = 8;
-/** The fraction of the blocks, in ascending order of their remainders, that counts as flat. */
+/** Fraction of the blocks that counts as flat: those with the smallest remainders. */
 constexpr double Flattest = 0.1;
 /**
- * A tenth of the estimates from 115 degrees of freedom lies below this fraction of the true value.
+ * Fraction of the true value below which a tenth of all estimates lie, if an estimate has 115
+ * degrees of freedom.
  */
 constexpr double FractionAtFlattest = 0.916;
-/** Noise below this fraction of the largest value is rounding. */
+/** Noise below this fraction of the largest value is only rounding. */
 constexpr double NoiseRounding = 1e-9;
 constexpr double NoiseThreshold = 3.4;
 
@@ -33,11 +34,11 @@ constexpr double NoiseThreshold = 3.4;
 constexpr double Basis[3][BlockSide] = { { 1, 1, 1, 1, 1 }, { -2, -1, 0, 1, 2 },
   { 2, -1, -2, -1, 2 } };
 constexpr double Squares[3] = { 5, 10, 14 };
-/** The products of these functions with a degree of at most 2. */
+/** Degrees along x, y and z of the products of these functions with a total degree of at most 2. */
 constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
 
-/** The blocks of a volume along an axis. */
+/** The blocks along an axis of a volume. */
 struct BlockAxis
 {
   static constexpr std::int64_t None = -1;
@@ -62,14 +63,14 @@ struct BlockAxis
   std::int64_t Blocks;
 };
 
-/** Returns the blocks of the whole volume along each axis. */
+/** Returns the blocks along each axis of the whole volume. */
 std::array<BlockAxis, 3> AxesOf(const std::int64_t n[3])
 {
   const int most = IsLargeVolume(n) ? MostBlocksAlongAnAxisIfLarge : MostBlocksAlongAnAxis;
   return { BlockAxis(n[0], most), BlockAxis(n[1], most), BlockAxis(n[2], most) };
 }
 
-/** The values of all terms at each sample of a block. */
+/** The values of all terms at the samples of a block. */
 struct TermTable
 {
   constexpr TermTable()
@@ -91,7 +92,7 @@ constexpr TermTable TermValues;
 /** Returns the sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
 {
-  // Relative to the middle, so that no digits are lost.
+  // Values relative to the middle sample keep their digits.
   const double middle = block[BlockSamples / 2];
   double left = 0.0;
   double sums[Quadratic] = {};
@@ -112,7 +113,7 @@ double Remainder(const double* block)
   return std::max(0.0, left);
 }
 
-/** The Remainder() of each block of a volume, and the values of flat blocks. */
+/** The remainders of all blocks of a volume, and the values of flat blocks. */
 class Remainders
 {
 public:
@@ -135,7 +136,7 @@ public:
     }
   }
 
-  /** Returns the noise of a volume with a range of values. */
+  /** Returns the noise of a volume whose values have this range. */
   double ComputeNoise(const double range[2]) const
   {
     std::vector<double> left = this->Left;
@@ -157,18 +158,18 @@ public:
   }
 
 private:
-  std::vector<double> Left; // remainders of blocks that are not flat
-  std::vector<double> Flat; // values of flat blocks
+  std::vector<double> Left; // remainders of all blocks that have more than one value
+  std::vector<double> Flat; // values of the blocks that have only one value
 };
 
 /**
- * Returns the standard deviation of an estimated gradient component per voxel, for noise of one
- * unit.
+ * Returns the standard deviation of a component of the estimated gradient (per voxel) for noise
+ * with a standard deviation of one.
  */
 double NoiseGain(const GradientKernel& kernel)
 {
-  // White noise through a kernel: the root of the sum of the squared weights, averaged over
-  // positions.
+  // Noise is independent from sample to sample, so the result is the root of the sum of the squared
+  // weights. It is averaged over positions.
   constexpr int positions = 32;
   double smoothing = 0.0;
   double slope = 0.0;
@@ -196,7 +197,8 @@ double NoiseGain(const GradientKernel& kernel)
     }
     else
     {
-      // Read at the middle of an interval of the table, where the polynomials' argument is 1/2.
+      // Read the weights at the middle of an interval of the table, where the polynomials' argument
+      // is 1/2.
       const int count = 2 * kernel.Taps;
       const double* const c =
         &kernel.Table[static_cast<std::size_t>(p) * GradientKernel::Coefficients * count];
@@ -279,7 +281,7 @@ void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
 {
   std::int64_t n[3];    // size of the piece
-  std::int64_t from[3]; // index of the piece's first sample in the whole
+  std::int64_t from[3]; // index of the piece's first sample in the whole volume
   struct Wanted
   {
     std::int64_t Index; // index in the piece
@@ -309,7 +311,7 @@ void CollectNoiseSamples(
   }
   if (samples.Indices.empty())
   {
-    // Reserved at once: megabytes would otherwise be moved again and again.
+    // Reserve the memory at once. Otherwise megabytes would be moved again and again.
     std::size_t most = 1;
     for (const std::vector<Wanted>& along : wanted)
     {
@@ -365,12 +367,12 @@ void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
-  std::vector<std::int64_t> alongX; // the block at each index, stored because divisions take long
+  std::vector<std::int64_t> alongX; // block at each index, stored because divisions take long
   for (std::int64_t i = 0; i < samples.Dimensions[0]; ++i)
   {
     alongX.push_back(axes[0].Find(i));
   }
-  // The row along x of the last sample, which mostly contains the next one.
+  // The row (along x) of the last sample. Mostly it contains the next sample, too.
   std::array<std::int64_t, 3> at{};
   std::int64_t row = -samples.Dimensions[0];
   std::int64_t y = BlockAxis::None;
@@ -436,7 +438,7 @@ double EstimateNoise(const NoiseSamples& samples)
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
 {
   const std::int64_t* const n = dimensions;
-  NoiseSamples seen; // only their range
+  NoiseSamples seen; // only its range is used
   Remainders remainders;
   VisitNoiseBlocks(read, n,
     [&](const double* block)

@@ -15,12 +15,12 @@ namespace
 constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -2147483648.0,
   -2147483647.0, -33792.0, -31744.0, 63536.0 };
 /**
- * Numbers for missing values, with either sign: the numbers that NetCDF, Ferret and others use, and
+ * Numbers that stand for missing values, with either sign: those of NetCDF, Ferret and others, and
  * the largest numbers of both floating-point types.
  */
 constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
   std::numeric_limits<float>::max() };
-/** The least gap to the other values, as a fraction of their range. */
+/** Least difference from all other values, as a fraction of their range. */
 constexpr double LeastGap = 0.1;
 
 bool IsEnormous(double value)
@@ -34,8 +34,8 @@ bool IsEnormous(double value)
 }
 
 /**
- * Computes the smallest and the largest value of the samples that do not stand for missing values;
- * the first number is larger if there are none.
+ * Computes the smallest and the largest value of all samples that do not stand for missing values.
+ * If there are none, the first number is the larger one.
  */
 void ComputeInsideRange(const NoiseSamples& samples, double range[2])
 {
@@ -88,8 +88,8 @@ OutsideSamples DetectOutside(const NoiseSamples& samples)
     {
       outside.AreNonFinite = true;
     }
-    // The least of several numbers counts, so that the order of the pieces does not matter. If
-    // there are only two values, both are measured.
+    // If several numbers qualify, the smallest one is used, so that the order of the pieces does
+    // not matter. If there are only two values, neither stands for missing values.
     else if (!isOneValue && gap > LeastGap * (inside[1] - inside[0]) && !(outside.Missing <= value))
     {
       outside.Missing = value;

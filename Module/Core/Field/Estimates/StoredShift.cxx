@@ -14,37 +14,55 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Values (HU) of air and lung, without padding: in unshifted data, LeastFraction have them. */
+/**
+ * Values (HU) of air and lung, without padding. In data that are not shifted, at least
+ * LeastFraction of all values are among them.
+ */
 constexpr double SurelyAir[2] = { -1200.0, -200.0 };
 constexpr double LeastFraction = 0.005;
-/** Values (HU) of air and of soft tissue, and values between them, as in lungs and edges. */
+/**
+ * Values (HU) of air and of soft tissue, and values between them, which occur in lungs and at
+ * edges.
+ */
 constexpr double AirValues[2] = { -1030.0, -850.0 };
-constexpr double BrightestAir = -940.0; // the brightest air outside of a lung
+constexpr double BrightestAir = -940.0; // the brightest air outside lungs
 constexpr double BetweenValues[2] = { -700.0, -400.0 };
 constexpr double TissueValues[2] = { -150.0, 150.0 };
-/** A peak is this much larger than the values between the peaks. */
+/** Least ratio of the number of values in a peak to the number between the peaks. */
 constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
-/** Shifted data have hardly any value at or below this, because the shift makes values positive. */
+/**
+ * Value (HU) up to which shifted data have almost no values, because the shift makes all of them
+ * positive.
+ */
 constexpr double Negative = -0.5;
-/** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
+/**
+ * Least fraction of the values in the tissue's range that must differ from the most frequent one.
+ * Real tissue is noisy; a synthetic block of 1000 HU in a block of 0 HU is no body in air.
+ */
 constexpr double LeastSpread = 0.5;
-/** Only padding is this much darker than air, and air this close to its place (HU). */
+/**
+ * Value (HU) below which there is only padding, and the largest distance (HU) of air from its
+ * value.
+ */
 constexpr double DarkerThanAir = -1100.0;
 constexpr double NearAir = 20.0;
 /**
- * The distance to the second usual offset: if air fits that offset better, the data were stored
- * with it.
+ * Difference between the two usual offsets. If air fits the other offset better, that offset was
+ * used to store the data.
  */
 constexpr double OtherOffset = 1000.0;
 /**
- * The largest Hounsfield unit, with metal on an extended scale; and the value below which there is
- * fat.
+ * The largest Hounsfield unit, that of metal on an extended scale, and a value below which every
+ * body has fat.
  */
 constexpr double MostUnits = 32767.0;
 constexpr double LeastOfTissue = 200.0;
-/** A CT has more levels than a picture; it may be masked, as a brain is. */
+/**
+ * Least span of the values in a CT. It is small because a CT may be masked, for example to show
+ * only a brain.
+ */
 constexpr double LeastSpan = 20.0;
 
 class SortedValues
@@ -84,7 +102,10 @@ public:
   }
 
 private:
-  /** Returns whether air and soft tissue are where a shift puts them. */
+  /**
+   * Looks for the peaks of air and soft tissue at each known offset. Writes the shift to `found`.
+   * Returns false if no offset fits.
+   */
   bool DetectShift(StoredShift& found) const
   {
     const auto count = static_cast<double>(this->All.size());
@@ -120,7 +141,7 @@ private:
     return static_cast<double>(std::upper_bound(from, this->All.end(), high) - from);
   }
 
-  /** Returns the values from `low` to `high` without the most frequent one, which is padding. */
+  /** Returns the values from `low` to `high` without the most frequent value, which is padding. */
   std::vector<double> Without(double low, double high) const
   {
     const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);
@@ -143,8 +164,9 @@ private:
   }
 
   /**
-   * Returns the middle of the shortest interval with half of the values from `low` to `high`.
-   * Leaves out the most frequent value, to which others may have been clipped, if others remain.
+   * Returns the middle of the shortest interval that has half of the values from `low` to `high`.
+   * Leaves out the most frequent value, because other values may have been clipped to it, unless
+   * too few values remain.
    */
   double EstimateAir(double low, double high) const
   {

@@ -6,8 +6,8 @@
  *
  *   V_i = a_i + share (b_i - a_i)
  *
- * Samples that are equal in both time steps stay the same to the bit. The rules of FieldKernels.h
- * hold here too.
+ * A sample that is equal in both time steps keeps its value to the bit. The rules of FieldKernels.h
+ * hold here, too.
  */
 #ifndef BlendedSum_h
 #define BlendedSum_h
@@ -51,8 +51,8 @@ VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 
 ///@{
 /**
- * Store both rows in the layout of TimeStepTaps, and load the rows of both time steps, blended as
- * BlendRows does.
+ * Store two rows in the layout of TimeStepTaps, and load the rows of both time steps, blended as by
+ * BlendRows.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
@@ -93,7 +93,7 @@ VOLUME_HAPTICS_INLINE void LoadBlendedLines(
 }
 ///@}
 
-/** Points to N^3 samples of a time step, consecutive along x. */
+/** N^3 samples of a time step, consecutive along x. */
 template <typename T>
 struct TapBlock
 {
@@ -124,7 +124,7 @@ VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T
     foot, gradient);
 }
 
-/** Computes the sum over copies of the taps: see CopyTaps. */
+/** Computes the sum from copies of the taps (see CopyTaps). */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -136,7 +136,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
     { blocks[0], N, N * N }, { blocks[1], N, N * N }, blend.Fraction, foot, gradient);
 }
 
-/** Computes the sum without memories. */
+/** Computes the sum without a memory. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   const TimeStepBlend& blend, const Footprint<N>& foot, Vector3* gradient)
@@ -162,7 +162,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   return SumBlendOfCopies<T, N, WithGradient>(blend, foot, gradient);
 }
 
-/** Returns whether a memory has a blend's samples from the first one on. */
+/** Returns whether a memory has the samples of a blend whose first tap is at `first`. */
 VOLUME_HAPTICS_INLINE bool HoldsTimeSteps(
   const TimeStepTaps& memory, const TimeStepBlend& blend, const std::int64_t* first)
 {
@@ -171,8 +171,8 @@ VOLUME_HAPTICS_INLINE bool HoldsTimeSteps(
 }
 
 /**
- * Reads the N^3 taps of both time steps from the first one on; returns false if some are outside
- * the samples.
+ * Reads the N^3 taps of both time steps, beginning with the tap at `first`. Returns false if some
+ * taps are outside the samples.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
@@ -213,7 +213,7 @@ VOLUME_HAPTICS_OUTLINE bool FillTimeSteps(
   return true;
 }
 
-/** Returns the memory of a blend; null if there is none. */
+/** Returns the memory of a blend, or null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   const TimeStepBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
@@ -228,7 +228,7 @@ VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   return nullptr;
 }
 
-/** Returns the older of the two memories, prepared for a blend. */
+/** Returns the older one of the two memories, after preparing it for a blend. */
 VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   const TimeStepBlend& blend, const std::int64_t* first, TickMemory& tick)
 {
@@ -241,8 +241,8 @@ VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
 }
 
 /**
- * Computes the gradient from the memories: from the blend, or from both time steps, whose blend is
- * then stored.
+ * Computes the gradient from the memory of the blend, or from the memory of both time steps; in
+ * this case it also stores the blend.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sampling kernels, as templates. Included by one translation unit per instruction set only.
+ * The sampling kernels, as templates. Only one translation unit for each instruction set may
+ * include this file.
  *
- * Nothing here may call an inline function with external linkage (of the standard library or of
- * Vector3.h): the linker keeps one copy of those, and it could be the one with AVX2 in it.
+ * Nothing here may call an inline function with external linkage, such as those of the standard
+ * library or of Vector3.h. The linker keeps only one copy of such a function, which could be the
+ * one that was compiled for AVX2.
  */
 #ifndef FieldKernels_h
 #define FieldKernels_h
@@ -37,7 +39,7 @@ VOLUME_HAPTICS_INLINE double Spline(const TimeStepBlend& blend, double x, double
   return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
 }
 
-/** Reads a field, or a blend of two. */
+/** Reads from a field, or from a blend of two fields. */
 template <typename T, typename Source>
 double SplineValue(const Source& from, double x, double y, double z) noexcept
 {
@@ -88,8 +90,8 @@ FieldSample BlendedSpline(
 }
 
 /**
- * Computes the gradient from the taps of a memory, which are read again if they belong to another
- * place.
+ * Computes the gradient from the taps in a memory. Reads the taps first if those in the memory
+ * belong to another place.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<N>& foot,
@@ -113,8 +115,8 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
 }
 
 /**
- * Computes four weights of the Gaussian at a fraction t of an interval; each power has `count`
- * coefficients.
+ * Computes four weights of the Gaussian at a fraction t of an interval. `count` is the number of
+ * coefficients for each power of t.
  */
 VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int count, double t)
 {
@@ -126,11 +128,11 @@ VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int cou
   return low + t2 * (middle + t2 * high);
 }
 
-/** The place of the Gaussian's weights in its table, along one axis, and its first tap. */
+/** Where the Gaussian's weights along one axis are in its table, and the index of the first tap. */
 struct GaussianPlace
 {
   const double* Coefficients;
-  double Fraction; ///< within the interval
+  double Fraction; ///< fraction of the interval
   std::int64_t First;
 };
 
@@ -146,7 +148,10 @@ VOLUME_HAPTICS_INLINE GaussianPlace LocateInTable(
     place.Fraction, static_cast<std::int64_t>(interval / intervals) - kernel.Radius };
 }
 
-/** Finds the first tap and the weights of the Gaussian along one axis, in the kernel's table. */
+/**
+ * Computes the weights of the Gaussian along one axis from the kernel's table, and returns the
+ * index of the first tap.
+ */
 VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   const FieldView& view, int axis, double position, int taps, double* weights)
 {
@@ -176,7 +181,7 @@ template <int N>
 VOLUME_HAPTICS_INLINE void LocateGaussian(
   const FieldView& view, double x, double y, double z, Footprint<N>& foot)
 {
-  // Finds the taps in the order in which the sum needs them.
+  // Locate the axes in the order in which the sum needs them.
   LocateGaussian<N>(view, 1, y, foot);
   LocateGaussian<N>(view, 2, z, foot);
   LocateGaussian<N>(view, 0, x, foot);
@@ -208,7 +213,7 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   return SumRemembered<N>(view, foot, fill, memory, sample);
 }
 
-/** Computes the same for any number of taps, in plain loops. */
+/** Computes the same gradient for any number of taps, in plain loops. */
 template <typename T>
 FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
 {
@@ -263,7 +268,7 @@ void SetTapFunctions(FieldFunctions& f)
   f.TapPair = TapPair<N>;
 }
 
-/** Returns the functions of an estimator. Functions that the estimator does not set stay null. */
+/** Returns the functions of an estimator. Functions that the estimator lacks are null. */
 template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 {

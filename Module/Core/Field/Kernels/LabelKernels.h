@@ -21,7 +21,10 @@ namespace
 
 constexpr int LabelTaps = LabelBlock::Taps;
 
-/** A block of 8^3 voxels in memory, whose samples are unsigned numbers of the label type's size. */
+/**
+ * A block of 8^3 voxels in memory. Its samples are read as unsigned numbers of the same size as the
+ * label's type.
+ */
 template <typename U>
 struct LabelCorner
 {
@@ -32,7 +35,7 @@ struct LabelCorner
   U At(int i, int j, int k) const { return this->First[i + j * this->Line + k * this->Plane]; }
 };
 
-/** Converts the labels of a block to samples. */
+/** The samples of the labels that a block contains. */
 template <typename U>
 struct LabelsFound
 {
@@ -40,7 +43,7 @@ struct LabelsFound
   int Count;
 };
 
-/** Stores which voxels have a label. */
+/** Sets the bits of the voxels that have a label. */
 template <typename U>
 VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std::uint64_t* planes)
 {
@@ -56,7 +59,7 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
   }
 }
 
-/** Compares all labels after the first one, one by one. */
+/** Collects all labels except the first one, one after the other. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
@@ -88,8 +91,8 @@ VOLUME_HAPTICS_OUTLINE void CollectFurtherLabels(
 }
 
 /**
- * Collects the labels of a block. One pass shows whether there are just two labels a and b: then
- * the differences x ^ a of all voxels x are 0 or a ^ b.
+ * Collects the labels of a block. One pass shows whether there are only two labels a and b, because
+ * then x ^ a is 0 or a ^ b for each voxel x.
  */
 template <typename U>
 VOLUME_HAPTICS_INLINE void CollectFrom(
@@ -129,7 +132,8 @@ VOLUME_HAPTICS_INLINE void CollectFrom(
 }
 
 /**
- * Collects labels at the border, beyond which taps repeat the last voxel, or if rows are not dense.
+ * Collects the labels from a copy of the block. Needed at the border, where taps outside repeat the
+ * last voxel, and if rows are not dense.
  */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void CollectFromCopy(
@@ -182,7 +186,7 @@ VOLUME_HAPTICS_INLINE void CollectLabels(
   CollectFrom<U>({ corner, volume.Stride[1], volume.Stride[2] }, block, found);
 }
 
-/** Computes the weights of the taps along an axis, then their slopes. */
+/** Computes the weights of the taps along an axis, followed by their slopes. */
 VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, double* weights)
 {
   constexpr int intervals = LabelField::Intervals;
@@ -203,7 +207,10 @@ VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, doubl
   }
 }
 
-/** Computes the sums of four weights (value, slope) over all patterns of four bits. */
+/**
+ * Computes the sums of four weights for all patterns of four bits: of the values, and of the
+ * slopes.
+ */
 VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4])
 {
   Double4 sums[LabelWeights::Patterns];
@@ -227,7 +234,7 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-/** Computes the factors of rows and planes, for LabelWeights or StepWeights. */
+/** Computes the factors of rows and planes for LabelWeights or StepWeights. */
 template <typename Weights>
 VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
 {
@@ -251,7 +258,7 @@ void WeighLabels(
   WeighRows(view.Table, y, z, weights);
 }
 
-/** The unsigned number of the same size as a type. */
+/** The unsigned integer type with the size of T. */
 template <typename T>
 using LabelBits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
   std::conditional_t<sizeof(T) == 2, std::uint16_t,
@@ -272,7 +279,10 @@ void CollectLabelsOf(
   }
 }
 
-/** Returns the sums for a pattern, given 16 times the pattern's number. */
+/**
+ * Returns the sums for a pattern. `pattern` has the pattern's number (0 to 15) in its upper four
+ * bits.
+ */
 VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uint8_t pattern)
 {
   constexpr std::size_t bytes = sizeof(*table) / LabelWeights::Patterns;
@@ -280,7 +290,7 @@ VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uin
     reinterpret_cast<const char*>(table) + bytes * std::size_t(pattern));
 }
 
-/** Computes the sum over all rows; row(j, k) is the sum over one row: value, slope, value. */
+/** Computes the sum over all rows. row(j, k) returns the sums of one row: value, slope, value. */
 template <typename Weights, typename F>
 VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
 {
@@ -307,7 +317,8 @@ FieldSample FractionOf(const LabelWeights& weights, const std::uint64_t* planes)
   return SumRows(weights,
     [&](int j, int k)
     {
-      // The halves of all rows of a plane, for PatternAt.
+      // The upper and lower halves of all rows of a plane, shifted to the bits that PatternAt
+      // reads.
       constexpr std::uint64_t half = 0xF0F0F0F0F0F0F0F0U;
       const std::uint64_t low = (planes[k] << 4) & half;
       const std::uint64_t high = planes[k] & half;

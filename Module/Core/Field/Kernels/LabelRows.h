@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Comparisons of the labels in a plane of 8^2 voxels. The rules of FieldKernels.h hold here too.
+ * Comparisons of the labels in a plane of 8^2 voxels. The rules of FieldKernels.h hold here, too.
  *
- * Labels are compared bit by bit, as unsigned numbers U of their size. A plane is a few vectors of
- * labels, as many as the instruction set compares at once.
+ * Labels are compared bit by bit, as unsigned numbers U of the same size. A plane is divided into
+ * vectors, each with as many labels as the instruction set compares at once.
  */
 #ifndef LabelRows_h
 #define LabelRows_h
@@ -23,8 +23,8 @@ namespace VolumeHaptics
 namespace
 {
 
-// Labels is a vector; LoadVector() returns the vector with a given number in a plane; ToBits()
-// returns a bit for each label.
+// Labels is the type of a vector. LoadVector() returns the vector with a number in a plane.
+// ToBits() returns one bit for each label of a mask.
 #if defined(__GNUC__) && defined(__AVX2__)
 
 typedef __m256i Labels;
@@ -65,7 +65,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm256_set1_epi64x(static_cast<long long>(label));
 }
 
-/** Returns a mask with all bits set in lanes whose labels are equal. */
+/** Returns a mask whose bits are all set for equal labels. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -135,7 +135,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm_set1_epi64x(static_cast<long long>(label));
 }
 
-/** Returns a mask with all bits set in lanes whose labels are equal. */
+/** Returns a mask whose bits are all set for equal labels. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -178,7 +178,7 @@ VOLUME_HAPTICS_INLINE Labels XorLabels(Labels a, Labels b)
 
 #else
 
-/** A "vector" of one label. */
+/** Without vector instructions, a vector has one label. */
 typedef std::uint64_t Labels;
 
 template <typename U>
@@ -193,7 +193,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
   return label;
 }
 
-/** Returns a mask with all bits set in lanes whose labels are equal. */
+/** Returns a mask whose bits are all set for equal labels. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -223,13 +223,13 @@ VOLUME_HAPTICS_INLINE Labels XorLabels(Labels a, Labels b)
 
 #endif
 
-/** The number of labels in a vector, and of vectors in a plane. */
+/** Number of labels in a vector, and number of vectors in a plane. */
 template <typename U>
 constexpr int LabelsOfVector = sizeof(Labels) > 8 ? int(sizeof(Labels) / sizeof(U)) : 1;
 template <typename U>
 constexpr int VectorsOfPlane = 64 / LabelsOfVector<U>;
 
-/** Combines all labels of a vector by a bitwise operation. */
+/** Joins all labels of a vector by a bitwise operation. */
 template <typename U, typename F>
 VOLUME_HAPTICS_INLINE U JoinLabels(Labels labels, F&& join)
 {

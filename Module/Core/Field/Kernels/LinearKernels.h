@@ -3,7 +3,7 @@
 /**
  * @file
  * The cell of a position along an axis, and the linear kernels. The rules of FieldKernels.h hold
- * here too.
+ * here, too.
  */
 #ifndef LinearKernels_h
 #define LinearKernels_h
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The sample at or before a position along an axis, and the distance from it to the position. */
+/** The sample at or before a position along an axis, and the position's distance behind it. */
 struct Axis
 {
   std::int64_t Cell;
@@ -27,19 +27,20 @@ struct Axis
 };
 
 /**
- * Finds the sample at or before a position. Positions outside [first, last] are clamped; first is
- * not negative.
+ * Returns the sample at or before a position. Clamps the position to [first, last]. `first` must
+ * not be negative.
  */
 VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
-  // The index does not wait for the rounded number.
+  // The cell is converted from `inside`, so that the processor need not wait for the rounded
+  // number.
   return { static_cast<std::int64_t>(inside), inside - Floor(inside) };
 }
 
 /**
- * Does the same as Locate, but leaves a sample behind the cell: the last sample is the end of the
- * cell before it.
+ * Returns the same as Locate, except that there is always a sample behind the cell: the last sample
+ * is the end of the previous cell.
  */
 VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
@@ -47,7 +48,7 @@ VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last
   const double whole = Floor(inside);
   if (whole < last)
   {
-    // As in Locate.
+    // The cell is converted from `inside` as in Locate.
     return { static_cast<std::int64_t>(inside), inside - whole };
   }
   return { static_cast<std::int64_t>(last - 1.0), inside - (last - 1.0) };
@@ -67,7 +68,7 @@ VOLUME_HAPTICS_INLINE CellPlace LocateCell(const FieldView& view, double x, doub
     LocateCell(z, view.First[2], view.Last[2]) };
 }
 
-/** The eight samples of a cell. */
+/** Where the eight samples of a cell are. */
 template <typename T>
 struct CellSamples
 {
@@ -75,7 +76,7 @@ struct CellSamples
   const std::int64_t* Stride;
 };
 
-/** The eight samples of a cell in two time steps. */
+/** Where the eight samples of a cell are in two time steps. */
 template <typename T>
 struct CellBlend
 {
@@ -101,7 +102,7 @@ VOLUME_HAPTICS_INLINE CellBlend<T> ReadSamples(const TimeStepBlend& blend, const
 }
 
 ///@{
-/** Returns the four samples of the first plane (0) or the second one, line by line. */
+/** Returns the four samples of the first plane (0) or of the second one (1), line by line. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellSamples<T>& cell, int plane)
 {
@@ -124,7 +125,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellBlend<T>& cell, int plane)
 ///@}
 
 ///@{
-/** Returns a sample by its number, counted along x, y and z. */
+/** Returns sample i of a cell. The bits of i are the sample's indices along x, y and z. */
 template <typename T>
 VOLUME_HAPTICS_INLINE double LoadSample(const CellSamples<T>& cell, int i)
 {
@@ -139,7 +140,7 @@ VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 }
 ///@}
 
-/** Interpolates the two planes of a cell along z; returns the four values, line by line. */
+/** Interpolates between the two planes of a cell along z. Returns the four values, line by line. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& place)
 {
@@ -148,8 +149,8 @@ VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& pla
 }
 
 /**
- * Returns the trilinear value without the samples whose weight is 0, so that such a sample does not
- * count if it is not a number.
+ * Returns the trilinear value, ignoring samples with the weight 0, so that such a sample may be
+ * NaN.
  */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
@@ -180,7 +181,7 @@ VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const C
   return value;
 }
 
-/** Returns the trilinear value of all eight samples. */
+/** Returns the trilinear value from all eight samples. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
 {
@@ -190,7 +191,7 @@ VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
   return a + place.X.Fraction * (b - a);
 }
 
-/** Computes two values at once, each the same as BlendCell's to the bit. */
+/** Computes two values at once. Each equals BlendCell's value to the bit. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE ValuePair BlendCells(
   const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
@@ -235,7 +236,7 @@ VOLUME_HAPTICS_INLINE double Trilinear(const TimeStepBlend& blend, double x, dou
 }
 
 ///@{
-/** Returns the view that gives the cells of all time steps. */
+/** Returns the view whose geometry holds for all time steps. */
 VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
 {
   return view;
@@ -246,7 +247,7 @@ VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const TimeStepBlend& blend)
 }
 ///@}
 
-/** Reads a field, or a blend of two. */
+/** Reads from a field, or from a blend of two fields. */
 template <typename T, typename Source>
 double TrilinearValue(const Source& from, double x, double y, double z) noexcept
 {

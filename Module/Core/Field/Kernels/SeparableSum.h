@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sum over N^3 taps of a separable kernel. The rules of FieldKernels.h hold here too.
+ * The sum over N^3 taps of a separable kernel. The rules of FieldKernels.h hold here, too.
  */
 #ifndef SeparableSum_h
 #define SeparableSum_h
@@ -17,18 +17,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Weights of N taps along each axis, and the indices of the first taps. */
+/** The weights of N taps along each axis, and the indices of the first taps. */
 template <int N>
 struct Footprint
 {
-  /** N smoothing weights, then N derivative weights. */
+  /** N weights for smoothing, then N weights for the derivative. */
   alignas(32) double Weights[3][2 * N];
   std::int64_t First[3];
 };
 
 /**
- * Two rows of N samples (N even) in vectors of four. If N is no multiple of four, Rest holds the
- * last two samples of Even, then those of Odd; RowSum::Rest keeps separate sums for the two.
+ * Two rows of N samples (N even) in vectors of four. If N is not a multiple of four, Rest has the
+ * last two samples of Even, followed by those of Odd. RowSum::Rest has separate sums for these two
+ * rows.
  */
 template <int N>
 struct RowPair
@@ -64,7 +65,8 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
 
 ///@{
 /**
- * Store and load both rows as numbers, by fours, since the compiler splits up a copy of the whole.
+ * Store two rows as numbers, and load them again, in vectors of four, because the compiler would
+ * split up a copy of the whole structure.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
@@ -96,7 +98,7 @@ VOLUME_HAPTICS_INLINE void LoadStoredRows(const double* from, RowPair<N>& rows)
 }
 ///@}
 
-/** Computes sum += weights[0] even row + weights[1] odd row. */
+/** Computes sum += weights[0] * even row + weights[1] * odd row. */
 template <int N>
 VOLUME_HAPTICS_INLINE void AddRows(
   const RowPair<N>& rows, const double* weights, bool isFirst, RowSum<N>& sum)
@@ -130,7 +132,7 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weigh
   }
 }
 
-/** Multiplies with the weights along x; returns four sums, which AddLanes adds up. */
+/** Multiplies a row by the weights along x. Returns four sums, which AddLanes adds up. */
 template <int N>
 VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weights)
 {
@@ -149,8 +151,8 @@ VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weigh
 }
 
 /**
- * Computes value and gradient from the sums over y and z: the sums of the values, and of their
- * slopes.
+ * Computes value and gradient from three sums over y and z: that of the values, and those of the
+ * slopes along y and z.
  */
 template <int N>
 VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& sumY,
@@ -166,9 +168,9 @@ VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& su
 }
 
 /**
- * Computes the sum over N^3 taps and, with WithGradient, the gradient. `load` gives the rows j and
- * j + 1 of plane k. Rows lie along x: they are combined over y and z first, in fours, and weighted
- * along x last.
+ * Computes the sum over N^3 taps and, if WithGradient, the gradient. `load` loads the rows j and j
+ * + 1 of plane k. Rows are along x. They are first combined over y and z in vectors of four; the
+ * weights along x come last.
  */
 template <int N, bool WithGradient, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumPlanes(
@@ -206,7 +208,7 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
   return AddLanes(WeighRow<N>(sum, foot.Weights[0]));
 }
 
-/** Computes the sum over the N^3 taps from `corner` on. */
+/** Computes the sum over N^3 taps, of which `corner` is the first. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<N>& foot, Vector3* gradient)
@@ -221,21 +223,21 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
 }
 
 /**
- * Returns the offset of a tap along an axis; taps beyond the resident samples replicate the last
+ * Returns the offset of a tap along an axis. Taps outside the resident samples repeat the nearest
  * sample.
  */
 VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
 {
-  // Not VolumeView's own functions: see FieldKernels.h.
+  // Does not use VolumeView's own functions: see FieldKernels.h.
   const std::int64_t least = view.First[axis];
   const std::int64_t last = least + view.Dimensions[axis] - 1;
   return (tap < least ? least : (tap < last ? tap : last)) * view.Stride[axis];
 }
 
 /**
- * Copies the taps, for places where the sum can't read the samples: at the border, beyond which
- * taps replicate the last sample; between other components; and around samples that are not
- * numbers, which only count with a weight.
+ * Copies the taps where the sum can't read the samples themselves: at the border, where taps
+ * outside repeat the last sample; if other components are between the samples; and around samples
+ * that are not numbers, which must not count if their weight is 0.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE void CopyTaps(const VolumeView& view, const Footprint<N>& foot, T* to)
@@ -271,7 +273,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
-/** Prefetches all rows at once, since the processor prefetches fewer by itself in the sum. */
+/** Prefetches all rows at once, because the processor prefetches fewer rows by itself. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(
   const T* corner, int count, std::int64_t line, std::int64_t plane)
@@ -286,8 +288,8 @@ VOLUME_HAPTICS_INLINE void PrefetchRows(
 }
 
 /**
- * Returns the first of N^3 samples, if they are consecutive along x and all within the samples;
- * else null.
+ * Returns the first of N^3 samples if they are consecutive along x and all resident, otherwise
+ * null.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE const T* GetCorner(const VolumeView& view, const std::int64_t* first)
@@ -323,8 +325,8 @@ VOLUME_HAPTICS_INLINE double Separable(
 }
 
 /**
- * Writes the N^3 taps from the first one on to a memory; returns false if some are outside the
- * samples.
+ * Writes the N^3 taps to a memory, beginning with the tap at `first`. Returns false if some taps
+ * are outside the samples.
  */
 template <typename T, int N>
 bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memory) noexcept
@@ -368,8 +370,8 @@ VOLUME_HAPTICS_INLINE void SetPlace(
 }
 
 /**
- * Makes a memory hold the taps from the first one on: reads them, unless the memory has them.
- * Returns false if that is not possible.
+ * Reads the taps, beginning with the tap at `first`, to a memory, unless it has them already.
+ * Returns false if some taps are outside the samples.
  */
 VOLUME_HAPTICS_INLINE bool KeepTaps(
   const FieldView& view, const std::int64_t* first, FillFunction fill, TapMemory& memory)
@@ -387,13 +389,13 @@ VOLUME_HAPTICS_INLINE bool KeepTaps(
   return true;
 }
 
-/** The weights of the N rows of a plane, spread for RowPair's fours. */
+/** The weights of the N rows of a plane, repeated for RowPair's vectors of four. */
 template <int N>
 struct PlaneWeights
 {
   Double4 Even[N / 2];
   Double4 Odd[N / 2];
-  Double4 Each[N / 2]; ///< weights for RowPair::Rest
+  Double4 Each[N / 2]; ///< weights of RowPair::Rest
 };
 
 template <int N>
@@ -411,7 +413,10 @@ VOLUME_HAPTICS_INLINE void SpreadWeights(const double* from, PlaneWeights<N>& we
   }
 }
 
-/** Weights and adds the rows of a plane like AddRows, to the bit. `load` gives a pair of rows. */
+/**
+ * Multiplies the rows of a plane by their weights and adds them up, as AddRows to the bit. `load`
+ * loads a pair of rows.
+ */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWeights<N>& weights)
 {
@@ -436,9 +441,9 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWei
 }
 
 /**
- * Computes the sum over taps, and the gradient, with the result of SumPlanes to the bit. The rows
- * are read twice, so that the weights of all of them stay in registers: `load` gives a pair of rows
- * of a plane and, if the rows are not there yet, stores them for the second pass.
+ * Computes the sum over taps and the gradient, as SumPlanes to the bit. It reads the rows twice, so
+ * that the weights of all rows stay in registers. `load` loads a pair of a plane's rows, and stores
+ * the pair for the second pass if it is not stored yet.
  */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumTwice(
@@ -468,7 +473,7 @@ VOLUME_HAPTICS_INLINE double SumTwice(
   return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
 }
 
-/** Computes the sum over the taps of a memory, and the gradient. */
+/** Computes the sum over the taps in a memory, and the gradient. */
 template <int N>
 VOLUME_HAPTICS_INLINE double SumTaps(
   const double* taps, const Footprint<N>& foot, Vector3* gradient)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The weights of the uniform cubic B-spline. The rules of FieldKernels.h hold here too.
+ * The weights of the uniform cubic B-spline. The rules of FieldKernels.h hold here, too.
  */
 #ifndef SplineWeights_h
 #define SplineWeights_h
@@ -15,13 +15,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Computes taps and weights of the uniform cubic B-spline. */
+/** Computes the first taps and the weights of the uniform cubic B-spline. */
 template <bool WithGradient>
 VOLUME_HAPTICS_INLINE void LocateSpline(
   const FieldView& view, double x, double y, double z, Footprint<4>& foot)
 {
-  // Coefficients of 1, t, t^2 and t^3, a lane for each tap; the coefficients of the slope follow
-  // from them.
+  // Coefficients of 1, t, t^2 and t^3, with a lane for each tap, and those of the slope, which are
+  // their derivatives.
   constexpr double sixth = 1.0 / 6.0;
   const Double4 c0 = { sixth, 4.0 * sixth, sixth, 0.0 };
   const Double4 c1 = { -0.5, 0.0, 0.5, 0.0 };

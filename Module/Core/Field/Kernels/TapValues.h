@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Trilinear values of two time steps, blended, from the samples that the last gradient has
- * left in a memory: samples around a proxy are hardly farther away than the gradient's taps. The
- * values equal those read from the time steps, to the bit. NaN if the memory lacks the samples. The
- * rules of FieldKernels.h hold here too.
+ * @file
+ * Trilinear values of two time steps, blended. They are computed from the samples that the last
+ * gradient has stored in a memory, because the samples around a proxy are hardly farther away than
+ * the gradient's taps. The values equal those read from the time steps, to the bit. If the memory
+ * lacks samples, the result is NaN. The rules of FieldKernels.h hold here, too.
  */
 #ifndef TapValues_h
 #define TapValues_h
@@ -20,7 +21,7 @@ namespace
 
 constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
 
-/** A cell of the samples in a TimeStepTaps. */
+/** Where the samples of a cell are in a TimeStepTaps. */
 template <int N>
 struct TapCell
 {
@@ -40,12 +41,12 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const TapCell<N>& cell, int plane)
     cell.Fraction * LoadHalves(cell.Changes + at, cell.Changes + at + line);
 }
 
-/** Finds the cell in the memory; returns false if the memory lacks a part of it. */
+/** Looks for a cell in a memory. Returns false if the memory lacks some of the cell's samples. */
 template <int N>
 VOLUME_HAPTICS_INLINE bool ReadCell(
   const TimeStepTaps& memory, const CellPlace& place, double fraction, TapCell<N>& cell)
 {
-  // As unsigned numbers, negative numbers are large.
+  // As unsigned numbers, negative ones are large, so that one comparison checks both ends.
   const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
   const auto j = static_cast<std::uint64_t>(place.Y.Cell - memory.First[1]);
   const auto k = static_cast<std::uint64_t>(place.Z.Cell - memory.First[2]);

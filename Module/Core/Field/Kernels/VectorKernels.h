@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kernels of VectorSampler, as templates. Included by one translation unit per instruction set
- * only; the rules of FieldKernels.h hold here too.
+ * The kernels of VectorSampler, as templates. Only one translation unit for each instruction set
+ * may include this file. The rules of FieldKernels.h hold here, too.
  */
 #ifndef VectorKernels_h
 #define VectorKernels_h
@@ -17,16 +17,17 @@ namespace
 {
 
 /**
- * Computes the sums over the 4^3 taps from `corner` on, of C interleaved components. A row of taps
- * is 4 C consecutive numbers. Rows are combined over y and z first, in fours, across components;
- * the weights along x, and the components, come last.
+ * Computes the sums over 4^3 taps of C interleaved components. `corner` is the first tap. A row of
+ * taps is 4 C consecutive numbers. Rows are first combined over y and z in vectors of four, which
+ * mix components. The weights along x are applied last, for each component.
  */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<4>& foot, VectorSample& sample)
 {
-  constexpr int sums = WithGradient ? 3 : 1; // sums for the value, and for the slopes along y and z
-  // Unrolled, so that the sums of a vector are in registers.
+  // sum of the values, and sums of the slopes along y and z
+  constexpr int sums = WithGradient ? 3 : 1;
+  // Unrolled, so that the sums of a vector stay in registers.
   Double4 sum[sums][C] = {};
   for (int k = 0; k < 4; ++k)
   {
@@ -86,7 +87,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   }
 }
 
-/** Computes the same sums over a copy of the taps, for the reasons given at SumCopy. */
+/** Computes the same sums from a copy of the taps, where CopyTaps says that a copy is needed. */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   const VectorView& view, const Footprint<4>& foot, VectorSample& sample)
@@ -126,7 +127,7 @@ VOLUME_HAPTICS_INLINE bool IsOfNumbers(const VectorSample& sample)
   double sum = 0.0;
   for (int c = 0; c < C; ++c)
   {
-    // 0 for a number, else NaN.
+    // The difference is 0 for a number and NaN otherwise.
     sum += sample.Value[c] - sample.Value[c];
     if constexpr (WithGradient)
     {
@@ -165,8 +166,8 @@ bool SampleVectors(
 }
 
 /**
- * Returns the functions of this translation unit's instruction set; none for other numbers of
- * components.
+ * Returns the functions of this translation unit's instruction set. Returns none if the number of
+ * components is not 3, 6 or 9.
  */
 VectorFunctions SelectVectorFunctions(ScalarType type, int components)
 {
