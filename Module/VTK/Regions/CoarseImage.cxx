@@ -28,12 +28,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The samples before and after a position on an axis, and the weight of the sample after it. */
+/** The samples before and after a position on an axis, and the weight of the latter. */
 struct AxisPlace
 {
   AxisPlace(double at, std::int64_t last)
   {
-    // The condition also covers NaN.
+    // Written so that NaN becomes 0.
     const double inside = at > 0.0 ? std::min(at, static_cast<double>(last)) : 0.0;
     this->Before = std::min(static_cast<std::int64_t>(inside), std::max<std::int64_t>(last - 1, 0));
     this->Behind = std::min(this->Before + 1, last);
@@ -49,8 +49,7 @@ void PutRow(const std::vector<double>& values, T* samples)
 {
   if constexpr (std::is_integral_v<T>)
   {
-    // The largest 64-bit integers are not representable as doubles; the next lower doubles are
-    // used.
+    // The largest 64-bit integers can't be represented as doubles: use the next lower double.
     const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
     const double most = std::nextafter(static_cast<double>(std::numeric_limits<T>::max()), 0.0);
     const double limit =
@@ -70,7 +69,7 @@ std::int64_t DivideUp(std::int64_t number, std::int64_t by)
   return (number + by - 1) / by;
 }
 
-/** Sums and numbers of the samples in a box of coarse voxels. */
+/** Sums of the samples in a box of coarse voxels, and their numbers. */
 struct CoarseSums
 {
   explicit CoarseSums(const BoxExtent& box)
@@ -108,7 +107,7 @@ struct CoarseSums
   std::vector<float> Counts;
 };
 
-/** Plans which boxes are read at once, and where each coarse voxel's samples lie. */
+/** Plans which boxes are read at once, and which samples each coarse voxel has. */
 class CoarsePlan
 {
 public:
@@ -152,7 +151,7 @@ public:
     }
     return voxels;
   }
-  /** Returns a box, in samples from the volume's first one. */
+  /** Returns a box in samples, counted from the volume's first sample. */
   std::array<std::int64_t, 6> GetBox(std::int64_t number) const
   {
     const std::int64_t place[3] = { number % this->Boxes[0],
@@ -215,7 +214,9 @@ public:
   std::int64_t Step = 1;
 
 private:
-  /** Finds what is outside, so that it is averaged with the value that is felt. */
+  /**
+   * Finds which samples are outside, so that they are averaged with the value that is felt there.
+   */
   static OutsideSamples Survey(const LargeVolume& volume)
   {
     VolumeSurvey survey(volume);
@@ -289,7 +290,7 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
 {
   std::shared_ptr<CoarseLevel> level(new CoarseLevel);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  constexpr int kernelRadius = 0; // an image in which no kernel is placed
+  constexpr int kernelRadius = 0; // no kernel is placed in this image
   HapticVolume volume;
   if (!scalars)
   {
@@ -370,7 +371,7 @@ vtkSmartPointer<vtkImageData> AverageVolume(
   std::copy_n(place.Origin, 3, origin);
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The first coarse voxel lies in the middle of its samples.
+    // The first coarse voxel is in the middle of its samples.
     const double index = volume.Extent[2 * axis] + 0.5 * (step - 1.0);
     for (int row = 0; row < 3; ++row)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes coarse images of all of a large volume.
+ * Makes coarse images of a whole large volume.
  */
 #ifndef CoarseImage_h
 #define CoarseImage_h
@@ -24,25 +24,25 @@ namespace VolumeHaptics
 {
 
 /**
- * A coarse image in memory that stands in for late samples of a large volume.
+ * A coarse image in memory that replaces late samples of a large volume.
  *
- * Never changes, so that threads can share it. The owner releases the last reference.
+ * It never changes, so that threads can share it. The owner releases the last reference.
  */
 class CoarseLevel
 {
 public:
   /**
-   * Makes the level from the first component of an image's scalars, for a volume in the same world.
-   * Outside samples are filled, unless the scalars are labels. Returns null, with the cure in
-   * `error`, if there are no scalars.
+   * Makes the level from the first component of an image's scalars. `indexToWorld` belongs to the
+   * volume, which is in the same world. Outside samples are filled, unless the scalars are labels.
+   * Returns null, with the cure in `error`, if there are no scalars.
    */
   static std::shared_ptr<const CoarseLevel> Make(
     vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Fills a box of the volume, x fastest, with samples of a VTK type: trilinear between the samples
-   * of the image, with the value of the nearest border sample beyond them; rounded for integer
-   * types.
+   * Fills a box of the volume, x fastest, with samples of a VTK type. Between the samples of the
+   * image, values are trilinear, and rounded for integer types. Beyond the image, they are those of
+   * the nearest border sample.
    */
   void Fill(const BoxExtent& box, int scalarType, void* samples) const;
 
@@ -65,16 +65,15 @@ struct VolumePlace
 };
 
 /**
- * Averages cubes of n^3 samples to a coarse image, with at most as many voxels as wanted. A volume
- * in chunks is read chunk by chunk, several at once; of any other volume only the middle row of
- * each n^2 rows is read, and the means are of these samples. Throws std::runtime_error if a read
- * fails, std::bad_alloc.
+ * Averages cubes of n^3 samples to a coarse image of at most mostVoxels voxels. A volume in chunks
+ * is read chunk by chunk, several at once. Of any other volume, only the middle row of each n^2
+ * rows is read and averaged. Throws std::runtime_error if a read fails, and std::bad_alloc.
  */
 vtkSmartPointer<vtkImageData> AverageVolume(
   const LargeVolume& volume, const VolumePlace& place, vtkIdType mostVoxels);
 
 /**
- * Reads the finest coarser level of a file that is no larger than wanted, with its geometry.
+ * Reads the finest coarser level of a file that has at most mostVoxels voxels, with its geometry.
  * Returns null if there is none. Throws like AverageVolume().
  */
 vtkSmartPointer<vtkImageData> ReadCoarserLevel(const LargeFile& file, vtkIdType mostVoxels);

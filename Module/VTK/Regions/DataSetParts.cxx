@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LeastAlongEdge = 24.0; ///< samples; kernels need some along each edge
+constexpr double LeastAlongEdge = 24.0; ///< samples, because kernels need some along each edge
 constexpr double MostAlongEdge = 1e6;   ///< samples
 
 void GetEdges(const vtkBoundingBox& box, double edges[3])

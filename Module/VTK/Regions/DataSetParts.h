@@ -18,7 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The regular grid: a sample's position is Origin + Spacing times its index, which counts from 0.
+ * The regular grid. The position of a sample is Origin + Spacing times its index, which begins at
+ * 0.
  */
 struct SamplingGrid
 {
@@ -27,23 +28,25 @@ struct SamplingGrid
   double Spacing = 1.0;
 };
 
-/** Finds the parts with cells: the data set, or the leaves of a composite one. */
+/** Returns the parts that have cells: the data set itself, or the leaves of a composite one. */
 std::vector<vtkDataSet*> CollectParts(vtkDataObject* data);
 
 double CountCells(const std::vector<vtkDataSet*>& parts);
 
-/** Computes the box around all parts; not valid if they have no points. */
+/** Computes the box around all parts. It is not valid if they have no points. */
 vtkBoundingBox ComputeBox(const std::vector<vtkDataSet*>& parts);
 
 /**
- * Returns the edge of a cube as large as the average cell of the box, but small enough for 24
- * samples along the shortest edge. 0 or not finite if the box has no volume.
+ * Returns the edge of a cube that is as large as the average cell of the box, or a smaller edge
+ * that gives 24 samples along the box's shortest edge. The result is 0 or not finite if the box has
+ * no volume.
  */
 double ComputeSampleSpacing(const vtkBoundingBox& box, double cells);
 
 /**
- * Places the grid in the middle of the box, so that the rest of its edges lies outside on both
- * sides. Returns false if the box has no volume, or an edge would need more than a million samples.
+ * Places the grid in the middle of the box. Where a spacing does not divide an edge, the grid ends
+ * the same distance from both sides. Returns false if the box has no volume, or if an edge would
+ * need more than a million samples.
  */
 bool PlaceGrid(const vtkBoundingBox& box, double spacing, SamplingGrid& grid);
 

@@ -26,7 +26,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Number of copies in memory at once: the copy, and the result of averaging its cell arrays. */
+/**
+ * Number of copies that are in memory at once: the copy, and the result of averaging its cell
+ * arrays.
+ */
 constexpr std::size_t CopiesAtOnce = 2;
 
 bool CanBeSampled(vtkDataArray* array)
@@ -132,7 +135,7 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   sampler->Data = averaged;
   parts = CollectParts(averaged);
   vtkPointData* const arrays = parts.front()->GetPointData();
-  // A composite data set has its active arrays in its parts.
+  // The active arrays of a composite data set are those of its parts.
   std::vector<SampledArray> fields;
   vtkDataArray* const active[] = { arrays->GetScalars(), arrays->GetVectors(),
     arrays->GetTensors() };

@@ -21,7 +21,7 @@ class vtkDataObject;
 namespace VolumeHaptics
 {
 
-/** An array whose samples have all components; names as in the data set. */
+/** A sampled array, with the name and the number of components of the data set's array. */
 struct SampledArray
 {
   std::string Name;
@@ -29,8 +29,8 @@ struct SampledArray
 };
 
 /**
- * Holds a copy of the data, with its cell arrays averaged to the points, and resamples boxes of the
- * grid by VTK's probe. Any thread may read, one after another.
+ * Holds a copy of the data, with cell arrays averaged to the points, and resamples boxes of the
+ * grid by VTK's probe. Any thread may read; the mutex lets in one at a time.
  */
 class DataSetSampler
 {
@@ -39,8 +39,7 @@ public:
    * Copies a vtkDataSet, or the volumes of a vtkCompositeDataSet.
    *
    * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
-   * @param spacing spacing of the grid; 0 stands for the edge of a cube as large as the average
-   * cell
+   * @param spacing spacing of the grid; 0 stands for ComputeSampleSpacing()
    * @return null, with the reason and the cure in `error`, if the data have no volume or no array
    */
   static std::shared_ptr<DataSetSampler> Make(vtkDataObject* data,
@@ -50,19 +49,19 @@ public:
   DataSetSampler& operator=(const DataSetSampler&) = delete;
 
   /**
-   * Returns the sampled arrays. The first holds the scalars of the data or, if there are none, the
-   * magnitude of the second array.
+   * Returns the sampled arrays. The first one has the scalars of the data or, if there are none,
+   * the magnitude of the second array.
    */
   const std::vector<SampledArray>& GetArrays() const { return this->Arrays; }
   int CountValues() const;
   const SamplingGrid& GetGrid() const { return this->Grid; }
-  /** Returns the smallest scalar, which replaces the scalars outside of all cells. */
+  /** Returns the smallest scalar. It replaces the scalars outside all cells. */
   double GetLeastScalar() const { return this->LeastScalar; }
 
   /**
-   * Writes the samples of a box, one array after another, each with its components side by side.
-   * Outside of all cells, scalars are NaN, and vectors and tensors are 0. Throws std::runtime_error
-   * on failure.
+   * Writes the samples of a box, one array after another, with the components of a sample side by
+   * side. Outside all cells, scalars are NaN, and vectors and tensors are 0. Throws
+   * std::runtime_error on failure.
    */
   void Read(const int box[6], float* samples);
 
@@ -74,7 +73,7 @@ private:
   SamplingGrid Grid;
   double LeastScalar = 0.0;
   bool HasOwnScalars = true; ///< if false, the first array is the magnitude of the second
-  std::mutex Mutex;          ///< the probe fills caches of the data
+  std::mutex Mutex;          ///< held while reading, because the probe fills caches of the data
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes a reader of vtkHapticRegionSource through Python's ctypes.
+ * Connects a Python function to vtkHapticRegionSource through ctypes.
  */
 #include "vtkHapticRegionSource.h"
 

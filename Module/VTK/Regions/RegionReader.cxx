@@ -33,7 +33,9 @@ struct RegionReader::Work
 
   const std::shared_ptr<const LargeVolume> Volume;
   ///@{
-  /** Guarded by the mutex, which is never held during a read. */
+  /**
+   * The members from here to Revival are guarded by the mutex, which is never held during a read.
+   */
   mutable std::mutex Mutex;
   std::condition_variable Wake;
   bool IsEnding = false;
@@ -41,11 +43,11 @@ struct RegionReader::Work
   std::optional<VolumeFacts> Facts;
   std::optional<RegionSamples> Arrived;
   std::string Trouble;
-  bool IsLost = false;      ///< whether the thread has ended although it was not told to
-  std::int64_t Revival = 0; ///< when another thread may begin (ServoClock)
+  bool IsLost = false;      ///< whether the thread has ended without being told to
+  std::int64_t Revival = 0; ///< time at which another thread may begin (ServoClock)
   ///@}
   ///@{
-  /** For the thread alone. */
+  /** Used by the thread only. */
   Milliseconds Delay{ 0 };
   OutsideSamples Outside;
   ///@}
@@ -53,12 +55,15 @@ struct RegionReader::Work
   void RunToEnd();
   void Run();
   bool Survey();
-  /** Waits for the next order; none if the thread must end. */
+  /** Waits for the next order. Returns none if the thread must end. */
   std::optional<BoxExtent> AwaitOrder();
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
-  /** Stores why a read failed, and waits a while. Returns false if the thread must end. */
+  /**
+   * Stores the reason why a read failed, and waits before the next one. Returns false if the thread
+   * must end.
+   */
   bool RecordFailure(const std::string& error);
-  /** Records that a reader ends the thread; called while the thread unwinds. */
+  /** Records that a reader function ends the thread. Called while the thread's stack is unwound. */
   void RecordLoss() noexcept;
 };
 
@@ -184,8 +189,8 @@ void RegionReader::Work::Run()
 
 void RegionReader::Work::RunToEnd()
 {
-  // A reader can end its thread: pthread_exit() unwinds it, and Python calls pthread_exit() at its
-  // end.
+  // A reader function can end its thread: pthread_exit() unwinds the stack, and Python calls it
+  // when the interpreter ends.
   struct End
   {
     Work& Of;
@@ -205,7 +210,7 @@ void RegionReader::Work::RunToEnd()
       this->Run();
       goesOn = false;
     }
-    catch (const std::bad_alloc&) // while making a message: there may be memory later
+    catch (const std::bad_alloc&) // for example while making a message: there may be memory later
     {
       goesOn = this->RecordFailure(std::string());
     }
@@ -300,7 +305,7 @@ void RegionReader::Revive()
   catch (const std::system_error&)
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
-    this->Shared->IsLost = true; // the system may give a thread later
+    this->Shared->IsLost = true; // the system may provide a thread later
   }
 }
 

@@ -25,7 +25,7 @@ struct FreeMemory
   void operator()(void* memory) const { std::free(memory); }
 };
 
-/** Samples that have been written once, so that their pages are in memory. */
+/** Samples of a region. All their pages have been written, so that they are in memory. */
 struct RegionSamples
 {
   BoxExtent Extent;
@@ -34,10 +34,10 @@ struct RegionSamples
 
 /**
  * Reads regions on a thread of its own. First the thread surveys the volume (VolumeSurvey.h). Then
- * it reads the region that was ordered last; earlier orders that it has not begun are dropped. A
- * failed read is repeated, after a time that doubles from 50 ms to 2 s, until it succeeds or
- * another region is ordered. If the reader ends the thread itself (pthread_exit), a new thread
- * continues after such a time.
+ * it always reads the region that was ordered last, and drops earlier orders. A failed read is
+ * repeated, after a time that doubles from 50 ms to 2 s, until it succeeds or another region is
+ * ordered. If the reader ends the thread itself (pthread_exit), a new thread continues after the
+ * same delay.
  *
  * All functions are for the owner (the GUI thread), and none of them waits for a read except the
  * destructor, which waits only for the read that is under way. If the volume is not awaited
@@ -47,8 +47,8 @@ class RegionReader
 {
 public:
   /**
-   * Begins to read a volume; with given facts, nothing is surveyed. Throws std::system_error if the
-   * system gives no thread.
+   * Begins to read a volume. If facts are given, does not survey it. Throws std::system_error if
+   * the system provides no thread.
    */
   RegionReader(std::shared_ptr<const LargeVolume> volume, const std::optional<VolumeFacts>& facts);
   ~RegionReader();
@@ -58,7 +58,7 @@ public:
   void Order(const BoxExtent& region);
   /** Returns the facts, once they are known. */
   std::optional<VolumeFacts> GetFacts() const;
-  /** Returns the last region that has arrived since the last call, if there is one. */
+  /** Returns the latest region that has arrived since the last call, if there is one. */
   std::optional<RegionSamples> Drain();
   /** Returns why the last read failed; empty if it did not. */
   std::string GetTrouble() const;
@@ -67,7 +67,7 @@ private:
   struct Work;
 
   void Begin();
-  /** Starts a new thread if a reader has ended the last one. */
+  /** Starts a new thread if a reader function has ended the last one. */
   void Revive();
 
   std::shared_ptr<Work> Shared; ///< shared with the thread

@@ -27,11 +27,16 @@ namespace
 constexpr BoxExtent NoRegion = { 0, -1, 0, -1, 0, -1 };
 /** Shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
-/** Samples in a region of the coarse level: about ten milliseconds of work. */
+/**
+ * Largest number of samples in a region of the coarse level, which takes about ten milliseconds.
+ */
 constexpr vtkIdType MostStandInSamples = 1 << 20;
 /** Fraction of the force that is felt on the coarse level. */
 constexpr double StandInFraction = 0.5;
-/** A longer interval (s) means that the owner was busy, and predicts nothing for the next one. */
+/**
+ * Longest interval (s) between polls that is a prediction for the next one. In a longer interval,
+ * the owner was busy.
+ */
 constexpr double LongestInterval = 0.5;
 
 vtkSmartPointer<vtkDataArray> NewSamples(int type, vtkIdType values = 0)
@@ -91,7 +96,7 @@ void RegionStore::SetFacts(const VolumeFacts& facts)
 {
   this->Facts = facts;
   vtkTimeStamp stamp;
-  stamp.Modified(); // becomes a number that no other volume has
+  stamp.Modified(); // a number that no other volume has
   this->WholeTime = stamp.GetMTime();
   this->Notice = DescribeOutside(facts.Outside, NewSamples(this->Volume->ScalarType));
 }
@@ -156,7 +161,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
 
 bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
 {
-  // The longest spring may need more room than any region of this many samples has.
+  // The longest spring may need more room than a region with this many samples can have.
   return this->Planner->FindRoom(tip, region.data()) + this->Planner->GetSpringLength() >= 0.0;
 }
 
@@ -177,7 +182,7 @@ bool RegionStore::ReceiveRegion(const double tip[3], double interval)
   if (facts)
   {
     this->SetFacts(*facts);
-    this->OrderTime = ServoClock::Now(); // the survey does not count as latency
+    this->OrderTime = ServoClock::Now(); // the time of the survey is not latency
   }
   this->Trouble = this->Thread->GetTrouble();
   std::optional<RegionSamples> come = this->Thread->Drain();
@@ -187,7 +192,7 @@ bool RegionStore::ReceiveRegion(const double tip[3], double interval)
   }
   if (this->Ordered == come->Extent)
   {
-    // The region may have been wanted ever since the poll before the order.
+    // The region may have been needed since the poll before the one that ordered it.
     this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
     this->Ordered.reset();
   }
@@ -224,7 +229,7 @@ bool RegionStore::UpdateStandIn(const double tip[3])
   this->Planner->SetMaximumVoxels(most);
   if (isThere)
   {
-    this->StandIns.Forget(); // the same box may be requested again
+    this->StandIns.Forget(); // the same box may be requested again later
     this->StandIns.Poll(box,
       [box, level = this->Coarse, volume = this->Volume](
         WorkMonitor&) -> std::optional<std::shared_ptr<RegionSamples>>
@@ -264,7 +269,7 @@ void RegionStore::Order(const double tip[3])
   const vtkIdType most = this->Planner->GetMaximumVoxels();
   if (most < this->OrderedMost)
   {
-    this->Ordered.reset(); // there may be no memory for the order
+    this->Ordered.reset(); // there may be too little memory for the order
   }
   const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the facts and the samples of a large volume that are in memory, and chooses the region that
- * is read next.
+ * Stores the facts about a large volume and the samples that are in memory, and chooses the region
+ * that is read next.
  */
 #ifndef RegionStore_h
 #define RegionStore_h
@@ -52,7 +52,7 @@ struct LargeVolumeKey
   }
 };
 
-/** What the coarse level is made from; by default there is none. */
+/** Identifies what the coarse level is made of. By default, there is no coarse level. */
 struct CoarseKey
 {
   const void* Image = nullptr;
@@ -66,36 +66,38 @@ struct CoarseKey
   }
 };
 
-/** Keeps a volume's region. For the thread of the owner. */
+/** Stores a volume's region. For the owner's thread. */
 class RegionStore
 {
 public:
   RegionStore();
   ~RegionStore();
 
-  /** Whether there is a volume, made with these settings. */
+  /** Whether there is a volume and it was made with these settings. */
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
   /** Replaces the volume, and discards everything about the last one. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
   const LargeVolume* GetVolume() const { return this->Volume.get(); }
   /** Ends the thread, and discards the volume and the coarse level. */
   void Clear();
-  /** Sets the level that stands in for late samples; null stands for none. */
+  /** Sets the coarse level that replaces late samples; null stands for none. */
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 
   vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
 
   /**
-   * Accepts the region that has arrived, and orders the region that a tip needs at a time (s).
-   * Returns whether the resident region has changed.
+   * Accepts the region that has arrived, if any, and orders the region that the tip needs at a time
+   * (s). Returns whether the resident region has changed.
    */
   bool Poll(const double tip[3], double time);
 
-  /** Sets how long (s) it takes until a region that has arrived can be felt. */
+  /** Sets the time (s) from a region's arrival until it can be felt. */
   void SetUseTime(double seconds) { this->UseTime = seconds; }
 
-  /** Returns all values of the resident samples, as they were read; null before there are any. */
+  /**
+   * Returns all values of the resident samples, as they were read; null before the first region.
+   */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
   /** Whether the resident samples belong to the coarse level. */
@@ -104,21 +106,24 @@ public:
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
-  /** Returns what is treated as outside at the first call, then an empty text. */
+  /** Returns at the first call what is treated as outside, and then an empty text. */
   std::string DrainNotice() { return std::exchange(this->Notice, {}); }
 
-  /** Reads a region into a new array within this call; null, with an error, on failure. */
+  /** Reads a region into a new array within this call. Returns null, with an error, on failure. */
   vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
-  /** Writes the facts about the whole volume, as far as they are known. Read() fills no samples. */
+  /**
+   * Writes the known facts about the whole volume to the image. `isFilled`: whether its outside
+   * samples have been replaced. If not, as after Read(), also writes which samples are outside.
+   */
   void WriteFacts(vtkImageData* image, bool isFilled) const;
 
 private:
   bool Survey(std::string& error);
   void SetFacts(const VolumeFacts& facts);
   bool ReceiveRegion(const double tip[3], double interval);
-  /** Makes a region of the coarse level if the resident region lacks samples for the tip. */
+  /** Makes a region of the coarse level if the resident region lacks samples around the tip. */
   bool UpdateStandIn(const double tip[3]);
-  /** Whether a region has all samples for a hand that presses no deeper than the tip is now. */
+  /** Whether a region has all samples for a hand that does not press deeper than the tip is now. */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);
@@ -137,9 +142,9 @@ private:
   std::optional<BoxExtent> StandInOrdered;
   KeyedWork<BoxExtent, std::shared_ptr<RegionSamples>> StandIns;
   std::optional<BoxExtent> Ordered;
-  vtkIdType OrderedMost = 0;  // limit on the voxels of the ordered region
+  vtkIdType OrderedMost = 0;  // largest number of voxels of the ordered region
   std::int64_t OrderTime = 0; // time of the order (ServoClock)
-  std::int64_t LookTime = 0;  // time of the last poll (ServoClock)
+  std::int64_t LookTime = 0;  // time of the last Poll (ServoClock)
   double UseTime = 0.0;       // s
   std::array<double, 3> Tip{};
   std::array<double, 3> Velocity{};

@@ -19,16 +19,22 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Usual number of samples in a region: some milliseconds of reading, for hundreds of ticks. */
+/**
+ * Usual number of samples in a region: it is read in some milliseconds and used for hundreds of
+ * ticks.
+ */
 constexpr double UsualSamples = 1 << 20;
 /**
- * Largest number of samples in a region: 256 MiB of 16 bits. A tip that jumps may need this many.
+ * Largest number of samples in a region: 256 MiB at 16 bits. A tip that jumps may need so many.
  */
 constexpr double MostSamplesOfRegion = 1 << 27;
-/** Smallest width of a region, so that kernels fit into it. */
+/** Smallest width of a region (samples), so that the largest kernel fits into it. */
 constexpr double LeastWidth = 2.0 * 16.0 + 1.0;
 
-/** Samples (indices from 0) within a distance of a tick's position, along an axis of n samples. */
+/**
+ * Span of samples, with indices from 0, within a distance of a tick's positions along an axis of n
+ * samples.
+ */
 struct AxisSpan
 {
   AxisSpan(double low, double high, double margin, double n)
@@ -37,7 +43,7 @@ struct AxisSpan
     const double reach = std::max(margin, least);
     this->First = std::clamp(std::floor(low - reach), 0.0, n - 1.0);
     this->Last = std::clamp(std::ceil(high + reach), 0.0, n - 1.0);
-    // Beyond the volume, a tick reads the samples at its border.
+    // A tick beyond the volume reads the samples at its border.
     this->First = std::max(std::min(this->First, this->Last - LeastWidth + 1.0), 0.0);
     this->Last = std::min(std::max(this->Last, this->First + LeastWidth - 1.0), n - 1.0);
   }
@@ -48,8 +54,8 @@ struct AxisSpan
 };
 
 /**
- * Makes a region of a box, a margin for its residency, and some spare voxels around that. Returns
- * its number of samples.
+ * Makes a region: a box, a margin for its residency, and some spare voxels around both. Returns the
+ * number of its samples.
  */
 double MakeRegion(const ReadBox& box, double spare, const int whole[6], int region[6])
 {
@@ -69,7 +75,8 @@ double MakeRegion(const ReadBox& box, double spare, const int whole[6], int regi
 }
 
 /**
- * Finds the largest region of at most UsualSamples, or else the smallest one that contains the box.
+ * Computes the largest region of at most UsualSamples that contains the box, or the smallest one if
+ * that is larger.
  */
 double ComputeRegion(const ReadBox& box, const int whole[6], int region[6])
 {

@@ -24,7 +24,7 @@ class HapticModel;
 struct ServoState;
 
 /**
- * Thrown if a region that a path needs can't be read or baked; the text has the reason and the
+ * Thrown if a region that a path needs can't be read or baked. Its text has the reason and the
  * cure.
  */
 struct RegionLost : std::runtime_error
@@ -34,7 +34,7 @@ struct RegionLost : std::runtime_error
 
 /**
  * Finds for each tick a model of a region with all samples that the tick can read, so that its
- * force equals that of the whole volume, to the bit. A region is larger than its first tick needs,
+ * force equals that of the whole volume to the bit. A region is larger than its first tick needs,
  * and is used until the path leaves it.
  */
 class RegionsAlongPath
@@ -46,11 +46,11 @@ public:
   RegionsAlongPath(vtkHapticRegionSource* source, Baker bake);
 
   ///@{
-  /** Throw RegionLost. */
+  /** Both functions throw RegionLost. */
   /** Returns a model of a corner of the volume. */
   std::shared_ptr<const HapticModel> Begin() const;
   /**
-   * Returns the model for a tick that moves to a tip (device): the given one, if it has all
+   * Returns a model for a tick that moves to a tip (device). This is the given model if it has all
    * samples.
    */
   std::shared_ptr<const HapticModel> Find(

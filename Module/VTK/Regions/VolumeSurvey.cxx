@@ -25,7 +25,7 @@ void DivideExtent(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
     boxes.push_back(extent);
     return;
   }
-  // Divides the slowest axis that can be divided, so that rows stay whole.
+  // Divide along the slowest axis that can be divided, so that rows stay whole.
   const int a = extent[4] < extent[5] ? 4 : extent[2] < extent[3] ? 2 : 0;
   BoxExtent low = extent;
   BoxExtent high = extent;

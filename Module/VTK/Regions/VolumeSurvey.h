@@ -20,12 +20,12 @@
 namespace VolumeHaptics
 {
 
-/** The facts that the field arrays of vtkHapticRegionFilter carry. */
+/** The facts that vtkHapticRegionFilter stores as field arrays. */
 struct VolumeFacts
 {
   double Noise = 0.0;
   double BorderValue = 0.0;
-  OutsideSamples Outside; ///< outside samples, to be filled in each region
+  OutsideSamples Outside; ///< outside samples, which each region has to fill
   BackgroundLevel Solid;
   StoredShift Shift;
 };
@@ -33,16 +33,16 @@ struct VolumeFacts
 /**
  * Reads the boxes from which the noise is estimated (NoiseEstimate.h), one after another: 512
  * blocks of 5^3 samples and the corners. A volume that is not large is read completely, in boxes of
- * at most a million samples. The result equals that of the whole volume in memory, to the bit.
+ * at most a million samples. The result is the same, to the bit, as for the whole volume in memory.
  */
 class VolumeSurvey
 {
 public:
-  /** Begins the survey of a volume, which must outlive it. */
+  /** Prepares the survey of a volume, which must outlive it. */
   explicit VolumeSurvey(const LargeVolume& volume);
 
   bool IsDone() const { return this->Next == this->Boxes.size(); }
-  /** Reads a box. Returns false, with an error, on failure; it may be tried again. */
+  /** Reads the next box. On failure, returns false, with an error; the call may be repeated. */
   bool Advance(std::string& error);
   /** Returns the facts, once all boxes are read. */
   VolumeFacts GetFacts() const;

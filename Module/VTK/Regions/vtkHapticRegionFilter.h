@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRegionFilter
- * @brief   a part of a volume that can be touched as if the whole were here
+ * @brief   a region of a volume that can be touched as if it were the whole volume
  *
- * Cuts a region out of the image on port 0, and adds what vtkVolumeHapticsFilter has to know about
- * the whole volume. Such small regions around the tip are sent from time to time if a volume is too
- * large for the memory at the hand, because it is on a server, or out of core:
+ * Cuts a region out of the image on port 0, and adds the facts that vtkVolumeHapticsFilter needs
+ * about the whole volume. If a volume is on a server, or too large for the memory at the hand, an
+ * application sends small regions around the tip from time to time:
  *
  *   regions->SetInputConnection(reader->GetOutputPort());  // where the whole volume is
  *   regions->SetRegion(wanted);                            // as vtkHapticRegionPlanner::Plan says
@@ -112,7 +112,7 @@ protected:
   ~vtkHapticRegionFilter() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /** Requests the whole. A subclass may request this process' piece. */
+  /** Requests the whole volume. A subclass may request the piece of this process. */
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -120,9 +120,9 @@ protected:
   using SamplesOfComponents = std::vector<VolumeHaptics::NoiseSamples>;
 
   /**
-   * Whether the samples gathered last are still valid for the input, whose modification time in
-   * this process is `time`. All processes must return the same value. Default: true if `time` is
-   * the time at which the samples were gathered.
+   * Returns whether the samples that were gathered last are still valid for the input, whose
+   * modification time in this process is `time`. All processes must return the same value. Default:
+   * true if `time` is the time at which the samples were gathered.
    */
   virtual bool IsCurrent(vtkMTimeType time);
 
@@ -135,22 +135,25 @@ protected:
   virtual void GatherSamples(SamplesOfComponents& samples);
 
   /**
-   * Writes the array of a region of the whole into an output with the region's geometry. `piece`
-   * holds the part of this process; the array may be null if the piece is empty. Default: a copy,
-   * which needs the whole region in the piece. Returns false, with the reason in `error`, if parts
-   * are missing.
+   * Writes the array of a region of the whole into an output with the region's geometry. `piece` is
+   * the piece of this process; the array may be null if the piece is empty. Default: copies the
+   * region, which must be in the piece as a whole. Returns false, with the reason in `error`, if a
+   * part of the region is missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);
 
   /**
-   * Copies the samples that both extents have from one array to the other; both have a tuple for
-   * every sample.
+   * Copies the samples that both extents contain from one array to the other. Each array has a
+   * tuple for every sample of its extent.
    */
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 
-  /** Collects the samples of its whole that a piece holds, one entry for each component. */
+  /**
+   * Collects those noise samples of the whole that a piece contains, with one entry for each
+   * component.
+   */
   static SamplesOfComponents CollectSamples(
     vtkDataArray* array, const int extent[6], const int whole[6]);
 

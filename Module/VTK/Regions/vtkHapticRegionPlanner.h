@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRegionPlanner
- * @brief   plans which part of a remote volume the hand needs next, and when
+ * @brief   plans which region of a remote volume the hand needs next, and when
  *
  * Plans which region of a volume to fetch, and when. From the position and velocity of the tip,
  * Plan computes the wanted region, and whether to fetch it now, before the tip can leave the
@@ -23,8 +23,8 @@
  * Documentation/method.md, "Regions of a volume", has the equation. The region is clipped to the
  * whole, and cut to MaximumVoxels. A cut region lies less far ahead, so that a hand that stops
  * still has its data. If the whole has at most MaximumVoxels, the region is the whole. A region is
- * fetched as soon as the resident region leaves the tip less than half the room that the wanted
- * region would leave, so that a resting hand fetches nothing.
+ * fetched as soon as the tip has less than half the room in the resident region that it would have
+ * in the wanted region, so that a resting hand fetches nothing.
  *
  * Not thread-safe: belongs to one thread.
  *
@@ -123,30 +123,31 @@ public:
 
   ///@{
   /**
-   * The latency (s) for planning, from a plan to the moment at which the region can be felt: the
-   * smoothed value of the measurements given to AddLatency. The first measurement counts fully;
-   * later a longer one counts half, a shorter one a tenth. Numbers that are negative or not finite
-   * are ignored. At most 10. Default 0.2, until there is a measurement. ResetLatency forgets all.
+   * The latency (s) that is used for planning: the time from a plan to the moment at which the
+   * region can be felt. AddLatency smooths measurements of it. The first measurement counts fully.
+   * Of later ones, a longer one counts half, a shorter one a tenth. Numbers that are negative or
+   * not finite are ignored. At most 10. Default 0.2, until there is a measurement. ResetLatency
+   * discards all measurements.
    */
   void AddLatency(double seconds);
   void ResetLatency();
   vtkGetMacro(Latency, double);
   ///@}
 
-  /** Get the half-width of the wanted region (world units), before it is cut. */
+  /** Get half the width of the wanted region (world units) before it is cut. */
   double GetHalfWidth();
 
   /**
    * Compute the wanted region (an extent) for a tip (world) with a velocity (world units per
-   * second). Returns whether to fetch it now. `resident` is the extent of the region that is here,
-   * or on its way; if there is none, an empty extent such as (0, -1, 0, -1, 0, -1). For all inputs,
-   * the wanted region lies within the whole, and is empty only if the whole is empty.
+   * second). Returns whether to fetch it now. `resident` is the extent of the region that is in
+   * memory or ordered; if there is none, an empty extent such as (0, -1, 0, -1, 0, -1). The wanted
+   * region is always within the whole, and is empty only if the whole is empty.
    */
   bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
 
   /**
-   * Compute how much more room (world units) a region (an extent) gives a tip (world) than its tick
-   * needs: the sum of SpringLength, Reach and Band. If the result is negative, samples may be
+   * Compute the room (world units) that a tip (world) has in a region (an extent), beyond the sum
+   * of SpringLength, Reach and Band that its tick needs. If the result is negative, samples may be
    * missing there.
    */
   double FindRoom(const double tip[3], const int region[6]);

@@ -50,9 +50,9 @@ void WarnOfOutside(vtkHapticRegionSource* source, RegionStore& store)
 
 /** Number of regions that may be in memory at once while a hand feels the volume. */
 constexpr vtkTypeInt64 RegionsInMemory = 4;
-/** Largest coarser level of a file that is kept in memory. */
+/** Largest coarser level of a file (voxels) that is kept in memory. */
 constexpr vtkIdType MostCoarseVoxels = 1 << 22;
-/** Limit on the bytes of all samples; larger numbers can't be file positions. */
+/** Largest size of all samples (bytes): larger numbers can't be file positions. */
 constexpr double MostBytes = 4e18;
 } // namespace
 
@@ -66,7 +66,7 @@ vtkHapticRegionSource::vtkHapticRegionSource()
 //------------------------------------------------------------------------------
 vtkHapticRegionSource::~vtkHapticRegionSource()
 {
-  // Users that still hold the port find no source behind it.
+  // A user that still holds the port then finds no source behind it.
   this->GetOutputPort()->SetProducer(nullptr);
   this->SetFileName(nullptr);
 }
@@ -413,7 +413,7 @@ bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
     whole->SetOrigin(this->Origin);
     whole->SetSpacing(this->Spacing);
     whole->SetDirectionMatrix(this->Direction);
-    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // indices of boxes count from zero
+    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // indices of boxes begin at zero
     if (!MakeIndexToWorld(whole, fromZero, "volume", key.IndexToWorld, error))
     {
       return false;
@@ -625,8 +625,8 @@ int vtkHapticRegionSource::RequestInformation(
   }
   BoxExtent region;
   std::copy_n(this->WholeExtent, 6, region.begin());
-  // Without samples the region is as thin as a kernel allows, so that nothing in it counts as
-  // resident.
+  // Without samples, make the region as thin as a kernel allows, so that no position in it counts
+  // as resident.
   region = this->Store->GetSamples() ? this->Store->GetRegion()
                                      : ComputeMiddle(region, 2 * this->KernelRadius + 1);
   vtkInformation* const info = outputs->GetInformationObject(0);

@@ -220,21 +220,21 @@ public:
   ///@}
 
   /**
-   * Get the format of a file, by its ending, or of a folder, by what most of its files are:
+   * Get the format of a file, by its ending, or of a folder, by the kind of most of its files:
    * "VTKHDF", "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if OpenFile() does not know it. The file
    * need not exist.
    */
   static std::string GetFileFormat(const char* fileName);
 
   /**
-   * Get the length (mm) of a unit, by its name or symbol in files, such as "um", "micrometer" or
+   * Get the length (mm) of a unit from its name or symbol in files, such as "um", "micrometer" or
    * "inch"; 0 if the unit is not known. OpenFile() converts lengths by it.
    */
   static double GetMillimetersPerUnit(const char* unit);
 
   /**
-   * Get what OpenFile() assumed or ignored, such as a missing size of voxels: one note a line;
-   * empty if there is none, or if no file was opened.
+   * Get notes on what OpenFile() assumed or ignored, such as a missing size of voxels, with one
+   * note on each line; empty if there are none, or if no file was opened.
    */
   std::string GetFileNotes() const
   {
@@ -258,8 +258,8 @@ public:
   ///@{
   /**
    * Wait until the samples of a region (an extent of any size, clipped to the whole) are read, and
-   * put them unchanged into an image, with the field arrays of a region. Returns false, with an
-   * error, on failure.
+   * put them unchanged into an image, with the field arrays of a region. On failure, reports an
+   * error and returns false.
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__
@@ -283,7 +283,7 @@ public:
    * active scalars, vectors and tensors are resampled, and the named arrays (separated by
    * semicolons). Outside of all cells, scalars have the value of the border, and other arrays are
    * 0. The data are copied. Returns false and reports an error if they have no cells, volume or
-   *    arrays. A vtkVolumeHapticsFilter does this by itself with data on its port 0.
+   * arrays. A vtkVolumeHapticsFilter does this by itself with data on its port 0.
    */
   bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
 #ifndef __VTK_WRAP__
@@ -294,25 +294,30 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Set the filter's settings that the output depends on; vtkVolumeHapticsFilter::ConfigureSource
-   * calls this.
+   * Set the settings of the filter on which the output depends;
+   * vtkVolumeHapticsFilter::ConfigureSource calls this.
    */
   void SetFeltAs(int kernelRadius, bool areLabels);
 #endif
 
   /**
-   * Get the planner of the regions. Only its MaximumSpeed is for the user; this source sets the
-   * rest.
+   * Get the planner of the regions. Applications may set only its MaximumSpeed; this source sets
+   * the rest.
    */
   vtkHapticRegionPlanner* GetPlanner();
 
-  /** Get whether a region that Follow has ordered has not arrived yet. */
+  /** Get whether a region that Follow has ordered is still being read. */
   bool IsWaiting();
 
-  /** Get whether the output consists of samples of the volume, not of the CoarseImage or zeros. */
+  /**
+   * Get whether the output contains samples of the volume; false for samples of the CoarseImage, or
+   * zeros.
+   */
   bool HasSamples();
 
-  /** Get what the source waits for, and why the last read failed; empty if nothing is awaited. */
+  /**
+   * Get which work the source waits for, and why the last read failed; empty if it does not wait.
+   */
   std::string GetStatusText();
 
 protected:
@@ -326,12 +331,15 @@ private:
 #ifndef __VTK_WRAP__
   bool Open(const char* fileName, bool mayBeWhole, std::string& error);
   std::string CheckSettings();
-  /** Updates the store to the settings; false, with the fault, if they are not complete. */
+  /** Updates the store to the settings. Returns false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);
-  /** Passes the coarse image to the store; false, with the fault, if it can't stand in. */
+  /**
+   * Sets the coarse image in the store. Returns false, with the fault, if it does not suit the
+   * volume.
+   */
   bool UpdateCoarse(std::string& error);
 
-  /** Adds the values of a file to an image, as its arrays. */
+  /** Adds values that were read to an image, as its arrays. */
   bool PutSamples(vtkDataArray* samples, vtkImageData* image, std::string& error);
   void PutArrays(vtkDataArray* samples, vtkImageData* image);
   /** Returns the number of values in a sample. */

@@ -25,12 +25,12 @@ namespace
 {
 
 constexpr double DegreesPerRadian = 57.295779513082320876798;
-/** Angle (degrees) up to which a normal counts as the axis. */
+/** Angle (degrees) below which a normal counts as the axis. */
 constexpr double LeastAngle = 1e-4;
 
 /**
- * Returns the angle between an axis and the normal at the entry (degrees); -1 without a normal.
- * Both are unit vectors.
+ * Returns the angle (degrees) between an axis and the normal at the entry; -1 if there is no
+ * normal. Both are unit vectors.
  */
 double ComputeAngle(const Vector3& axis, const Vector3& normal)
 {
@@ -51,7 +51,7 @@ public:
     this->Lengths->SetName("Length");
   }
 
-  /** Adds the position where a stretch begins, or the track ends. */
+  /** Adds the position where a stretch of tissue begins, or where the track ends. */
   void Begin(const Vector3& place, double depth, std::int64_t label)
   {
     const vtkIdType point = this->Points->InsertNextPoint(place.X, place.Y, place.Z);
@@ -130,8 +130,8 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
     {
       if (ticks.LabelAt(i) != label)
       {
-        // The boundary held the point until this tick; if the tissue behind it resists less, the
-        // point jumps.
+        // The boundary held the point until this tick. The point jumps here if the tissue behind
+        // the boundary resists less.
         label = ticks.LabelAt(i);
         writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
       }
@@ -140,9 +140,9 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
   writer.WriteTo(track);
-  // From the insertion on, the normals are the needle's axis. Walk back through the ticks of
-  // contact before it to the last one whose normal is still the surface's. If every normal is the
-  // axis, the needle met the surface at a right angle.
+  // After the insertion, the normals are the needle's axis. Walk back through the ticks of contact
+  // before it to the last one whose normal is still the surface's. If every normal is the axis, the
+  // needle met the surface at a right angle.
   const auto isHeld = [&ticks](vtkIdType tick)
   { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
   vtkIdType before = first - 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the track of a needle as polydata, from a trace or from a needle in the hand.
+ * Writes the track of a needle as polydata, from a trace or from the needle in the hand.
  */
 #ifndef NeedleTrace_h
 #define NeedleTrace_h
@@ -20,15 +20,15 @@ class HapticModel;
 struct NeedleState;
 
 /**
- * Makes the track of a needle from a trace: see vtkHapticNeedle::MakeTrack. Returns the fault and
- * the cure; empty if there is none.
+ * Makes the track of a needle from a trace: see vtkHapticNeedle::MakeTrack. Returns the fault with
+ * its cure; empty if there is none.
  */
 std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track);
 
 /**
  * Writes the track from the entry to the tip, along the needle's present axis: see
- * vtkHapticState::GetNeedleTrack. The proxy is in metres. A needle that is not inserted gives an
- * empty track.
+ * vtkHapticState::GetNeedleTrack. The proxy is in metres. If the needle is not inserted, the track
+ * becomes empty.
  */
 void WriteNeedleTrack(
   const HapticModel& model, const NeedleState& needle, const Vector3& proxy, vtkPolyData* track);

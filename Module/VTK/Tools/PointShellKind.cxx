@@ -51,7 +51,7 @@ public:
          : os << "(none)";
     os << "\n";
   }
-  /** The mesh stays in the filter, like the shapes of guides: a setup holds settings only. */
+  /** Keeps the mesh of the earlier tool, because a setup contains only settings. */
   void TakeOver(vtkHapticTool* tool, vtkHapticTool* before) const override
   {
     auto* const shell = vtkHapticPointShell::SafeDownCast(before);
@@ -76,7 +76,7 @@ void PointShellKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
   {
     return;
   }
-  // If the mesh has not changed, its points are shared with models that still use them.
+  // An unchanged mesh shares its points with the models that still use them.
   described.Points = GetShellPoints(shell->GetMesh(), shell->GetNumberOfPoints(), plan.Error);
   if (!described.Points)
   {

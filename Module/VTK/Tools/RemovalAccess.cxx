@@ -19,13 +19,17 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Number of samples examined: few, so that a volume mapped from a file is not read as a whole. */
+/**
+ * Number of samples examined. It is small, so that a volume mapped from a file is not read as a
+ * whole.
+ */
 constexpr vtkIdType MostAirSamples = 4096;
 /** Fraction of these samples that may be outliers. */
 constexpr double AirQuantile = 0.02;
 
 /**
- * Finds the value that only few samples, spread evenly, are below, or above; 0 if none is finite.
+ * Returns the value below which (or, if isLargest, above which) only few of some evenly spread
+ * samples lie; 0 if no sample is finite.
  */
 double ComputeAir(vtkDataArray* scalars, int component, bool isLargest)
 {
@@ -59,12 +63,12 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
 }
 
 /**
- * Finds the index of a volume's first sample among the samples of another volume. Returns false if
- * the samples lie between those, or elsewhere.
+ * Computes the index of a volume's first sample in another volume. Returns false if the volume's
+ * samples are not at positions of the other volume's samples.
  */
 bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {
-  constexpr double rounding = 1e-3; // voxels, over the whole volume
+  constexpr double rounding = 1e-3; // allowed rounding error over the whole volume (voxels)
   const int* const extent = volume->GetExtent();
   const int* const there = other->GetExtent();
   for (int corner = 0; corner < 4; ++corner) // the first sample, then the last one on each axis
@@ -85,7 +89,7 @@ bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3
       {
         first[a] = std::llround(std::clamp(at, -1e9, 1e9));
       }
-      // The condition is also false for NaN.
+      // Written so that NaN fails.
       if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
       {
         return false;
@@ -140,7 +144,7 @@ bool RemovalData::IsAsRead() const
 
 bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
 {
-  // A volume with the extent of the file's volume may have been moved as a whole.
+  // If the extents are the same, the volume may have been moved as a whole.
   if (!this->IsAsRead() || IsSameExtent(this->Read->Geometry, extent))
   {
     return false;
@@ -254,7 +258,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   {
     data.Tissue = std::make_shared<TissueRemoval>();
   }
-  // Regions of one volume share one value, and removed tissue keeps its own value.
+  // Keep a value that is in use: regions of one volume share it, and so does removed tissue.
   if (removal->GetAutoAirValue() && (!data.HasAir || (removes && !isRegion && !isUsed)))
   {
     const auto* const shaped = dynamic_cast<const ShapedTool*>(d.Tool.get());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data of a vtkHapticRemoval that models and the servo use.
+ * The part of a vtkHapticRemoval that models and the servo use.
  */
 #ifndef RemovalAccess_h
 #define RemovalAccess_h
@@ -25,31 +25,35 @@ class vtkHapticRemoval;
 namespace VolumeHaptics
 {
 
-/** The parts of a vtkHapticRemoval. */
+/** The data of a vtkHapticRemoval. */
 struct RemovalData
 {
   static RemovalData& Of(vtkHapticRemoval* removal);
 
-  /** Null until a model was made of a volume with a tool that removes, or fractions were read. */
+  /**
+   * The tissue. Null until a model of a volume is made with a tool that removes, or until fractions
+   * are read.
+   */
   std::shared_ptr<TissueRemoval> Tissue;
   vtkNew<vtkImageData> Geometry; ///< geometry of the volume, without scalars
-  bool HasAir = false;           ///< whether the AirValue comes from the volume, or from a file
-  const void* Holder = nullptr;  ///< owner of the servo that ticks with it; null: none
+  bool HasAir = false;           ///< whether the AirValue was computed from the volume or read from
+                                 ///< a file
+  const void* Holder = nullptr;  ///< owner of the servo that ticks with the removal; null if there
+                                 ///< is none
   ///@{
   /**
-   * Contents that were read from a file; null if there are none. Obsolete once the fractions
-   * change.
+   * Contents of the file that was read; null if there is none. Obsolete once the fractions change.
    */
   std::unique_ptr<RemovalContent> Read;
-  std::uint64_t ReadChanges = 0;  ///< changes of the bricks when they were read
+  std::uint64_t ReadChanges = 0;  ///< the bricks' number of changes when the file was read
   std::int64_t ReadFirst[3] = {}; ///< index of the volume's first sample among the file's samples
   ///@}
 
   /**
-   * Executes the waiting requests, if no servo holds the removal. Returns whether there were any.
+   * Carries out the waiting requests if no servo holds the removal. Returns whether there were any.
    */
   bool ServeAll() const;
-  /** Sets the AirValue that was found, without a change of the object's MTime. */
+  /** Sets the computed AirValue without changing the object's modification time. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /**
    * Creates tissue with these fractions, for a volume with that geometry. Returns false if there
@@ -58,34 +62,36 @@ struct RemovalData
   bool Replace(const std::vector<BrickTissue>& fractions, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
   void ApplyContent(std::unique_ptr<RemovalContent> content);
-  /** Whether the fractions still equal those of the file, as far as they lie in the volume. */
+  /** Whether the fractions within the volume still equal those of the file. */
   bool IsAsRead() const;
-  /** Whether a volume with the extent of the last one is another part of the file's volume. */
+  /** Whether a volume that has the extent of the last one is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
-   * Fits the file's contents to another part of the file's volume. Returns false if the samples do
-   * not lie at the positions of that volume's samples, or there are too many fractions.
+   * Fits the file's contents to another part of the file's volume. Returns false if the samples are
+   * not at the positions of that volume's samples, or if there are too many fractions.
    */
   bool FitRead(vtkImageData* geometry, const int extent[6]);
 };
 
-/** Returns the removed tissue; null while nothing can have been removed. */
+/**
+ * Returns the tissue from which parts may be removed; null as long as nothing can have been
+ * removed.
+ */
 std::shared_ptr<TissueRemoval> GetTissueRemoval(vtkHapticRemoval* removal);
 
 ///@{
 /**
- * Reserves a removal for one holder, whose servo alone may tick with it. Returns false if there is
- * another holder. Until the holder releases it, its ticks carry out all requests.
+ * Reserves a removal for one holder, so that only its servo may tick with it. Returns false if
+ * there is another holder. The holder's ticks carry out all requests until LetRemovalGo().
  */
 bool HoldRemoval(vtkHapticRemoval* removal, const void* holder);
 void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
 ///@}
 
 /**
- * Adds to the description of a model the tissue that is removed from its volume, if its tool
- * removes tissue, or some was removed before. The description already has its tool, its time steps
- * and its view. Returns false, with the reason and the cure in `error`, if the tissue belongs to
- * another volume.
+ * Adds the removed tissue to the description of a model, if its tool removes tissue or if some was
+ * removed before. The description already has its tool, its time steps and its view. Returns false,
+ * with the reason and the cure in `error`, if the tissue belongs to another volume.
  * @param geometry origin, spacing and direction of the volume
  * @param extent extent of the whole volume; the scalars may be a region of it
  * @param isRegion whether the scalars are a region

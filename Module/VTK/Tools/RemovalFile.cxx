@@ -30,7 +30,7 @@ constexpr const char* ExtentName = "VolumeExtent";
 constexpr const char* AirName = "AirValue";
 constexpr const char* WriteCure = " Give a file that vtkHapticRemoval::WriteFile() has written.";
 
-/** Converts an extent to a box of samples, counted from the volume's first sample. */
+/** Converts an extent to a box of samples that counts from the volume's first sample. */
 TissueBox BoxOf(const int extent[6], const int volume[6])
 {
   TissueBox box{};
@@ -43,8 +43,8 @@ TissueBox BoxOf(const int extent[6], const int volume[6])
 }
 
 /**
- * Finds the extent of all bricks that are not whole, within the volume; one sample if there are
- * none.
+ * Returns the extent, within the volume, of all bricks from which tissue is missing; one sample if
+ * there is no such brick.
  */
 std::array<int, 6> ComputeUsedExtent(const std::vector<BrickTissue>& bricks, const int volume[6])
 {

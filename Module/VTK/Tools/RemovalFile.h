@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads files of removed tissue: a .vti image of the fractions in the part of the volume
- * from which something was removed, with the volume's extent and its AirValue as field arrays.
+ * Writes and reads files of removed tissue. Such a file is a .vti image of the fractions in the
+ * part of the volume from which something was removed. The volume's extent and AirValue are field
+ * arrays.
  */
 #ifndef RemovalFile_h
 #define RemovalFile_h
@@ -19,18 +20,20 @@
 namespace VolumeHaptics
 {
 
-/** Gives an image an extent, and the origin, spacing and direction of another image. */
+/**
+ * Sets the extent of an image, and copies the origin, spacing and direction of another image to it.
+ */
 void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
 
-/** Makes an image of the fractions in an extent of a volume, with its geometry. */
+/** Makes an image of the fractions in an extent of a volume, with the volume's geometry. */
 void MakeTissueImage(
   const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* fractions);
 
-/** Writes a file. Returns false, with the reason and the cure in `error`, on failure. */
+/** Writes a file. On failure, returns false, with the reason and the cure in `error`. */
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
   const std::string& file, std::string& error);
 
-/** The contents of a file of removed tissue. */
+/** Contents of a file of removed tissue. */
 struct RemovalContent
 {
   vtkNew<vtkImageData> Geometry; ///< geometry of the volume
@@ -38,7 +41,7 @@ struct RemovalContent
   double AirValue = 0.0;
 };
 
-/** Reads a file. Returns false, with the fault and the cure in `error`, on failure. */
+/** Reads a file. On failure, returns false, with the fault and the cure in `error`. */
 bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error);
 
 } // namespace VolumeHaptics

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Evaluates a function that is constant beyond its ends. */
+/** Evaluates a function that stays constant beyond its ends. */
 double ValueAt(const Polyline& line, double x)
 {
   if (line.empty() || !(x > line.front().X))
@@ -32,12 +32,13 @@ double ValueAt(const Polyline& line, double x)
 }
 
 /**
- * Computes the surface strength where something is visible, 0 elsewhere, with all break points of
- * both.
+ * Computes the surface strength of visible values, and 0 for hidden values. The result has the
+ * break points of both functions.
  */
 Polyline ComputeFeltStrength(const HapticMaterial& material)
 {
-  // The visibility is 0 or 1, and jumps where two vertices have the same value.
+  // The visibility is 0 or 1, and jumps at two vertices of the same value: evaluate on both sides
+  // of each vertex.
   std::vector<double> values;
   for (const Polyline* const line : { &material.SurfaceStrength, &material.ScalarVisibility })
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks and describes what the tools with a shape have in common, vtkHapticPointShell and
- * vtkHapticBurr.
+ * Checks and describes what vtkHapticPointShell and vtkHapticBurr, the tools with a shape, have in
+ * common.
  */
 #ifndef ShellDescription_h
 #define ShellDescription_h
@@ -16,7 +16,10 @@
 namespace VolumeHaptics
 {
 
-/** The values that are solid: those on one side of a level. */
+/**
+ * The level that separates solid values from other values. Solid values are above it, or below it
+ * if IsBelow.
+ */
 struct SolidLevel
 {
   double Level = 0.0;
@@ -24,25 +27,25 @@ struct SolidLevel
 };
 
 /**
- * Finds the value at which the surface strength passes half of its maximum. Returns false if it
- * never does so, or more than once; `error` then has the reason and the cure, and continues the
- * name of the tool.
+ * Computes the value at which the surface strength passes half of its maximum. Returns false if it
+ * does so never or more than once. The reason and the cure in `error` then continue a sentence that
+ * begins with the tool's name.
  */
 bool ComputeSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error);
 
-/** A number of a tool, which must be more than 0. */
+/** A number of a tool that must be above 0. */
 struct ToolNumber
 {
-  const char* Name; ///< the name as in Set...
+  const char* Name; ///< name as in Set...
   double Value;
   const char* Unit;
 };
-/** Checks that a number is more than 0. Returns false, with the cure, if it isn't. */
+/** Checks that a number is above 0. If not, returns false, with the cure in `error`. */
 bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string& error);
 
 /**
- * Describes what all tools with a shape share. Returns false, with an error in the plan, if the
- * tool can't be felt.
+ * Describes what all tools with a shape have in common. Returns false, with an error in the plan,
+ * if the tool can't be felt.
  * @param deed what the tool does that needs the method, such as "removes what is solid"
  */
 bool DescribeShapedTool(

@@ -26,7 +26,7 @@ namespace
 {
 
 ///@{
-/** Measured on a desktop computer (s). */
+/** Times (s) measured on a desktop computer. */
 constexpr double SecondsPerPoint = 1.3e-4;
 constexpr double SecondsPerPolygon = 2e-6;
 constexpr double ShortSpreading = 40e-3;
@@ -52,8 +52,8 @@ SpreadShell Spread(vtkPolyData* mesh, int count, WorkMonitor* monitor)
 }
 
 /**
- * Keeps the points that models use, the last few that were made, and the last mesh that is no valid
- * tool.
+ * Stores the points that models use, the last few that were made, and the last mesh that is not a
+ * valid tool.
  */
 class ShellsInUse
 {
@@ -96,7 +96,7 @@ private:
 
 ShellsInUse& GetShellsInUse()
 {
-  // Never destroyed: a filter may live until the process exits.
+  // Never destroyed, because a filter may live until the process exits.
   static auto* const shells = new ShellsInUse;
   return *shells;
 }
@@ -153,7 +153,7 @@ bool ShellPreparation::Prepare(vtkPolyData* mesh, int count)
   }
   if (this->Spreading.IsOf(key))
   {
-    return !this->Spreading.IsUnderWay(); // if memory ran out, GetShellPoints() will report it
+    return !this->Spreading.IsUnderWay(); // GetShellPoints() reports a lack of memory
   }
   if (this->Spreading.IsUnderWay())
   {

@@ -16,25 +16,28 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Candidates for each point, if points are few, and if they are many. */
+/**
+ * Candidates for each point: CandidatesOfFew for fewer than `Many` points, otherwise
+ * CandidatesOfMany.
+ */
 constexpr std::size_t CandidatesOfFew = 40;
 constexpr std::size_t CandidatesOfMany = 15;
 constexpr std::size_t Many = 20000;
-/** Every nth candidate may be chosen at first, with n this number. */
+/** One in this number of candidates may be chosen at first. */
 constexpr std::size_t CandidatesOfChoice = 5;
 /**
- * Smallest length of a mean of unit normals: the positions face nearly the same way, so that their
- * middle is near them.
+ * Smallest length of a mean of unit normals at which the positions face nearly the same way, so
+ * that their middle is near them.
  */
 constexpr double LeastMeanNormal = 0.97;
-/** How often points move to the middle of their candidates. */
+/** Number of rounds in which points move to the middle of their candidates. */
 constexpr int LloydRounds = 5;
 
 /** A position on the surface, and the direction that it faces. */
 struct SurfacePlace
 {
   Vector3 Position;
-  Vector3 Normal; ///< times a length, so that turns and distances can be added
+  Vector3 Normal; ///< the normal multiplied by a length, so that angles and distances can be added
 };
 
 double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
@@ -45,7 +48,8 @@ double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
 }
 
 /**
- * Spreads positions that stand for equal areas: stratified along the triangles, and within each.
+ * Spreads positions that stand for equal areas. They are stratified along the list of triangles,
+ * and within each triangle.
  */
 std::vector<SurfacePlace> SpreadPlaces(
   const std::vector<ToolTriangle>& triangles, double area, std::size_t count, double turnLength)
@@ -81,7 +85,7 @@ std::vector<SurfacePlace> SpreadPlaces(
   return places;
 }
 
-/** Finds neighbours among some of the positions, by cubes of space. */
+/** Finds neighbours among some of the positions by dividing space into cubes. */
 class PlaceGrid
 {
 public:
@@ -115,7 +119,7 @@ public:
     }
   }
 
-  /** Visits all members at most `radius` from a position, and perhaps others. */
+  /** Visits all members at a distance of up to `radius` from a position, and perhaps others. */
   template <typename Function>
   void ForNear(const Vector3& at, double radius, Function&& visit) const
   {
@@ -134,8 +138,9 @@ public:
   }
 
   /**
-   * Finds the member nearest to a position; of several, the lowest. There must be at least one. The
-   * search begins within a length, and continues beyond it if no member is there.
+   * Returns the member nearest to a position; of equally near ones, the first. There must be at
+   * least one member. The search begins within a distance, and continues beyond it if there is no
+   * member.
    */
   std::size_t FindNearest(const SurfacePlace& place, double within) const
   {
@@ -172,8 +177,8 @@ private:
     return { number(at.X), number(at.Y), number(at.Z) };
   }
   /**
-   * Packs a cube into 21 bits for each axis. Cubes a million apart share a key: both are visited,
-   * which only takes time.
+   * Packs a cube into 21 bits for each axis. Cubes a million apart have the same key: both are then
+   * visited, which costs only time.
    */
   static std::uint64_t KeyOf(const Cube& cube)
   {
@@ -213,19 +218,19 @@ private:
   std::size_t Mask = 0;
 };
 
-/** Whether a loop should continue; checks the monitor, if there is one, every now and then. */
+/** Whether a loop should continue. Asks the monitor, if there is one, in every 1024th step. */
 bool GoesOn(const WorkMonitor* monitor, std::size_t step)
 {
   constexpr std::size_t between = 1024;
   return !monitor || step % between != 0 || !monitor->IsCancelled();
 }
 
-/** Removes the most crowded members, until `count` are left. */
+/** Removes the most crowded members until `count` are left. */
 std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& members, std::size_t count, double area,
   const WorkMonitor* monitor)
 {
-  // The largest radius of discs that fit, which form a lattice of equilateral triangles.
+  // Largest radius of discs that fit into the area, in a lattice of equilateral triangles.
   const double most = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
   const double ratio = static_cast<double>(count) / static_cast<double>(members.size());
   const double least = 0.65 * most * (1.0 - std::pow(ratio, 1.5));
@@ -278,7 +283,7 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
 
 /**
  * Finds for each position the number of the nearest chosen position. If the chosen positions have
- * only moved, the search begins near the last owner. Empty if the search is cancelled.
+ * only moved, the search begins near the last owner. Returns nothing if the work is cancelled.
  */
 std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
@@ -307,7 +312,7 @@ std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   return owners;
 }
 
-/** The positions that belong to a point. */
+/** Positions that belong to one point. */
 struct OwnPlaces
 {
   SurfacePlace Middle;
@@ -333,7 +338,7 @@ std::vector<OwnPlaces> ComputeMiddles(const std::vector<SurfacePlace>& places,
   return all;
 }
 
-/** Moves each chosen position to its candidate that is nearest to their middle. */
+/** Moves each point to that of its candidates that is nearest to their middle. */
 void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
   std::vector<std::size_t>& chosen)
 {
@@ -382,9 +387,9 @@ std::vector<ShellPoint> SpreadShellPoints(
   {
     return {};
   }
-  // Each point lies in the middle of its part, but on the surface: sums of a linear function along
-  // a plane then equal integrals. On a curved surface that is pressed into a plane, the excess of
-  // the points on it balances the deficit of the points at the rim of the contact.
+  // Each point is at the middle of its candidates, but on the surface: sums of a linear function
+  // along a plane then equal integrals. On a curved surface that is pressed into a plane, the
+  // excess of the points on it balances the deficit of the points at the rim of the contact.
   const std::vector<OwnPlaces> own = ComputeMiddles(places, owners, chosen.size());
   std::vector<ShellPoint> points;
   points.reserve(chosen.size());

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes and reads remaining tissue as field arrays of traces and recordings, and as plain
- * numbers for files.
+ * Converts remaining tissue to field arrays of traces and recordings, or to plain numbers for
+ * files, and back.
  *
- * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed: its
- * position along each axis, in bricks from the volume's first sample, and the fraction of tissue
- * that remains at each sample, x first; 255 stands for all of it.
+ * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed. The
+ * first one has the brick's position along each axis, in bricks from the volume's first sample. The
+ * second one has the fraction of tissue that remains at each sample, x first; 255 stands for all of
+ * it.
  */
 #ifndef TissueArrays_h
 #define TissueArrays_h
@@ -33,24 +34,24 @@ struct TissueArrayNames
   const char* Fractions;
 };
 
-/** Arrays of the tick at which a recording begins. */
+/** Names of the arrays for the tick at which a recording begins. */
 constexpr TissueArrayNames InitialTissueNames{ "InitialBricks", "InitialShares" };
-/** Arrays of the last tick of a trace. */
+/** Names of the arrays for the last tick of a trace. */
 constexpr TissueArrayNames FinalTissueNames{ "FinalBricks", "FinalShares" };
 
 ///@{
-/** Return the two tuples of a brick. */
+/** Return the tuples of a brick in the two arrays. */
 std::array<std::int32_t, 3> PlaceOfBrick(const BrickTissue& brick);
 std::array<unsigned char, SamplesOfBrick> TissueAsBytes(const BrickTissue& brick);
 ///@}
 
-/** Adds the arrays; they have no tuples if there are no bricks. */
+/** Adds the arrays. They have no tuples if there are no bricks. */
 void AddTissueArrays(
   const std::vector<BrickTissue>& bricks, const TissueArrayNames& names, vtkFieldData* data);
 
 /**
- * Reads the arrays; if both are missing, all tissue remains. Returns false if they can't be read,
- * with the array and its fault in `flaw`, such as "its array "FinalShares" is missing".
+ * Reads the arrays. If both are missing, all tissue remains. Returns false if they can't be read;
+ * `flaw` then names the array and its fault, such as "its array "FinalShares" is missing".
  */
 bool ReadTissueArrays(vtkFieldData* data, const TissueArrayNames& names,
   std::vector<BrickTissue>& bricks, std::string& flaw);

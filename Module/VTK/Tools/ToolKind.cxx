@@ -14,7 +14,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** The kinds, each beside what it is made of. */
+/** Each kind is defined in the source of its tool. */
 const ToolKind& GetPointShellKind();
 const ToolKind& GetBurrKind();
 const ToolKind& GetNeedleKind();
@@ -22,7 +22,8 @@ const ToolKind& GetNeedleKind();
 
 const std::vector<const ToolKind*>& GetToolKinds()
 {
-  // Never destroyed: a device that is deleted while the process exits may still print its tool.
+  // Never destroyed, because a device that is deleted while the process exits may still print its
+  // tool.
   static const auto* const kinds =
     new std::vector<const ToolKind*>{ &GetPointShellKind(), &GetBurrKind(), &GetNeedleKind() };
   return *kinds;

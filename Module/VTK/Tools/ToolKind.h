@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The interface of the kinds of vtkHapticTool, and their list.
+ * Interface of the kinds of vtkHapticTool, and the list of kinds.
  *
- * A kind says how a tool is checked and described to a model, kept in setups, printed and drawn.
+ * A kind defines how a tool is checked, described to a model, stored in setups, printed and drawn.
  * Its list of settings comes from Module/VTK/Settings.json.
  */
 #ifndef ToolKind_h
@@ -33,7 +33,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A function of a tool against the scalar value. The function's values are 0 or more. */
+/** A function of a tool that depends on the scalar value. Its values are 0 or more. */
 struct ToolFunction
 {
   const char* Name; ///< name as in Get... and Set...
@@ -42,13 +42,13 @@ struct ToolFunction
   double Default = 0.0; ///< value of a function without points
 };
 
-/** What Describe() needs to make a tool for a model, and the result. */
+/** Input of Describe(), which makes a tool for a model, and its result. */
 struct ToolPlan
 {
   vtkHapticProperty* Property;           ///< property with the material
   const HapticModelDescription& Model;   ///< with settings, material, time steps and geometry
   std::shared_ptr<const BakedTool> Tool; ///< result, set by Describe(); null before
-  std::string Error;                     ///< reason and cure, if the tool can't be felt
+  std::string Error;                     ///< reason and cure if the tool can't be felt
 };
 
 /** A kind of tool; its class is vtkHapticNAME. */
@@ -66,17 +66,17 @@ public:
   virtual vtkSmartPointer<vtkHapticTool> Make() const = 0;
   /** Prints the settings that no other class has, for PrintSelf. */
   virtual void Print(std::ostream& os, vtkIndent indent, vtkHapticTool* tool) const = 0;
-  /** Writes or reads all settings of a setup. */
+  /** Writes or reads all settings in a setup. */
   virtual void Pass(SetupNode& node, vtkHapticTool* tool) const = 0;
   /** Sets a number by its name, as in setups. Returns false if the tool has no such number. */
   virtual bool Set(vtkHapticTool* tool, const std::string& name, double value) const = 0;
-  /** Copies from the earlier tool what setups do not hold, such as a mesh. */
+  /** Copies data that setups do not contain, such as a mesh, from the earlier tool. */
   virtual void TakeOver(vtkHapticTool* /*tool*/, vtkHapticTool* /*before*/) const {}
   virtual std::vector<ToolFunction> GetFunctions() const { return {}; }
 
   /**
-   * Makes the tool of a model. Checks every number of the tool; if the tool can't be felt, there is
-   * an error instead.
+   * Makes the tool of a model. Checks all numbers of the tool; sets an error in the plan instead if
+   * the tool can't be felt.
    */
   virtual void Describe(vtkHapticTool* tool, ToolPlan& plan) const = 0;
   /** Returns the arrays that only traces of this tool have. */
@@ -88,16 +88,17 @@ public:
 
   ///@{
   /**
-   * Say how the scene shows a tool: the mesh relative to the hand, in world units (null: a stylus
-   * is drawn); and the distance of the farthest touching point from the hand (0 for a point).
+   * Define how the scene shows a tool. MakeShape returns the mesh relative to the hand, in world
+   * units; null stands for a drawn stylus. ComputeReach returns the distance from the hand to the
+   * farthest touching point; 0 for a point.
    */
   virtual vtkSmartPointer<vtkPolyData> MakeShape(vtkHapticTool* /*tool*/) const { return nullptr; }
   virtual double ComputeReach(vtkHapticTool* /*tool*/) const { return 0.0; }
   /**
-   * Whether the tool's mesh turns with the stylus, and spins, instead of with the felt orientation.
+   * Whether the tool's mesh turns with the stylus and spins. Otherwise it has the felt orientation.
    */
   virtual bool TurnsWithStylus() const { return false; }
-  /** Whether the tool looks different when it is turned. */
+  /** Whether turning the tool changes its look. */
   virtual bool IsTurnable() const { return false; }
   ///@}
 
@@ -106,8 +107,8 @@ public:
 
 protected:
   /**
-   * Reads a function in units of the scalars; 0 everywhere, with an error in the plan, if it has a
-   * fault.
+   * Converts a function to units of the scalars. If the function has a fault, returns 0 everywhere,
+   * with an error in the plan.
    */
   Polyline ReadFunction(const ToolFunction& function, vtkHapticTool* tool, ToolPlan& plan) const;
 };
@@ -127,7 +128,7 @@ bool SetSetting(
   return true;
 }
 
-/** A kind whose class is Tool, with its list of settings. */
+/** A kind for the class Tool, with its list of settings. */
 template <typename Tool, const auto& Settings>
 class ToolKindOf : public ToolKind
 {
@@ -166,7 +167,9 @@ public:
 
 /** Returns all kinds, in the order of their arrays in traces. */
 const std::vector<const ToolKind*>& GetToolKinds();
-/** Returns the kind of a tool; null for null, and for an application's own class. */
+/**
+ * Returns the kind of a tool. Returns null for null, or for a tool of an application's own class.
+ */
 const ToolKind* FindToolKind(vtkHapticTool* tool);
 
 /** Prints the settings and functions of a tool, for PrintSelf. */

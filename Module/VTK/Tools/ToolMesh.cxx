@@ -26,7 +26,7 @@ bool Refuse(std::string& error, const std::string& text)
   return false;
 }
 
-/** Reads the triangles of a mesh, with coinciding corners merged. */
+/** Returns the triangles of a mesh with coinciding corners merged. */
 vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* mesh)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -66,9 +66,9 @@ Vector3 PointAt(vtkPolyData* mesh, vtkIdType id)
 }
 
 /**
- * Checks that the surface is closed: each edge must belong to two triangles, which run along it in
- * opposite directions. If an edge belongs to more triangles, in pairs, parts of the surface touch
- * one another there.
+ * Checks that the surface is closed: each edge must belong to two triangles that run along it in
+ * opposite directions. If an edge belongs to several such pairs, parts of the surface touch one
+ * another there.
  */
 bool CheckEdges(vtkPolyData* mesh, std::string& error)
 {
@@ -123,7 +123,7 @@ bool CheckEdges(vtkPolyData* mesh, std::string& error)
   return true;
 }
 
-/** Checks the ids of points, because VTK's filters would read beyond the points. */
+/** Checks the ids of points, because VTK's filters would read beyond the array for a wrong id. */
 bool CheckIds(vtkCellArray* cells, vtkIdType points, std::string& error)
 {
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
@@ -180,7 +180,7 @@ bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::
   clean->GetBounds(bounds);
   const Vector3 middle =
     0.5 * Vector3{ bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5] };
-  double volume = 0.0; // sum of the divergence theorem: six times the volume
+  double volume = 0.0; // six times the volume, by the divergence theorem
   ForEachTriangle(clean,
     [&](const vtkIdType* ids)
     {

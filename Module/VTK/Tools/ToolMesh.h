@@ -26,10 +26,11 @@ struct ToolTriangle
 };
 
 /**
- * Reads the triangles of a mesh in their order, and divides its polygons and strips. Coinciding
- * corners are merged, as STL files need it; triangles without an area are left out. Returns false,
- * with the reason and the cure in `error`, if the mesh is null, has no polygons, points that are
- * not finite, open edges, neighbours that face opposite sides, no area, or is inside out.
+ * Reads the triangles of a mesh in their order, and triangulates its polygons and strips. Merges
+ * coinciding corners, which STL files need, and leaves out triangles without an area. Returns
+ * false, with the reason and the cure in `error`, if the mesh is null or has no polygons, points
+ * that are not finite, open edges, neighbours that face opposite sides or no area, or if it is
+ * inside out.
  */
 bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
 

@@ -107,7 +107,7 @@ public:
   vtkGetMacro(SpinButton, int);
   ///@}
 
-  /** Includes the change time of the function. */
+  /** Returns the latest modification time, including that of the function. */
   vtkMTimeType GetMTime() override;
 
 protected:

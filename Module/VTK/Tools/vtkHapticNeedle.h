@@ -20,11 +20,11 @@
  *   strength, and where a label has none, the surfaces of the scalars;
  * - **its shaft** is held by all tissues along the track, against any motion, in and out: by the
  *   shaft friction of each label, or else by ShaftFriction;
- * - **across its axis** the tissue holds it with the LateralStrength.
+ * - **perpendicular to its axis** the tissue holds it with the LateralStrength.
  *
  * Where a tissue ends, its resistance is lost: the loss of resistance. The equations are in
  * Documentation/method.md, "The needle". The spring keeps the stiffness of the surface that was
- * punctured until the needle is out. Lengths in N per metre are the hand's.
+ * punctured until the needle is out. The metres in N per metre are those of the hand's space.
  *
  * The needle's axis is the axis of the stylus. If the device measures no orientation, it is the
  * direction of the hand's motion at the puncture, over the last millimetre, and stays until the
@@ -79,7 +79,8 @@ public:
   /**
    * Fill CuttingForce, in place, for one of the presets of vtkHapticProperty for Hounsfield units
    * ("CT contrast", ...): 0.04 N in lung, 0.1 N in fat and 0.3 N from muscle on, the layers of
-   * Documentation/method.md. Returns false, with an error and no change, for any other name.
+   * Documentation/method.md. For any other name, reports an error, returns false and changes
+   * nothing.
    */
   bool ApplyPreset(const char* name);
 
@@ -96,15 +97,15 @@ public:
    * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
    * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
    * position. Point arrays: Depth (world units), the way along the needle; cell arrays, for each
-   * stretch of the track: Label and Length (world units). Field arrays, one number each: Depth,
-   * the greatest depth; Angle (degrees), between the track and the normal of the surface at the
-   * entry, or -1 without one; and ForbiddenTouches, if the trace has it. Returns false if the trace
-   * has no needle; the track, then empty, reports the error. Trace and track must be different
-   * objects.
+   * stretch of the track: Label and Length (world units). Field arrays, one number each: Depth, the
+   * greatest depth; Angle (degrees), between the track and the normal of the surface at the entry,
+   * or -1 without one; and ForbiddenTouches, if the trace has it. If the trace has no needle,
+   * returns false; the track is then empty, and reports the error. Trace and track must be
+   * different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 
-  /** Includes the change times of the functions. */
+  /** Returns the latest modification time, including those of the functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

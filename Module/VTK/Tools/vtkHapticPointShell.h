@@ -85,7 +85,7 @@ public:
   vtkGetMacro(TurningStiffness, double);
   ///@}
 
-  /** Includes the change time of the mesh. */
+  /** Returns the latest modification time, including that of the mesh. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -4,14 +4,14 @@
  * @class   vtkHapticRemoval
  * @brief   the tissue that a vtkHapticBurr has removed from a volume
  *
- * Keeps how much tissue remains at each sample of the volume on port 0 of a filter: its share, a
- * number from 0 (none) to 255 (all):
+ * Stores how much tissue remains at each sample of the volume on port 0 of a filter, as a share
+ * from 0 (none) to 255 (all):
  *
  *   vtkHapticRemoval* removal = filter->GetRemoval();
  *   removal->Undo();                  // the last stroke
  *   removal->WriteFile("cavity.vti");
  *
- * What is felt goes from the sample itself to the AirValue as its share falls (equations:
+ * As its share falls, the felt value of a sample changes to the AirValue (equations:
  * Documentation/method.md, "The burr"). The samples stay unchanged. The shares need memory only
  * where tissue was removed: 12 MB for up to 16384 bricks of 8 x 8 x 8 samples. If all bricks are in
  * use, IsUsedUp() is true, and nothing more is removed.
@@ -78,7 +78,7 @@ public:
   ///@{
   /**
    * Undo reverts the last stroke, Redo repeats it, and Reset restores all tissue and can't be
-   * undone. Each returns false if there is nothing to do, or too many requests wait.
+   * undone. Each returns false if there is nothing to do, or if too many requests are waiting.
    */
   bool Undo();
   bool Redo();
@@ -96,36 +96,36 @@ public:
   double GetRemovedVolume();
   /** Get whether all tissue is there. */
   bool IsEmpty();
-  /** Get whether tissue could not be removed because the memory is used up. */
+  /** Get whether tissue was not removed because all memory for removed tissue is used up. */
   bool IsUsedUp();
-  /** Get how many of Undo(), Redo() and Reset() wait or are being carried out. */
+  /** Get how many of the calls of Undo(), Redo() and Reset() are waiting or being carried out. */
   int GetNumberOfRequests();
 
   /**
    * Names the touched array in the information of an array that is shown instead of it, such as a
-   * copy in which a head rest is hidden. Then a scene shows the removal in the shown array, too, by
+   * copy in which a head rest is hidden. A scene then shows the removal in this array, too, with
    * the same shares and AirValue:
    *
    *   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), touched);
    *
-   * Both arrays have the same number of values and components. The key keeps the touched array.
+   * Both arrays have the same number of values and components. The information holds a reference to
+   * the touched array.
    */
   static vtkInformationObjectBaseKey* TOUCHED_ARRAY();
 
   /**
-   * Make an image of the shares, VTK_UNSIGNED_CHAR, with the geometry of the volume; without
-   * scalars as long as there was no tick with a burr. It has the volume's size: one byte for each
-   * sample.
+   * Make an image of the shares, VTK_UNSIGNED_CHAR, with the geometry of the volume. It has one
+   * byte for each sample of the volume, but no scalars before the first tick with a burr.
    */
   void MakeShares(vtkImageData* fractions);
 
   ///@{
   /**
-   * Write the shares to a .vti file, and read them. The file holds the part of the volume from
-   * which something was removed. It is replaced as a whole: if the disk is full, the old one stays.
-   * On failure, returns false, with an error, and nothing has changed. Shares from a file are felt
-   * on any volume whose samples lie at the positions of the samples of the file's volume: a volume
-   * that was cropped or padded since has the same hole at the same place.
+   * Write the shares to a .vti file, and read them. The file contains the part of the volume from
+   * which something was removed. It is replaced as a whole: if the disk is full, the old file
+   * stays. On failure, both report an error, return false and change nothing. Shares from a file
+   * are felt on any volume whose samples lie at the positions of the samples of the file's volume:
+   * a volume that was cropped or padded since has the same hole at the same place.
    */
   bool WriteFile(const std::string& file);
   bool ReadFile(const std::string& file);

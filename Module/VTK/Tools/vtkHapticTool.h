@@ -14,9 +14,10 @@
  *   vtkHapticBurr        removes the tissue that it is pressed into while it spins
  *
  * A tool turns with the stylus, if the device measures how it is held
- * (vtkHapticState::GetTipOrientation). A stylus points along its own -z. Offline, the path may
- * have the point array Orientation: w, x, y, z of unit quaternions that turn the stylus's axes to
- * those of the world. A point of four zeros has none. Between points it is interpolated.
+ * (vtkHapticState::GetTipOrientation). A stylus points along its own -z. Offline, the path may have
+ * the point array Orientation: w, x, y, z of unit quaternions that turn the stylus's axes to those
+ * of the world. Four zeros stand for a point without an orientation. Between points, the
+ * orientation is interpolated.
  *
  * @sa vtkVolumeHapticsFilter
  */
@@ -40,16 +41,16 @@ public:
   std::string GetText();
 
   /**
-   * Make a tool of a kind, whose name is that of its class without vtkHaptic, such as "Burr";
-   * nullptr if there is none.
+   * Make a tool of a kind. The name of the kind is the name of its class without vtkHaptic, such as
+   * "Burr". Returns nullptr if there is no such kind.
    */
   VTK_NEWINSTANCE static vtkHapticTool* Make(const char* kind);
 
   ///@{
   /**
-   * Set a number by its name, such as "Radius", and Get a function by its name, such as
-   * "SpecificEnergy", for programs that show the settings of every kind. False and nullptr if the
-   * tool has none of that name.
+   * Set a number by its name, such as "Radius", and get a function by its name, such as
+   * "SpecificEnergy", for programs that show the settings of every kind. If the tool has none of
+   * that name, SetNumber returns false, and GetFunction nullptr.
    */
   bool SetNumber(const char* name, double value);
   vtkPiecewiseFunction* GetFunction(const char* name);

@@ -40,7 +40,7 @@ std::uint32_t ReadWord(const unsigned char* bytes)
     std::uint32_t{ bytes[3] } << 24;
 }
 
-/** Ends the stream when it goes out of scope, also after an exception. */
+/** A stream that is ended when it goes out of scope, also after an exception. */
 struct Inflater
 {
   Inflater()
@@ -100,13 +100,14 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, st
   constexpr std::size_t partSize = std::size_t{ 1 } << 18;
   const auto length = static_cast<std::size_t>(file.GetSize());
   std::vector<char> packed(partSize);
-  std::vector<char> rest(partSize); // bytes behind the wanted bytes: only their sum is checked
+  // memory for bytes beyond the wanted ones, which are only unpacked for the checksum
+  std::vector<char> rest(partSize);
   Inflater inflater;
   z_stream& stream = inflater.Stream;
   std::size_t count = 0;
   int state = Z_STREAM_END;
   bool hasAny = false;
-  // What is unpacked may wait for room after the last byte was read.
+  // Unpacked bytes may still wait for room after the last byte was read.
   while (offset < length || stream.avail_in > 0 || (state == Z_OK && stream.avail_out == 0))
   {
     if (stream.avail_in == 0 && offset < length)
@@ -119,7 +120,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, st
     }
     if (state == Z_STREAM_END)
     {
-      // Streams of gzip may follow each other; what else follows is no part of them.
+      // Another stream of gzip may follow; anything else is no part of the data.
       constexpr Bytef gzipMagic = 0x1f;
       if (hasAny && *stream.next_in != gzipMagic)
       {
@@ -180,7 +181,7 @@ void UnpackBloscChunk(std::vector<char>& bytes)
   {
     blosc_cbuffer_sizes(bytes.data(), &size, &packed, &block);
   }
-  // A checksum may follow the packed bytes.
+  // A checksum may follow after the packed bytes.
   if (packed == 0 || packed > bytes.size() || size > MostChunkBytes ||
     blosc_cbuffer_validate(bytes.data(), packed, &size) != 0)
   {
@@ -207,7 +208,7 @@ void UnpackBloscChunk(std::vector<char>&)
 #if defined(VOLUME_HAPTICS_HAS_ZSTD)
 void UnpackZstdChunk(std::vector<char>& bytes)
 {
-  // Writers in streams don't tell the size.
+  // The size is unknown if the bytes were written as a stream.
   const unsigned long long told = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > MostChunkBytes))
   {
@@ -285,7 +286,7 @@ void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)
   {
     return;
   }
-  std::vector<char> plain = bytes; // a remainder of less than a sample is not moved
+  std::vector<char> plain = bytes; // keeps a remainder that is smaller than a sample in its place
   for (std::size_t byte = 0; byte < sampleSize; ++byte)
   {
     const char* const from = bytes.data() + byte * count;

@@ -15,31 +15,32 @@ namespace VolumeHaptics
 
 class OpenedFile;
 
-/** Size limit of an unpacked chunk (bytes); only damaged chunks exceed it. */
+/** Largest size of an unpacked chunk (bytes), which only damaged chunks exceed. */
 constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 
 ///@{
 /**
- * Replace packed bytes by the plain bytes. Throw std::runtime_error if the bytes are damaged.
- * Several threads may call them at once.
+ * Replace packed bytes by plain bytes. Throw std::runtime_error if the bytes are damaged. Several
+ * threads may call them at once.
  */
 void InflateChunk(std::vector<char>& bytes);     ///< unpacks zlib or gzip
-void UnpackLz4Chunk(std::vector<char>& bytes);   ///< unpacks LZ4 of numcodecs, size first
+void UnpackLz4Chunk(std::vector<char>& bytes);   ///< unpacks LZ4 as numcodecs writes it, with the
+                                                 ///< size first
 void UnpackBloscChunk(std::vector<char>& bytes); ///< unpacks Blosc 1, if this build has c-blosc
 void UnpackZstdChunk(std::vector<char>& bytes);  ///< unpacks Zstandard, if this build has libzstd
 void CheckChunkSum(std::vector<char>& bytes);    ///< checks and removes the CRC-32C at the end
 ///@}
 
 /**
- * Unpacks the bytes of zlib or gzip from an offset to the end of a file into memory. Returns how
- * many bytes of the memory are filled. Throws std::runtime_error if the packed bytes are damaged or
- * cut off.
+ * Unpacks the bytes of zlib or gzip from an offset to the end of a file into memory. Returns the
+ * number of bytes of memory that are filled. Throws std::runtime_error if the packed bytes are
+ * damaged or cut off.
  */
 std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size);
 
 /**
- * Undoes the shuffle filter, which puts the first bytes of all samples first, then all second
- * bytes.
+ * Undoes the shuffle filter, which stores the first bytes of all samples, then all second bytes,
+ * and so on.
  */
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize);
 

@@ -17,14 +17,14 @@
 namespace VolumeHaptics
 {
 
-/** Index of a chunk among all chunks, along x, y and z. */
+/** Place of a chunk among all chunks: its number along x, y and z. */
 using ChunkPlace = std::array<std::int64_t, 3>;
 
 struct ChunkedVolume
 {
   /**
-   * Loads all bytes of a chunk, x fastest, including those beyond the volume. Returns false if the
-   * chunk was never written. Throws std::runtime_error. Several threads may call it at once.
+   * Loads all bytes of a chunk, x fastest, including the bytes beyond the volume. Returns false if
+   * the chunk was never written. Throws std::runtime_error. Several threads may call it at once.
    */
   using Loader = std::function<bool(const ChunkPlace& place, std::vector<char>& bytes)>;
 
@@ -32,7 +32,7 @@ struct ChunkedVolume
   std::array<std::int64_t, 3> ChunkSize{}; ///< samples, along x, y and z
   std::size_t SampleSize = 0;              ///< bytes
   bool IsSwapped = false;                  ///< whether its byte order differs from this computer's
-  std::vector<char> FillValue;             ///< bytes of a sample of a missing chunk
+  std::vector<char> FillValue;             ///< bytes of a sample whose chunk is missing
   Loader Load;
 
   /** Reads a box, chunk by chunk. Throws the loader's exceptions. */

@@ -17,14 +17,14 @@ namespace
 {
 
 /**
- * Limit on the bytes that the library reads: a damaged index may make it read the same bytes
- * without end.
+ * Largest number of bytes that the library may read: with a damaged index, it could read the same
+ * bytes without end.
  */
 constexpr std::uint64_t MostIndexBytes = std::uint64_t{ 1 } << 30;
 constexpr double MostChunks = 1 << 24;
 constexpr std::size_t LongestText = 65536;
 
-/** Holds a reference to an object of the library, and throws if there is no object. */
+/** Holds a reference to an object of the library. Its constructor throws if there is no object. */
 class Hdf5Id
 {
 public:
@@ -45,7 +45,7 @@ private:
   const hid_t Id;
 };
 
-/** Keeps the library from printing errors while it exists. */
+/** While this exists, the library prints no errors. */
 class QuietHdf5
 {
 public:
@@ -63,7 +63,7 @@ private:
   void* Data = nullptr;
 };
 
-/** The file that the library reads. */
+/** The bytes of the file, from which the library reads. */
 struct Hdf5Bytes
 {
   explicit Hdf5Bytes(const std::string& name)
@@ -77,14 +77,17 @@ struct Hdf5Bytes
   const OpenedFile File;
   const std::uint64_t Size;
   std::uint64_t BytesInAll = 0; ///< number of bytes read so far
-  /** Where the library would read samples; while it is set, samples are not read. */
+  /**
+   * If set, samples are not read; instead, this gets the position from which the library would
+   * read.
+   */
   Hdf5Chunk* Located = nullptr;
 };
 
-/** A file as the library's file drivers see it. */
+/** A file in the form that the library's file drivers require. */
 struct DriverFile
 {
-  H5FD_t Public; // the library wants this member first
+  H5FD_t Public; // must be the first member
   Hdf5Bytes* Bytes;
   haddr_t End;
 };
@@ -97,7 +100,7 @@ DriverFile& ToDriverFile(H5FD_t* file)
 H5FD_t* OpenByDriver(const char* name, unsigned, hid_t access, haddr_t)
 {
   auto* const* const bytes = static_cast<Hdf5Bytes* const*>(H5Pget_driver_info(access));
-  // A different name belongs to a link to another file, which is not followed.
+  // Another name is that of a link to another file, which is not followed.
   auto* const file = bytes && (*bytes)->Name == name ? new (std::nothrow) DriverFile{} : nullptr;
   if (!file)
   {
@@ -145,7 +148,7 @@ herr_t ReadByDriver(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t from, std::siz
     return -1;
   }
   bytes.BytesInAll += size;
-  // Beyond its end, a file counts as zeros.
+  // Return zeros beyond the end of the file.
   const std::size_t there = from < bytes.Size
     ? static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.Size - from))
     : 0;
@@ -166,7 +169,10 @@ herr_t RefuseToWrite(H5FD_t*, H5FD_mem_t, hid_t, haddr_t, std::size_t, const voi
   return -1;
 }
 
-/** The library opens files that a writer shares with readers only by drivers that support this. */
+/**
+ * Declares support of files that a writer shares with readers: the library opens these only with
+ * such drivers.
+ */
 herr_t DescribeDriver(const H5FD_t*, unsigned long* features)
 {
   *features = H5FD_FEAT_SUPPORTS_SWMR_IO;
@@ -199,7 +205,7 @@ const H5FD_class_t& GetDriver()
   return driver;
 }
 
-/** An existing attribute, with its type and its number of values. */
+/** An attribute that exists, with its type and its number of values. */
 struct Hdf5Attribute
 {
   Hdf5Attribute(hid_t owner, const std::string& name)
@@ -224,7 +230,7 @@ struct KnownType
   bool IsBig;
 };
 
-/** Finds a type among the types that VTK has; ScalarType is 0 if VTK has no such type. */
+/** Returns a type that VTK has. If VTK has no such type, ScalarType is 0. */
 KnownType FindKnownType(hid_t type)
 {
   const KnownType all[] = { { H5T_STD_I8LE, VTK_SIGNED_CHAR, false },
@@ -243,7 +249,7 @@ KnownType FindKnownType(hid_t type)
   return found == std::end(all) ? KnownType{ type, 0, false } : *found;
 }
 
-/** Whether an HDF5 file begins with the bytes at a place. Throws if they can't be read. */
+/** Whether an HDF5 file begins at a position. Throws if the bytes can't be read. */
 bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
 {
   constexpr std::size_t size = 12;
@@ -278,10 +284,12 @@ bool IsSuperblock(const Hdf5Bytes& bytes, std::uint64_t at, bool& isWritten)
   return true;
 }
 
-/** Returns whether a writer that allows readers has the file open. Throws if it is no HDF5 file. */
+/**
+ * Returns whether a writer that allows readers has the file open. Throws if the file is not HDF5.
+ */
 bool CheckBeginning(const Hdf5Bytes& bytes)
 {
-  // Other data may precede the superblock, which begins at 0, 512, 1024, 2048 and so on.
+  // Other data may precede the superblock, which is at 0, 512, 1024, 2048 and so on.
   for (std::uint64_t at = 0; at < bytes.Size; at = at == 0 ? 512 : 2 * at)
   {
     bool isWritten = false;
@@ -308,9 +316,9 @@ struct Hdf5File::Opened
   {
     const bool isWritten = CheckBeginning(this->Bytes);
     Hdf5Bytes* const bytes = &this->Bytes;
-    // In a file that a writer shares, a piece may be half written when it is read, and is then read
-    // again. A damaged file must not wait for the library's 100 attempts, between which the pauses
-    // double.
+    // In a file that a writer shares, metadata may be half written; the library then reads them
+    // again. Limit its 100 attempts, between which the pauses double, because a damaged file would
+    // take too long.
     constexpr unsigned attempts = 10;
     if (H5Pset_driver(this->Access, this->Driver, &bytes) < 0 ||
       H5Pset_metadata_read_attempts(this->Access, attempts) < 0)
@@ -343,7 +351,7 @@ void Hdf5File::ThrowDamaged()
 
 bool Hdf5File::Has(const std::string& path) const
 {
-  // Checks that all groups of a path exist before the last name is searched.
+  // The library requires that all groups of a path exist before it searches for the last name.
   for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
   {
     if (H5Lexists(this->Open->File, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
@@ -418,8 +426,7 @@ std::vector<double> Hdf5File::ReadNumbers(
   }
   const Hdf5Attribute found(opened, attribute);
   const hssize_t count = found.Values;
-  // Other kinds of types are not converted, because a damaged type would make the library read
-  // beyond the values.
+  // Refuse other types, because a damaged type would make the library read beyond the values.
   if (FindKnownType(found.Type).ScalarType == 0 || count < 0 || count > hssize_t{ LongestText })
   {
     return {};
@@ -527,9 +534,9 @@ std::unordered_map<std::uint64_t, Hdf5Chunk> Hdf5File::LocateChunks(
     {
       continue;
     }
-    // Listing chunks by the library takes a time that is quadratic in their number (a minute for
-    // 2048 x 2048 x 2048 samples). So the library is asked to read each chunk, and this driver only
-    // records where it would read.
+    // Listing the chunks by the library takes a time that is quadratic in their number (a minute
+    // for 2048 x 2048 x 2048 samples). Instead, let the library read each chunk; this driver then
+    // only records the position.
     Hdf5Chunk chunk;
     std::uint32_t skipped = 0;
     char nothing = 0;

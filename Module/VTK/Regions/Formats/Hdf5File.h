@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads by HDF5's library what an HDF5 file holds, and where the samples of its arrays lie.
+ * Reads through HDF5's library what an HDF5 file contains, and where the samples of its arrays are.
  */
 #ifndef Hdf5File_h
 #define Hdf5File_h
@@ -25,7 +25,7 @@ struct Hdf5Chunk
 {
   std::uint64_t Address = 0;
   std::uint64_t Size = 0;    ///< bytes
-  std::uint64_t Skipped = 0; ///< a bit for each filter that was not applied
+  std::uint64_t Skipped = 0; ///< has a bit for each filter that was not applied
 };
 
 struct Hdf5Filter
@@ -41,12 +41,12 @@ struct Hdf5Filter
 /** An array of at least three dimensions, of which the last three are z, y and x. */
 struct Hdf5Array
 {
-  int ScalarType = 0;         ///< VTK's type; 0 if VTK has no such numbers
+  int ScalarType = 0;         ///< VTK's type; 0 if VTK has no such type
   std::size_t SampleSize = 0; ///< bytes
   bool IsBig = false;         ///< whether the most significant byte comes first
   std::vector<std::uint64_t> Shape;
   std::vector<char> FillValue;           ///< bytes of a sample that was never written
-  bool IsContiguous = false;             ///< whether the samples lie in one piece
+  bool IsContiguous = false;             ///< whether the samples are in one piece
   std::uint64_t Address = 0;             ///< position of that piece in the file (bytes)
   std::vector<Hdf5Filter> Filters;       ///< filters of chunks, in the order in which they were
                                          ///< applied
@@ -54,9 +54,9 @@ struct Hdf5Array
 };
 
 /**
- * An open file. HDF5's library is not made for threads: use it on the owner's thread only, and read
- * chunks by their positions. It writes no message, and takes no lock on the file. Every fault is a
- * std::runtime_error with its cure.
+ * An open file. HDF5's library is not thread-safe: use this object on the owner's thread only, and
+ * read chunks by their positions. It prints no message, and takes no lock on the file. Every fault
+ * is a std::runtime_error with its cure.
  */
 class Hdf5File
 {
@@ -74,14 +74,18 @@ public:
   bool HasArray(const std::string& path) const;
   /** Returns the names of the members of a group, in alphabetical order. */
   std::vector<std::string> ListMembers(const std::string& group) const;
-  /** Returns an attribute; empty if there is none, or if it is not a text of fixed length. */
+  /** Returns an attribute that is a text of fixed length; empty if there is none. */
   std::string ReadText(const std::string& group, const std::string& attribute) const;
-  /** Returns an attribute; empty if there is none, or if it has no numbers that VTK knows. */
+  /**
+   * Returns the numbers of an attribute; empty if there is none, or if VTK has no such type of
+   * numbers.
+   */
   std::vector<double> ReadNumbers(const std::string& group, const std::string& attribute) const;
   Hdf5Array ReadArray(const std::string& path) const;
   /**
-   * Locates the chunks of an array whose first index along further dimensions is 0, by their number
-   * among `counts` chunks along x, y and z, x fastest. Chunks that were never written are left out.
+   * Locates the chunks of an array that are first along all further dimensions. The key of a chunk
+   * is its number among `counts` chunks along x, y and z, x fastest. Chunks that were never written
+   * are left out.
    */
   std::unordered_map<std::uint64_t, Hdf5Chunk> LocateChunks(const std::string& path,
     const Hdf5Array& array, const std::array<std::uint64_t, 3>& counts) const;

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The fields are near the top; after them there may be samples. */
+/** Number of lines in which the fields are expected: samples may follow after them. */
 constexpr int LongestHeader = 200; // lines
 
 std::string TrimBlanks(const std::string& text)

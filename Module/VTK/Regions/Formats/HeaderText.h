@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the text at the head of a MetaImage file.
+ * Reads the text at the beginning of a MetaImage file.
  */
 #ifndef HeaderText_h
 #define HeaderText_h
@@ -15,19 +15,22 @@
 namespace VolumeHaptics
 {
 
-/** Holds the lines `key = value` of the text. */
+/** The lines `key = value` of the text. */
 class HeaderText
 {
 public:
   explicit HeaderText(const std::string& path);
 
-  /** Returns the value of the first of these keys that exists, else an empty text. */
+  /** Returns the value of the first of these keys that exists; empty if none does. */
   std::string Value(const std::vector<std::string>& keys) const;
 
-  /** Returns the value as numbers; words are left out. */
+  /** Returns the numbers in the value; words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
-  /** Returns where samples after the header begin (bytes); 0 if its end was not found. */
+  /**
+   * Returns the size of the header (bytes), after which samples may begin; 0 if its end was not
+   * found.
+   */
   std::size_t GetSize() const { return this->Size; }
 
 private:

@@ -25,7 +25,10 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/** Accepts any folder, because the arrays of a Zarr group have other names. */
+/**
+ * Whether a name may be that of Zarr data. Accepts any folder, because Zarr groups may have any
+ * name.
+ */
 bool IsZarrName(const std::string& name)
 {
   return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||

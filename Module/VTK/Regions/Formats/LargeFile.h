@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens files that describe the volume that they hold.
+ * Opens files that describe the volume that they contain.
  */
 #ifndef LargeFile_h
 #define LargeFile_h
@@ -27,29 +27,29 @@ struct LargeFile
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<double, 9> Direction{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   BoxReader Read;
-  std::vector<std::string> Notes; ///< what was assumed, or left out, for the user
-  /** Samples, along x, y and z; zeros if there are no chunks. */
+  std::vector<std::string> Notes; ///< for the user: what was assumed or left out
+  /** Size of a chunk in samples along x, y and z; zeros if there are no chunks. */
   std::array<std::int64_t, 3> ChunkSize{};
   std::vector<LargeFile> Coarser; ///< coarser levels of the same volume, the finest first
 };
 
-/** Whether OpenLargeFile() knows the ending of a name. */
+/** Whether OpenLargeFile() knows the ending of a file's name. */
 bool IsLargeFileName(const std::string& name);
 
 /**
- * Opens a file by the ending of its name; if it may be read as a whole, also one whose samples
- * can't be read in boxes. Throws std::runtime_error, with the cure.
+ * Opens a file, by the ending of its name. If mayBeWhole, also opens a file whose samples can't be
+ * read in boxes, and reads it as a whole. Throws std::runtime_error, with the cure.
  */
 LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole = false);
 
 /**
- * Returns the format of a file, by its ending, or of a folder, by what it holds: "VTKHDF",
- * "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if it is none of these.
+ * Returns the format of a file, by its ending, or of a folder, by its files: "VTKHDF", "MetaImage",
+ * "NRRD", "TIFF" or "Zarr"; empty if it is none of these.
  */
 std::string GetFormatName(const std::string& name);
 
 /**
- * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Does not throw.
+ * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Never throws.
  */
 int ChooseScalarType(bool isInteger, bool isSigned, std::size_t size);
 

@@ -17,8 +17,8 @@ namespace
 {
 
 /**
- * Calls the reader. Returns the reason why it failed, or nothing. Does not catch the end of a
- * thread by reference, because that is no object and sanitizers would object.
+ * Calls the reader. Returns the reason of a failure; empty if there is none. The end of a thread is
+ * not caught by reference, because it is not an object and sanitizers would report an error.
  */
 #if defined(__GNUC__)
 __attribute__((no_sanitize("null")))
@@ -41,7 +41,7 @@ CallReader(const LargeVolume& volume, const BoxExtent& box, void* samples)
 #if defined(__GLIBCXX__)
   catch (const abi::__forced_unwind&)
   {
-    throw; // the end of the thread (pthread_exit), which must not be caught
+    throw; // the end of the thread (pthread_exit) must not be swallowed
   }
 #endif
   catch (...)

@@ -26,7 +26,7 @@ public:
   OpenedFile(const OpenedFile&) = delete;
   OpenedFile& operator=(const OpenedFile&) = delete;
 
-  /** Reads `size` bytes from a position on. Throws if there are fewer. */
+  /** Reads `size` bytes, beginning at a position. Throws if there are fewer. */
   void Read(void* to, std::size_t size, std::int64_t from) const;
   /** Returns the size of the file (bytes). */
   std::int64_t GetSize() const;

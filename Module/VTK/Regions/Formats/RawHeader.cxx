@@ -45,20 +45,22 @@ const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
 /** The fields of a header in either format. */
 struct RawHeader
 {
-  std::vector<double> Size;            ///< samples along x, y and z
+  std::vector<double> Size;            ///< number of samples along x, y and z
   std::array<std::int64_t, 3> Steps{}; ///< see RawVolumeFile
-  double Volumes = 1.0;                ///< samples in the file for each sample of the volume
+  double Volumes = 1.0;                ///< number of samples that the file has for each sample of
+                                       ///< the volume
   std::vector<double> Spacing;
   std::vector<double> Origin;
   std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
   int Type = 0;
   bool IsBig = false;
-  bool IsKnown = false; ///< whether the samples can be read at all
-  bool IsPlain = false; ///< whether the samples are uncompressed, in one file, of one component
+  bool IsKnown = false; ///< whether the samples can be read
+  bool IsPlain = false; ///< whether the samples are uncompressed, in one file and of one component
   WholeSamples::EncodingType Encoding = WholeSamples::Raw;
   std::string UnknownEncoding;   ///< name of the encoding; empty if it is known
-  std::vector<std::string> Data; ///< the files with the samples
-  double Skip = 0.0;             ///< bytes before the samples; -1: all but the samples
+  std::vector<std::string> Data; ///< names of the files with the samples
+  double Skip = 0.0;             ///< number of bytes before the samples; -1: the samples are at the
+                                 ///< end of the file
   std::vector<std::string> Notes;
 };
 
@@ -86,7 +88,7 @@ double NumberOr(const std::vector<double>& numbers, double other)
   return numbers.empty() ? other : numbers.front();
 }
 
-/** Returns the name of a file that a header names. */
+/** Returns the path of a file that a header names, which is relative to the header. */
 std::string FindBeside(const std::string& name, const std::string& data)
 {
   return data.empty() || data.front() == '/' ? data : GetFolder(MakeAbsolute(name)) + "/" + data;
@@ -113,7 +115,7 @@ std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::siz
   return three;
 }
 
-/** Returns how many bytes some lines at the beginning of a file take. */
+/** Returns the size (bytes) of some lines at the beginning of a file. */
 double CountLineBytes(const std::string& name, double lines)
 {
   std::ifstream file(name, std::ios::binary);
@@ -126,7 +128,7 @@ double CountLineBytes(const std::string& name, double lines)
   return size;
 }
 
-/** Returns the names that a pattern such as "slice%03d.raw 1 40 1" stands for. */
+/** Returns the names for which a pattern such as "slice%03d.raw 1 40 1" stands. */
 std::vector<std::string> ListNumbered(const std::string& text)
 {
   std::istringstream words(text);
@@ -189,7 +191,10 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   return header;
 }
 
-/** Sets the sizes of a NRRD file's volume, and which of its samples belong to the volume. */
+/**
+ * Sets the sizes of a NRRD file's volume, and the steps between those samples that belong to the
+ * volume.
+ */
 void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
 {
   const std::vector<double> sizes = nrrd.GetNumbers("sizes");
@@ -206,7 +211,7 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
     if (found != axes->end())
     {
       header.Size.push_back(sizes[axis]);
-      // Sizes are checked later; what is beyond is not used.
+      // Limit the step only to avoid overflow: sizes are checked later.
       header.Steps[static_cast<std::size_t>(found - axes->begin())] =
         static_cast<std::int64_t>(std::min(step, 1e18));
     }
@@ -226,7 +231,7 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
   }
 }
 
-/** Sets where the samples of a NRRD file are, and how they are written. */
+/** Sets the files that contain the samples of a NRRD file, and the samples' encoding. */
 void SetNrrdSamples(const NrrdHeader& nrrd, const std::string& name, RawHeader& header)
 {
   const std::string data = nrrd.GetDataFile();
@@ -294,7 +299,7 @@ bool IsReadable(const RawHeader& header)
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
 
-/** Computes the number of samples in the files as a double, which can't overflow. */
+/** Computes the number of samples in all files, as a double, so that it can't overflow. */
 double CountFileSamples(const RawHeader& header)
 {
   return header.Size[0] * header.Size[1] * header.Size[2] * header.Volumes;
@@ -347,7 +352,7 @@ void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
   }
 }
 
-/** Returns a reader of boxes of the samples, which lie in one file. */
+/** Returns a reader of boxes. The samples must be in one file. */
 BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
 {
   samples.Name = MakeAbsolute(header.Data.front());
@@ -359,7 +364,7 @@ BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
   };
 }
 
-/** Returns a reader that reads all samples when it is called first. */
+/** Returns a reader that reads all samples at its first call. */
 BoxReader ReadAtOnce(const RawHeader& header, const RawVolumeFile& samples)
 {
   const auto whole = std::make_shared<WholeSamples>();

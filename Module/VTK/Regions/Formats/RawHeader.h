@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens MetaImage and NRRD files, whose header says where raw samples lie.
+ * Opens MetaImage and NRRD files, whose header describes where raw samples are.
  */
 #ifndef RawHeader_h
 #define RawHeader_h
@@ -15,10 +15,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens a file whose samples lie uncompressed after its header, or in a file beside it; if it may
- * be read as a whole, also compressed ones, text, and several files. The volume lies in the world
- * where ITK puts it: in left-posterior-superior if the header names a space. Throws
- * std::runtime_error, with the cure.
+ * Opens a file whose samples are uncompressed, after its header or in another file. If mayBeWhole,
+ * also opens files whose samples are compressed, text, or in several files. The volume gets the
+ * position in the world that ITK gives it: left-posterior-superior if the header names a space.
+ * Throws std::runtime_error, with the cure.
  */
 LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole);
 

@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** A file of samples, x fastest and z slowest, after a header. */
+/** A file that contains samples, x fastest and z slowest, after a header. */
 struct RawVolumeFile
 {
   std::string Name;
@@ -26,24 +26,24 @@ struct RawVolumeFile
   vtkTypeInt64 HeaderSize = 0; ///< bytes
   bool IsSwapped = false;      ///< whether its byte order differs from this computer's
   /**
-   * Number of samples from a sample to the next one along x, y and z; zeros if the volume lies in
-   * one piece.
+   * Distances between neighbours along x, y and z, in samples of the file; zeros if the volume is
+   * contiguous.
    */
   std::array<std::int64_t, 3> Steps{};
 
-  /** Reads bytes from an offset, which counts from the end of the header. */
+  /** Reads bytes at an offset from the end of the header. */
   using ByteReader = std::function<void(void* to, std::size_t size, std::int64_t from)>;
-  /** Reads a box as Read() does, but gets its bytes from a function. */
+  /** Reads a box as Read() does, but gets the bytes from a function. */
   void ReadWith(const ByteReader& read, const int box[6], void* samples) const;
 
   /**
-   * Reads a box, row by row. The file is opened for each box, so that a file that is replaced or
-   * grows is read as it is then; several threads may read at once. Throws std::runtime_error.
+   * Reads a box, row by row. Opens the file for each box, so that it may be replaced or grow
+   * meanwhile, and several threads may read at once. Throws std::runtime_error.
    */
   void Read(const int box[6], void* samples) const;
 };
 
-/** Reverses the bytes of each sample; `size` is the size of all samples (bytes). */
+/** Reverses the bytes of each sample. `size` is the total size of all samples (bytes). */
 void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize);
 
 } // namespace VolumeHaptics

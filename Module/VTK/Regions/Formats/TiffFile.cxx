@@ -36,14 +36,14 @@ namespace
 
 using TiffPointer = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
-/** Where a page is: a file of the stack, and the offset of the page's directory in it. */
+/** Position of a page: its file in the stack, and the offset of its directory in the file. */
 struct TiffPage
 {
   std::size_t File = 0;
   toff_t Offset = 0;
 };
 
-/** What all pages of a stack share. */
+/** The layout that all pages of a stack have. */
 struct TiffLayout
 {
   uint32_t Width = 0;
@@ -60,7 +60,7 @@ struct TiffLayout
 struct TiffStack
 {
   std::vector<std::string> Files;
-  std::vector<TiffPage> Pages; ///< pages, one a slice
+  std::vector<TiffPage> Pages; ///< pages, one for each slice
   TiffLayout Layout;
 
   bool Read(const int box[6], void* samples) const;
@@ -69,7 +69,7 @@ private:
   void ReadPage(TIFF* tiff, const int box[6], char* samples) const;
 };
 
-/** What a description says about the pages and the distance between them. */
+/** The facts that a description states about the pages and the distances between voxels. */
 struct TiffText
 {
   bool IsImageJ = false;
@@ -77,10 +77,11 @@ struct TiffText
   std::size_t Slices = 0;                ///< 0: not given
   std::size_t Channels = 1;
   std::size_t Times = 1;
-  std::size_t Step = 1;      ///< pages from a slice to the next one
+  std::size_t Step = 1;      ///< number of pages from one slice to the next
   double PerUnit = 0.0;      ///< mm for each unit of ImageJ's resolution
   bool IsCalibrated = false; ///< whether ImageJ shows other values than those stored
-  std::size_t Whole = 0;     ///< images after the first one that have no directory of their own
+  std::size_t Whole = 0;     ///< number of images after the first one that have no directory of
+                             ///< their own
 };
 
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -90,7 +91,7 @@ int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
 }
 #endif
 
-/** Opens a file without messages on the terminal: calls return errors. */
+/** Opens a file without printing messages: calls return errors. */
 TiffPointer OpenQuietly(const std::string& name)
 {
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -123,7 +124,7 @@ std::string Describe(TIFF* tiff)
   return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text ? text : "";
 }
 
-/** Reads what a page holds. Throws if its samples are no numbers of one channel. */
+/** Reads the layout of a page. Throws if its samples are not numbers of one channel. */
 TiffLayout ReadLayout(TIFF* tiff)
 {
   TiffLayout layout;
@@ -172,7 +173,7 @@ double CountPageBytes(const TiffLayout& layout)
 }
 
 /**
- * Checks that a page's samples lie within the file. `more` is the number of further images that
+ * Checks that a page's samples are within the file. `more` is the number of further images that
  * follow without a directory.
  */
 void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t more)
@@ -196,8 +197,8 @@ void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t mo
     held += static_cast<double>(counts[piece]);
     isWhole = static_cast<double>(offsets[piece]) + static_cast<double>(counts[piece]) <= size;
   }
-  // The largest factor of compression: deflate makes zeros at most 1032 times smaller, LZMA 7000
-  // times, Zstandard 32000 times.
+  // A factor above the largest compression: deflate shrinks zeros at most by 1032, LZMA by 7000,
+  // Zstandard by 32000.
   constexpr double smallest = 40000.0;
   const double piece = static_cast<double>(isTiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff));
   const bool isPlain =
@@ -232,12 +233,12 @@ std::size_t CountOr(const char* text, std::size_t other)
   return number >= 1.0 && number < 1e9 ? static_cast<std::size_t>(number) : other;
 }
 
-/** ImageJ writes lines `key=value`. */
+/** Reads the description of ImageJ, which consists of lines `key=value`. */
 TiffText ReadImageJ(const std::string& description)
 {
   TiffText text;
   text.IsImageJ = true;
-  text.Spacing[2] = 1.0; // the units that ImageJ omits
+  text.Spacing[2] = 1.0; // default of the value, which ImageJ then omits
   std::istringstream lines(description);
   std::size_t images = 1;
   for (std::string line; std::getline(lines, line);)
@@ -286,7 +287,7 @@ TiffText ReadImageJ(const std::string& description)
   return text;
 }
 
-/** OME-XML: the element Pixels of the first image. Its units are micrometres by default. */
+/** Reads OME-XML: the element Pixels of the first image. Its units are micrometres by default. */
 TiffText ReadOme(const std::string& description)
 {
   TiffText text;
@@ -328,7 +329,9 @@ TiffText ReadText(const std::string& description)
     : TiffText();
 }
 
-/** Adds the distance between pixels from the resolution of a page, where the text gives none. */
+/**
+ * Sets the distances between pixels from the resolution of a page, where the description has none.
+ */
 void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
 {
   const float resolution[2] = { Tag(tiff, TIFFTAG_XRESOLUTION, 0.0F),
@@ -338,7 +341,7 @@ void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
     : unit == RESUNIT_CENTIMETER       ? MillimetresPerUnit("cm")
     : unit == RESUNIT_INCH             ? MillimetresPerUnit("in")
                                        : 0.0;
-  // Programs that don't know the size write the resolution of a screen or a printer.
+  // Programs that do not know the size write the resolution of a screen or a printer.
   const bool isOfScreen = !text.IsImageJ && unit == RESUNIT_INCH &&
     (resolution[0] <= 1.0F || resolution[0] == 72.0F || resolution[0] == 96.0F ||
       resolution[0] == 300.0F);
@@ -385,7 +388,7 @@ std::vector<std::string> ListFiles(const std::string& folder)
   return names;
 }
 
-/** Adds the page that was read, if it has the layout of the first page. Returns whether it has. */
+/** Adds the page that was read if it has the layout of the first page. Returns whether it has. */
 bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
 {
   constexpr uint32_t aside = FILETYPE_REDUCEDIMAGE | FILETYPE_MASK;
@@ -428,7 +431,7 @@ std::size_t AddPages(std::size_t file, TiffStack& stack)
   return others;
 }
 
-/** Keeps the pages of the first channel and time. */
+/** Removes all pages but those of the first channel and time. */
 void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>& notes)
 {
   const std::size_t slices = text.Slices > 0 ? text.Slices : stack.Pages.size();
@@ -482,7 +485,9 @@ LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
   return file;
 }
 
-/** ImageJ writes a stack beyond 4 GiB as one page, after which all other images follow. */
+/**
+ * Opens a stack of more than 4 GiB, which ImageJ writes as one page, followed by all other images.
+ */
 LargeFile OpenHeadless(
   const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffText& text)
 {
@@ -513,7 +518,7 @@ LargeFile OpenHeadless(
     "copy is complete.");
 }
 
-/** Reads the part of a page that lies in a box: strip by strip, or tile by tile. */
+/** Reads the part of a page that is within a box, strip by strip or tile by tile. */
 void TiffStack::ReadPage(TIFF* tiff, const int box[6], char* samples) const
 {
   const bool isTiled = TIFFIsTiled(tiff) != 0;
@@ -567,7 +572,7 @@ void TiffStack::ReadPage(TIFF* tiff, const int box[6], char* samples) const
 
 bool TiffStack::Read(const int box[6], void* samples) const
 {
-  // Opened for each box, so that several threads may read.
+  // Open the files for each box, so that several threads may read.
   const std::size_t slice =
     static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType)) *
     static_cast<std::size_t>(box[1] - box[0] + 1) * static_cast<std::size_t>(box[3] - box[2] + 1);
@@ -610,7 +615,7 @@ bool IsTiffName(const std::string& name)
 bool IsTiffFolder(const std::string& folder)
 {
   vtksys::Directory all;
-  constexpr std::size_t links = 2; // the folder itself, and the one above
+  constexpr std::size_t links = 2; // entries of every folder: itself and its parent
   return vtksys::SystemTools::FileIsDirectory(folder) && IsTiffName(folder) && all.Load(folder) &&
     2 * ListFiles(folder).size() > all.GetNumberOfFiles() - links;
 }

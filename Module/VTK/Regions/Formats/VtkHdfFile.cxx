@@ -53,7 +53,7 @@ void CheckMember(const Hdf5File& file, const std::string& path)
   }
 }
 
-/** Returns the path of the active array, or of the first one. */
+/** Returns the path of the active array; of the first array if none is active. */
 std::string FindArray(const Hdf5File& file)
 {
   const std::string group = std::string(RootGroup) + "/PointData";
@@ -86,8 +86,8 @@ std::string ShapeText(const std::vector<std::uint64_t>& shape)
 }
 
 /**
- * Checks that an array has one component, and z as its slowest axis. Of several time steps, the
- * first one is read.
+ * Checks that an array has one component, and z as its slowest axis. If there are several time
+ * steps, the first one is read.
  */
 void CheckShape(const Hdf5Array& array, const BoxExtent& extent, bool hasSteps)
 {

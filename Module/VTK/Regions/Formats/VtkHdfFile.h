@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens images in VTKHDF files, by VTK's published specification of the format.
+ * Opens images in VTKHDF files, following VTK's published specification of the format.
  */
 #ifndef VtkHdfFile_h
 #define VtkHdfFile_h
@@ -15,8 +15,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens the image of a VTKHDF file, with its active array. Throws std::runtime_error, with the
- * cure.
+ * Opens the active array of the image in a VTKHDF file. Throws std::runtime_error, with the cure.
  */
 LargeFile OpenVtkHdf(const std::string& name);
 

@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest factor by which deflate can shrink zeros (zlib's technical details). */
+/** Largest factor by which deflate can compress zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
 
 template <typename T>
@@ -45,7 +45,9 @@ std::optional<T> ParseSample(std::string_view word)
   }
 }
 
-/** Parses numbers until the memory is full. Throws if the text has fewer, or other words. */
+/**
+ * Parses numbers until the memory is full. Throws if the text has too few numbers, or other words.
+ */
 template <typename T>
 void ParseSamples(std::string_view text, const std::string& file, char* to, std::size_t size)
 {
@@ -88,7 +90,7 @@ void WholeSamples::Check() const
     const double most = this->Encoding == Packed ? LargestCompression * size
       : this->Encoding == Raw
       ? size
-      // Each number has a digit, and a separator but for the last one.
+      // Each number needs at least a digit and, except for the last one, a separator.
       : 0.5 * (size + 1.0) * vtkAbstractArray::GetDataTypeSize(this->ScalarType);
     if (!(bytes <= most))
     {

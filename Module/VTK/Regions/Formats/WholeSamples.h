@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Holds all samples of some files, and reads them when the first of them is wanted. */
+/** Holds all samples of some files, which are read when the first sample is requested. */
 class WholeSamples
 {
 public:
@@ -26,34 +26,35 @@ public:
     Text
   };
 
-  std::vector<std::string> Files; ///< names, in the order of their samples
+  std::vector<std::string> Files; ///< names of the files, in the order of their samples
   EncodingType Encoding = Raw;
-  std::size_t Offset = 0; ///< bytes in each file before its samples; -1: all but the samples
+  std::size_t Offset = 0; ///< number of bytes in each file before its samples; -1: the samples are
+                          ///< at the end of the file
   int ScalarType = 0;
-  double Count = 0.0; ///< samples in all files
+  double Count = 0.0; ///< number of samples in all files
 
   /**
-   * Checks that the files can have so many samples, before memory is allocated for them. Throws
-   * std::runtime_error, with the cure.
+   * Checks that the files can contain this number of samples before memory is allocated for them.
+   * Throws std::runtime_error, with the cure.
    */
   void Check() const;
 
   /**
-   * Copies bytes from an offset. Several threads may call it at once. Throws std::runtime_error,
-   * with the cure.
+   * Copies `size` bytes, beginning at an offset. Several threads may call it at once. Throws
+   * std::runtime_error, with the cure.
    */
   void Copy(void* to, std::size_t size, std::size_t from);
 
 private:
   void Load();
-  /** Reads the samples of one file into memory; each file fills this size. */
+  /** Reads the samples of one file into memory of the size that each file fills. */
   void LoadFile(const std::string& name, char* to, std::size_t size) const;
 
   std::mutex Mutex;
   std::vector<char> Bytes;
 };
 
-/** Returns the end of an error about a file that ends before its last voxel, with the cure. */
+/** Returns the end of an error for a file that ends before its last voxel, with the cure. */
 std::string DescribeMissingSamples(const std::string& file);
 
 } // namespace VolumeHaptics

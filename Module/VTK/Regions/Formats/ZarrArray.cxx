@@ -49,7 +49,7 @@ std::vector<std::uint64_t> ReadShape(const Json::Value& list, const std::string&
 
 struct NumberType
 {
-  char Kind = 0; ///< i, u or f
+  char Kind = 0; ///< i (signed integer), u (unsigned integer) or f (float)
   std::size_t Size = 0;
 };
 
@@ -168,7 +168,7 @@ void ReadOldHead(const Json::Value& head, ZarrArray& array)
   }
 }
 
-/** Reads codecs of version 3, in the order of encoding. */
+/** Reads the codecs of version 3, which are listed in the order of encoding. */
 void ReadCodecs(const Json::Value& codecs, ZarrArray& array)
 {
   for (const Json::Value& codec : codecs)
@@ -184,7 +184,7 @@ void ReadCodecs(const Json::Value& codecs, ZarrArray& array)
   std::reverse(array.Codecs.begin(), array.Codecs.end());
 }
 
-/** Reads the codec of shards: files of several chunks, with an index of them. */
+/** Reads the codec of shards, which are files with several chunks and an index of them. */
 void ReadShards(const Json::Value& configuration, ZarrArray& array)
 {
   array.ShardShape = array.ChunkShape;
@@ -259,7 +259,7 @@ std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
 bool ZarrArray::LocateInShard(
   const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const
 {
-  // The index has two little-endian numbers of 64 bits for each chunk.
+  // The index has two little-endian 64-bit numbers for each chunk.
   constexpr std::uint64_t entry = 2 * sizeof(std::uint64_t);
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   const std::size_t rank = this->ShardShape.size();

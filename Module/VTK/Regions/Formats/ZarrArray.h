@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads an array in a folder of Zarr, version 2 or 3.
+ * Reads an array in a Zarr folder of version 2 or 3.
  */
 #ifndef ZarrArray_h
 #define ZarrArray_h
@@ -18,7 +18,7 @@ namespace VolumeHaptics
 
 class OpenedFile;
 
-/** The head of an array, by Zarr's published specifications. */
+/** The head of an array, as in Zarr's published specifications. */
 struct ZarrArray
 {
   enum CodecType
@@ -37,30 +37,31 @@ struct ZarrArray
   std::size_t SampleSize = 0;
   bool IsBig = false;
   std::vector<char> FillValue;   ///< bytes in the byte order of the array
-  std::string Prefix;            ///< prefix of the names of chunks
-  char Separator = '.';          ///< separates the numbers in the name of a chunk
+  std::string Prefix;            ///< prefix of the file names of chunks
+  char Separator = '.';          ///< separates the numbers in the file name of a chunk
   std::vector<CodecType> Codecs; ///< in the order of decoding
   /** Number of chunks in a file along each dimension; empty if each chunk has a file of its own. */
   std::vector<std::uint64_t> ShardShape;
-  bool IsIndexFirst = false; ///< whether a shard's index is at its beginning
-  std::size_t IndexTail = 0; ///< bytes of the check sum behind the index
+  bool IsIndexFirst = false; ///< whether the index of a shard is at its beginning
+  std::size_t IndexTail = 0; ///< bytes of the checksum after the index
 
-  /** Returns the name of the file of a chunk, or of a shard. */
+  /** Returns the file name of a chunk, or of the shard that contains it. */
   std::string GetChunkFile(const ChunkPlace& place) const;
   /**
-   * Loads a chunk as a ChunkedVolume::Loader does, with the first index of all dimensions before
-   * the last three.
+   * Loads a chunk as a ChunkedVolume::Loader does. Along all dimensions but the last three, its
+   * index is 0.
    */
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
 
 private:
   /**
-   * Finds a chunk in its shard: its first byte and its size. Returns false if it was never written.
+   * Finds the first byte and the size of a chunk in its shard. Returns false if it was never
+   * written.
    */
   bool LocateInShard(const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const;
 };
 
-/** Whether a folder holds an array. */
+/** Whether a folder contains an array. */
 bool IsZarrArray(const std::string& folder);
 
 /** Reads the head. Throws std::runtime_error, with the cure. */

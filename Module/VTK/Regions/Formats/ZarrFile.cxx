@@ -109,27 +109,30 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
   }
 }
 
-/** Returns the entry about an axis: null, a name, or an object with more. */
+/** Returns the metadata of an axis: null, a name, or an object that may have a unit. */
 const Json::Value& GetAxis(const Json::Value& axes, std::size_t axis)
 {
   return axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
 }
 
-/** Returns the name of an axis' unit; empty if it has none. */
+/** Returns the name of the unit of an axis; empty if it has none. */
 std::string NameUnit(const Json::Value& axes, std::size_t axis)
 {
   const Json::Value& entry = GetAxis(axes, axis);
   return entry.isObject() ? entry["unit"].asString() : std::string();
 }
 
-/** Returns the length (mm) of an axis' unit; 1, as if it were mm, if it names no known unit. */
+/**
+ * Returns the length (mm) of the unit of an axis. Returns 1, as for mm, if the unit is missing or
+ * unknown.
+ */
 double ReadUnit(const Json::Value& axes, std::size_t axis)
 {
   const double unit = MillimetresPerUnit(NameUnit(axes, axis));
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Notes how many times and channels there are, of which only the first is read. */
+/** Adds notes on the numbers of times and channels, of which only the first is read. */
 void AddFurtherAxes(
   const Json::Value& axes, const std::vector<std::uint64_t>& shape, std::vector<std::string>& notes)
 {

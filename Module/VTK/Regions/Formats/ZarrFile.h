@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens Zarr arrays and OME-Zarr images, by their published specifications.
+ * Opens Zarr arrays and OME-Zarr images, following their published specifications.
  */
 #ifndef ZarrFile_h
 #define ZarrFile_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens a Zarr array, or an OME-Zarr image with its coarser levels; of times and channels, the
- * first one. Throws std::runtime_error, with the cure.
+ * Opens a Zarr array, or an OME-Zarr image with its coarser levels. Of several times and channels,
+ * reads the first one. Throws std::runtime_error, with the cure.
  */
 LargeFile OpenZarr(const std::string& name);
 

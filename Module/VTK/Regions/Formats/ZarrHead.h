@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the JSON files of Zarr.
+ * Reads Zarr's JSON files.
  */
 #ifndef ZarrHead_h
 #define ZarrHead_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads a file. Returns false if there is none.
- * @throws std::runtime_error if the file holds no JSON object
+ * Reads a file. Returns false if it does not exist.
+ * @throws std::runtime_error if the file contains no JSON object
  */
 bool ReadZarrHead(const std::string& file, Json::Value& head);
 
