@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An allocator for tables that are read in vectors.
+ * An allocator for tables that are read as vectors.
  */
 #ifndef CacheLines_h
 #define CacheLines_h
@@ -15,7 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Allocates at the beginning of a cache line: a vector that lies across two lines is read twice.
+ * Allocates memory that begins at a cache line, because a vector that lies in two lines takes two
+ * reads.
  */
 template <typename T>
 struct CacheLines
@@ -48,7 +49,7 @@ struct CacheLines
   }
 
 private:
-  static constexpr std::align_val_t Line{ 64 }; ///< bytes
+  static constexpr std::align_val_t Line{ 64 }; ///< bytes of a cache line
 };
 
 } // namespace VolumeHaptics

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Four doubles at a time, for the instruction set of the translation unit.
+ * Vectors of four doubles for the instruction set of the translation unit.
  *
- * Double4Avx.h has a vector type of the compiler, Double4Portable.h a plain struct; both give the
- * same results.
+ * Double4Avx.h uses a vector type of the compiler, and Double4Portable.h a plain struct. Both have
+ * the same results.
  */
 #ifndef Double4_h
 #define Double4_h
@@ -36,7 +36,7 @@ VOLUME_HAPTICS_INLINE Double4 Spread(double x)
   return MakeDouble4(x, x, x, x);
 }
 
-/** Loads two samples from each of two places. */
+/** Loads two samples from each of two addresses. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPairs(const T* low, const T* high)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Four doubles in one AVX register; included by Double4.h only.
+ * Four doubles in one AVX register. Only Double4.h includes this file.
  */
 #ifndef Double4Avx_h
 #define Double4Avx_h
@@ -22,7 +22,10 @@ namespace
 typedef double Double4 __attribute__((vector_size(32)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-/** Makes four lanes without an array, because the processor would have to wait for its load. */
+/**
+ * Makes four lanes from four numbers. An array would be slower, because the processor would have to
+ * wait for its load.
+ */
 VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
 {
   return Double4{ a, b, c, d };
@@ -30,7 +33,7 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 
 ///@{
 /**
- * The functions work lane by lane; Larger and Smaller return the second argument if a lane is NaN.
+ * Functions of single lanes. Larger() and Smaller() return the second argument if a lane is NaN.
  */
 VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
 {
@@ -52,8 +55,8 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 
 ///@{
 /**
- * Return, lane by lane, x if a > b (ChooseAbove) or a == b (ChooseEqual), else y; y if a or b is
- * NaN.
+ * Return for each lane x if a > b (ChooseAbove) or a == b (ChooseEqual), otherwise y; also y if a
+ * or b is NaN.
  */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
@@ -67,10 +70,11 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Stores whole numbers of less than 2^51. */
+/** Stores numbers that are whole and below 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
-  // AVX2 has no instruction for this. But the lowest bits of (number + shift) are the whole number.
+  // AVX2 has no instruction for this conversion. The lowest bits of (number + shift) are the whole
+  // number.
   const Double4 shift = _mm256_set1_pd(0x1.8p52);
   const __m256i whole =
     _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));
@@ -78,8 +82,8 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 }
 ///@{
 /**
- * Return a bit per lane, set where the condition holds; the lowest bit is the first lane's. 0 for
- * NaN.
+ * Return one bit for each lane, which is set where the condition holds. The lowest bit is that of
+ * the first lane. The bit is 0 for NaN.
  */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
@@ -97,8 +101,8 @@ VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
 ///@}
 
 /**
- * Loads four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the
- * instructions meant for it.
+ * Loads four samples of 8 or 16 bits. GCC splits a generic conversion into single samples, so this
+ * uses the instructions for four.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
@@ -140,7 +144,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** Load or store the first two lanes at one place, and the last two at another place. */
+/** Load or store the first two lanes at `low` and the last two lanes at `high`. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
@@ -153,8 +157,8 @@ VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double*
 ///@}
 
 /**
- * Loads two samples that follow each other in memory from each of four places: the first samples to
- * one vector, the second samples to another.
+ * Loads two consecutive samples from each of four addresses. `first` gets the first sample of each
+ * pair, and `second` the second one.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -185,12 +189,12 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** Loads a number from memory to all lanes, without a shuffle. */
+/** Loads one number from memory to all lanes, without a shuffle. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return _mm256_broadcast_sd(from);
 }
-/** Returns the first two lanes of the first argument, and the last two of the second one. */
+/** Returns the first two lanes of `low` and the last two lanes of `high`. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return _mm256_blend_pd(low, high, 0b1100);
@@ -206,7 +210,7 @@ VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
   return _mm256_permute2f128_pd(a, b, 0x31);
 }
 /**
- * Swaps rows and columns: a gets the first lanes of all arguments, b the second lanes, and so on.
+ * Transposes four vectors: a gets the first lanes of all arguments, b the second lanes, and so on.
  */
 VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
 {
@@ -221,9 +225,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/**
- * Computes the sum of the lanes: first of those two apart (0 and 2, 1 and 3), then of both sums.
- */
+/** Adds the lanes in a fixed order: lanes 0 and 2, lanes 1 and 3, then both sums. */
 VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)
 {
   return _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Four doubles as a plain struct, for any compiler and processor; included by Double4.h only.
+ * Four doubles as a plain struct, for any compiler and processor. Only Double4.h includes this
+ * file.
  */
 #ifndef Double4Portable_h
 #define Double4Portable_h
@@ -53,7 +54,7 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 
 ///@{
 /**
- * The functions work lane by lane; Larger and Smaller return the second argument if a lane is NaN.
+ * Functions of single lanes. Larger() and Smaller() return the second argument if a lane is NaN.
  */
 template <typename F>
 VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
@@ -80,8 +81,8 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 
 ///@{
 /**
- * Return, lane by lane, x if a > b (ChooseAbove) or a == b (ChooseEqual), else y; y if a or b is
- * NaN.
+ * Return for each lane x if a > b (ChooseAbove) or a == b (ChooseEqual), otherwise y; also y if a
+ * or b is NaN.
  */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
@@ -97,7 +98,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 }
 ///@}
 
-/** Stores whole numbers of less than 2^51. */
+/** Stores numbers that are whole and below 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
   for (int lane = 0; lane < 4; ++lane)
@@ -107,8 +108,8 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 }
 ///@{
 /**
- * Return a bit per lane, set where the condition holds; the lowest bit is the first lane's. 0 for
- * NaN.
+ * Return one bit for each lane, which is set where the condition holds. The lowest bit is that of
+ * the first lane. The bit is 0 for NaN.
  */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
@@ -148,7 +149,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** Load or store the first two lanes at one place, and the last two at another place. */
+/** Load or store the first two lanes at `low` and the last two lanes at `high`. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return { { low[0], low[1], high[0], high[1] } };
@@ -163,8 +164,8 @@ VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double*
 ///@}
 
 /**
- * Loads two samples that follow each other in memory from each of four places: the first samples to
- * one vector, the second samples to another.
+ * Loads two consecutive samples from each of four addresses. `first` gets the first sample of each
+ * pair, and `second` the second one.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -178,12 +179,12 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** Loads the same number to all lanes. */
+/** Loads one number to all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return { { *from, *from, *from, *from } };
 }
-/** Returns the first two lanes of the first argument, and the last two of the second one. */
+/** Returns the first two lanes of `low` and the last two lanes of `high`. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return { { low[0], low[1], high[2], high[3] } };
@@ -199,7 +200,7 @@ VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
   return { { a[2], a[3], b[2], b[3] } };
 }
 /**
- * Swaps rows and columns: a gets the first lanes of all arguments, b the second lanes, and so on.
+ * Transposes four vectors: a gets the first lanes of all arguments, b the second lanes, and so on.
  */
 VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
 {
@@ -212,7 +213,10 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** Returns the sum of the lanes: first of those two apart (0 and 2, 1 and 3), then of both sums. */
+/**
+ * Returns the sum of the lanes, added in a fixed order: lanes 0 and 2, lanes 1 and 3, then both
+ * sums.
+ */
 VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
 {
   return (a[0] + a[2]) + (a[1] + a[3]);

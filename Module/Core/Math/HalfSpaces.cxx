@@ -9,11 +9,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Normals that differ by less (rad) count as equal. */
+/** Angle (rad) between two normals below which they count as equal. */
 constexpr double SameDirection = 1e-6;
-/** A bound may be missed by this fraction of the distances. */
+/** Fraction of the distances by which a point may miss a bound. */
 constexpr double Slack = 1e-12;
-/** Below this a system of normals is singular. */
+/** Determinant below which a system of normals counts as singular. */
 constexpr double Singular = 1e-9;
 
 double Excess(const HalfSpace& space, const Vector3& y) noexcept
@@ -22,8 +22,8 @@ double Excess(const HalfSpace& space, const Vector3& y) noexcept
 }
 
 /**
- * Finds the point nearest to `goal` that lies on all of `count` (1 to 3) bounds; returns false if
- * there is none.
+ * Computes the point nearest to `goal` that is on all of `count` (1 to 3) bounds. Returns false if
+ * there is no such point.
  */
 bool Project(
   const HalfSpace* const* spaces, int count, const Vector3& goal, Vector3& point) noexcept
@@ -86,7 +86,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
   int count = 0;
   Vector3 point = goal;
   const double slack = Slack * (1.0 + Norm(goal) + Norm(fallback));
-  // Each round moves farther from the goal, so that no set of three comes twice.
+  // In each round the point is farther from the goal, so that no active set occurs twice.
   for (int round = 0; round < 4 * Most; ++round)
   {
     const HalfSpace* worst = nullptr;
@@ -105,7 +105,8 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
       return point;
     }
     active[count++] = worst;
-    // Among all sets with the new bound, take the nearest point that all half-spaces so far allow.
+    // Among all active sets that contain the new bound, choose the nearest point that is in all
+    // half-spaces found so far.
     int best = 0;
     double nearest = 0.0;
     Vector3 found;

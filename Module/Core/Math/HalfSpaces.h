@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The nearest point in some half-spaces: the goal of a proxy that touches several faces at once.
+ * The point in several half-spaces that is nearest to a goal. It is the goal of a proxy that
+ * touches several faces at once.
  */
 #ifndef HalfSpaces_h
 #define HalfSpaces_h
@@ -14,14 +15,14 @@
 namespace VolumeHaptics
 {
 
-/** The points y with normal . y >= bound. */
+/** A half-space: all points y with normal . y >= bound. */
 struct HalfSpace
 {
-  Vector3 Normal; ///< unit
+  Vector3 Normal; ///< unit vector
   double Bound;
 };
 
-/** The half-spaces of the faces that a proxy touches; a few. */
+/** The half-spaces of the few faces that a proxy touches. */
 class HalfSpaces
 {
 public:
@@ -31,14 +32,14 @@ public:
   int GetCount() const noexcept { return this->Count; }
 
   /**
-   * Adds a half-space. If a stored half-space has almost the same normal, the larger bound of both
-   * is kept instead. Otherwise a half-space is ignored once Most are stored.
+   * Adds a half-space. If a stored half-space has almost the same normal, keeps only the larger
+   * bound. If Most half-spaces are stored, ignores other ones.
    */
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * Returns the point in all half-spaces that is nearest to a goal, found with an active set of at
-   * most three; `fallback` if there is none.
+   * Returns the point in all half-spaces that is nearest to a goal, or `fallback` if there is no
+   * such point. Uses an active set of at most three half-spaces.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rounding down, for the sampling kernels: see FieldKernels.h for their rules.
+ * Rounds down in the sampling kernels, by the rules of FieldKernels.h.
  */
 #ifndef KernelFloor_h
 #define KernelFloor_h
@@ -16,11 +16,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the largest whole number that is not above a position; the position is not negative. */
+/**
+ * Returns the largest whole number that is not above a position. The position must not be negative.
+ */
 VOLUME_HAPTICS_INLINE double Floor(double position)
 {
 #if defined(__SSE4_1__)
-  return __builtin_floor(position); // one instruction with SSE4.1, a call elsewhere
+  return __builtin_floor(position); // one instruction with SSE4.1; without it, a call
 #else
   return static_cast<double>(static_cast<std::int64_t>(position));
 #endif

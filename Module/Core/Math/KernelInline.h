@@ -4,12 +4,12 @@
  * @file
  * Macros for the sampling kernels.
  *
- * A kernel is inlined whole, for its speed. All its parts are static: otherwise the linker could
- * use the AVX2 unit's copy of a function in the baseline kernel. Without optimisation nothing is
- * inlined, since inlined code takes ten times as long to compile, most of all with sanitizers.
+ * A kernel is inlined as a whole to make it fast. All its functions are static, because otherwise
+ * the linker could use the AVX2 unit's copy of a function in the baseline kernel. Without
+ * optimisation nothing is inlined, because inlined code takes ten times as long to compile, most of
+ * all with sanitizers.
  *
- * VOLUME_HAPTICS_UNROLL stands before a loop of at most eight rounds whose arrays are to become
- * registers.
+ * VOLUME_HAPTICS_UNROLL is for a loop of at most eight rounds whose arrays should be in registers.
  */
 #ifndef KernelInline_h
 #define KernelInline_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lowest bit that is set, and masks of the lowest bits; see KernelInline.h.
+ * Functions for the lowest bits of a number. KernelInline.h explains why they are inlined.
  */
 #ifndef LowestBit_h
 #define LowestBit_h

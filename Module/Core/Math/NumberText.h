@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Numbers in files, on command lines and between processes.
+ * Reads numbers from files, command lines and other processes, whatever the locale is.
  */
 #ifndef NumberText_h
 #define NumberText_h
@@ -16,9 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Parses a decimal number, with a point, as C writes it, because strtod, atof and streams read 1.6
- * as 1 in programs that follow the locale of a user who writes 1,6. Returns none if the text
- * contains anything else, or if the number is too large for a double.
+ * Parses a decimal number with a decimal point, as in C. strtod, atof and streams must not be used:
+ * in programs that set the user's locale, they read 1.6 as 1 if the user writes 1,6. Returns none
+ * if the text contains anything else, or if the number is too large for a double.
  */
 inline std::optional<double> ParseNumber(std::string_view text) noexcept
 {

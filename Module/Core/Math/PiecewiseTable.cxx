@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Value and slope of a polyline just right of x, up to its next vertex. */
+/** Value and slope of a polyline between x and the next vertex. */
 struct Line
 {
   double Value;
@@ -33,7 +33,7 @@ Line LineRightOf(const Polyline& line, double x)
   double slope = (after->Y - before.Y) / (after->X - before.X);
   if (!std::isfinite(slope))
   {
-    slope = 0.0; // vertices closer than doubles can distinguish: a step
+    slope = 0.0; // a step: doubles can't distinguish the vertices
   }
   return { before.Y + slope * (x - before.X), slope };
 }
@@ -69,7 +69,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 
   this->Segments.reserve(breaks.size() + 2);
-  // A constant function, so that its far end only has to be finite.
+  // The leftmost segment is constant, so that the position of its begin does not matter.
   Segment leftmost{ std::numeric_limits<double>::lowest(), {}, {} };
   for (int c = 0; c < Channels; ++c)
   {
@@ -95,7 +95,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   std::uint32_t segment = 0;
   for (int bin = 0; bin < Bins; ++bin)
   {
-    // Begins half a bin before the edge: rounding may assign a value to the next bin.
+    // Use the edge half a bin earlier, because rounding may assign a value to the next bin.
     const double edge = this->Low + width * (bin - 0.5) / Bins;
     const std::uint32_t first = segment;
     while (edge > this->Segments[segment + 1].Begin)
@@ -116,7 +116,7 @@ auto PiecewiseTable<Channels>::Bisect(double x, int bin) const noexcept -> const
   const Segment* const first = all + this->FirstSegment[bin];
   const Segment* const last =
     bin + 2 < Bins ? all + this->FirstSegment[bin + 2] : all + this->Segments.size() - 2;
-  // The first segment begins before x.
+  // The first segment begins before x, so the search may begin after it.
   const Segment* const after = std::lower_bound(first + 1, last + 1, x,
     [](const Segment& segment, double value) { return segment.Begin < value; });
   return after - 1;

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Several piecewise-linear functions of one variable, baked for constant-time lookup.
+ * Several piecewise-linear functions of one variable, baked for lookup in constant time.
  *
- * A table merges the break points of its channels, so that one search finds all of them: the
- * material of a scalar value (stiffness, friction, surface strength, viscosity) costs one lookup.
- * Between its break points a channel is exactly linear, steps included; nothing is resampled to a
- * grid. A piecewise-linear function is therefore reproduced to rounding, however steep its edges.
+ * A table merges the break points of its channels, so that one search serves all of them. So a
+ * lookup by the scalar value gives the whole material (stiffness, friction, surface strength,
+ * viscosity). Between break points a channel is exactly linear, and steps stay steps: nothing is
+ * resampled to a grid. A piecewise-linear function is therefore reproduced to rounding, however
+ * steep it is.
  */
 #ifndef PiecewiseTable_h
 #define PiecewiseTable_h
@@ -24,8 +25,8 @@ namespace VolumeHaptics
 {
 
 /**
- * A vertex of a piecewise-linear function. Two vertices with the same X make a step; at the step
- * itself, the function has the value of the first. Beyond the vertices it keeps its end values.
+ * A vertex of a piecewise-linear function. Two vertices with the same X make a step; at this X, the
+ * function has the first vertex's value. Outside the vertices, it has the value of the nearest one.
  */
 struct Vertex
 {
@@ -65,8 +66,8 @@ public:
   explicit PiecewiseTable(const std::array<Polyline, Channels>& functions);
 
   /**
-   * A piece of all channels. It holds for Begin < x, up to the Begin of the next segment in memory,
-   * with Value + Slope (x - Begin).
+   * A segment of all channels. For x above Begin and up to the Begin of the next segment in memory,
+   * a channel is Value + Slope (x - Begin).
    */
   struct Segment
   {
@@ -91,7 +92,7 @@ public:
     {
       found = this->Bisect(x, bin);
     }
-    // The last segment begins at infinity and ends the walk.
+    // The last segment begins at infinity, so the loop ends there.
     while (x > found[1].Begin)
     {
       ++found;
@@ -102,7 +103,8 @@ public:
   /** Returns the smallest and the largest value of a channel. */
   const ValueRange& GetRange(int channel) const noexcept { return this->Range[channel]; }
 
-  const void* GetMemory() const noexcept { return this->Segments.data(); } ///< beyond the object
+  /** Memory outside the object. */
+  const void* GetMemory() const noexcept { return this->Segments.data(); }
   std::size_t GetMemorySize() const noexcept
   {
     return sizeof(*this) + this->Segments.capacity() * sizeof(Segment);
@@ -115,24 +117,25 @@ private:
   {
     return { { segment.Value[Channel] + segment.Slope[Channel] * (x - segment.Begin)... } };
   }
-  /** Finds the segment that contains x; for tables with many break points in a bin. */
+  /** Finds the segment that contains x in a bin with many break points. */
   const Segment* Bisect(double x, int bin) const noexcept;
 
   static constexpr int Bins = 1024;
-  /** A bin with more break points than this makes a table crowded. */
+  /** Largest number of break points in a bin for which they are searched one by one. */
   static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  std::array<std::uint32_t, Bins> FirstSegment{}; ///< the wanted segment, or one before it
+  /** For each bin, the first segment in it or one before that. */
+  std::array<std::uint32_t, Bins> FirstSegment{};
   bool IsCrowded = false;
   double Low = 0.0;
   double BinsPerUnit = 0.0;
   std::array<ValueRange, Channels> Range{};
 };
 
-/** Stiffness, friction, surface strength, viscosity and visibility against the scalar value. */
+/** Table of stiffness, friction, surface strength, viscosity and visibility by the scalar value. */
 using MaterialTable = PiecewiseTable<5>;
-/** Distinctness and visibility (0 or 1) against the gradient magnitude. */
+/** Table of distinctness and visibility (0 or 1) by the gradient magnitude. */
 using DistinctnessTable = PiecewiseTable<2>;
 
 extern template class PiecewiseTable<2>;

@@ -25,7 +25,7 @@ Polyline MaskAbove(const Polyline& line, double floor, double scale)
     mask.push_back({ a.X, flag(above) });
     if (above && !isAbove(b))
     {
-      // The floor is reached at the node itself.
+      // The polyline falls to the floor at the vertex itself.
       const double before = std::nextafter(b.X, a.X);
       mask.push_back({ before, 1.0 });
       mask.push_back({ before, 0.0 });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Symmetric matrices and quadrics, as value types.
+ * Symmetric matrices and quadrics as value types.
  */
 #ifndef Quadric_h
 #define Quadric_h
@@ -27,8 +27,8 @@ struct Symmetric3
 };
 
 /**
- * A quadric by its depth, which is more than 0 in the structure: depth(x) = Gradient.u +
- * u.Curvature u / 2, u = x - Centre.
+ * A quadric, given by the depth of a point x in the structure: Gradient.u + u.Curvature u / 2,
+ * where u = x - Centre. The depth is more than 0 in the structure.
  */
 struct Quadric
 {

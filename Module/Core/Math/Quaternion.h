@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Unit quaternions as orientations, as value types.
+ * Unit quaternions for orientations, as value types.
  *
- * The order is w, x, y, z, as in vtkQuaternion: a turn by an angle a about the unit axis n is
- * { cos(a/2), sin(a/2) n }. q and -q are the same orientation. Everything is noexcept and free of
- * allocation, so that the servo tick can use it; there is no trigonometric function.
+ * The order of the numbers is w, x, y, z, as in vtkQuaternion. A rotation by an angle a about the
+ * unit axis n is { cos(a/2), sin(a/2) n }. q and -q are the same orientation. No function
+ * allocates, throws or uses trigonometric functions, so that the servo tick can call all of them.
  */
 #ifndef Quaternion_h
 #define Quaternion_h
@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** An orientation, or any four numbers: see MakeUnit. */
+/** An orientation, or any four numbers before MakeUnit has checked them. */
 struct Quaternion
 {
   double W = 1.0;
@@ -35,33 +35,34 @@ constexpr Quaternion operator*(double s, const Quaternion& q) noexcept
 {
   return { s * q.W, s * q.X, s * q.Y, s * q.Z };
 }
-/** Returns the rotation that turns by b, then by a, both about fixed axes. */
+/** Returns the rotation by b, followed by the rotation by a, both about fixed axes. */
 constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) noexcept
 {
   return { a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
     a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y, a.W * b.Y - a.X * b.Z + a.Y * b.W + a.Z * b.X,
     a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W };
 }
-/** Returns the inverse rotation, of a unit quaternion. */
+/** Returns the inverse rotation of a unit quaternion. */
 constexpr Quaternion Conjugate(const Quaternion& q) noexcept
 {
   return { q.W, -q.X, -q.Y, -q.Z };
 }
 
-/** How far the norm may differ from 1 in MakeUnit: sensors send few digits. */
+/** Largest difference of the norm from 1 that MakeUnit accepts, because sensors send few digits. */
 constexpr double UnitTolerance = 0.01;
 
 /**
- * Divides a quaternion by its norm. If it is no orientation (a number is not finite, or the norm is
- * not 1 within the tolerance), returns false and leaves the quaternion alone. A quaternion whose
- * norm is 1 within rounding stays the same to the bit, so that a second call changes nothing.
+ * Divides a quaternion by its norm. Returns false and does not change it if it is no orientation,
+ * that is, if a number is not finite or if the norm differs from 1 by more than the tolerance. If
+ * the norm is 1 apart from rounding, the quaternion does not change by a bit, so that a second call
+ * changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept
 {
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   const double square = SquaredNorm(q);
   const double norm = std::sqrt(square);
-  // Also false for NaN and infinity.
+  // The condition is false for NaN and infinity, too.
   if (!(std::abs(norm - 1.0) <= UnitTolerance))
   {
     return false;
@@ -73,7 +74,7 @@ inline bool MakeUnit(Quaternion& q) noexcept
   return true;
 }
 
-/** Returns the matrix that turns vectors as a unit quaternion does. */
+/** Returns the rotation matrix of a unit quaternion. */
 constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
 {
   const double x = 2.0 * q.X;
@@ -84,10 +85,11 @@ constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
     { x * q.Z - y * q.W, y * q.Z + x * q.W, 1.0 - x * q.X - y * q.Y } } };
 }
 
-/** Returns the unit quaternion of a rotation matrix; the largest component is positive. */
+/** Returns the unit quaternion of a rotation matrix. Its largest component is positive. */
 inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 {
-  // The largest component comes from the diagonal, the others by dividing by it: all are accurate.
+  // The largest component comes from the diagonal. The other ones are divided by it, so that all
+  // are accurate.
   const double xx = m.Row[0].X;
   const double yy = m.Row[1].Y;
   const double zz = m.Row[2].Z;
@@ -115,18 +117,18 @@ inline Quaternion ToQuaternion(const Matrix3& m) noexcept
   return (1.0 / std::sqrt(SquaredNorm(q))) * q;
 }
 
-/** Stands for no orientation, in arrays and files. */
+/** Value for "no orientation" in arrays and files. */
 inline constexpr Quaternion NoOrientation{ 0.0, 0.0, 0.0, 0.0 };
 /**
- * Returns an orientation for arrays and files: turned by a rotation matrix, such as the rotation
- * from the device's axes to the world's; NoOrientation if `isValid` is false.
+ * Returns an orientation for arrays and files: `q` rotated by a matrix, such as the rotation from
+ * the device's axes to the world's. Returns NoOrientation if `isValid` is false.
  */
 inline Quaternion TurnedBy(const Matrix3& rotation, const Quaternion& q, bool isValid) noexcept
 {
   return isValid ? ToQuaternion(rotation) * q : NoOrientation;
 }
 
-/** Returns whether all numbers are equal, exactly. */
+/** Returns whether all numbers are exactly equal. */
 constexpr bool IsIdentical(const Quaternion& a, const Quaternion& b) noexcept
 {
   return a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The search for the root of a falling function, such as the end point of a motion.
+ * Searches for the root of a falling function, for example for the end point of a motion.
  */
 #ifndef RootBracket_h
 #define RootBracket_h
@@ -13,10 +13,13 @@
 namespace VolumeHaptics
 {
 
-/** The value of a function without a root: the bracket then goes to its far end. */
+/** Value to give to Narrow() if the function has no root. The bracket then moves to its far end. */
 constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
-/** The narrowest bracket (voxels): a step of a material function has no root. */
+/**
+ * Width (voxels) at which a bracket is narrow enough. A limit is needed because a material function
+ * with a step may have no root.
+ */
 constexpr double NarrowBracket = 1e-3;
 
 /**
@@ -43,15 +46,15 @@ public:
   {
   }
 
-  /** Returns whether the bracket is narrow enough, or there is no root. */
+  /** Returns whether the bracket is narrow enough, or whether there is no root. */
   bool IsNarrow() const noexcept
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
   }
-  /** Returns the end at which the function is below zero. */
+  /** Returns the end of the bracket at which the function is below zero. */
   double GetHigh() const noexcept { return this->High; }
 
-  /** Returns the next argument; every third call halves the bracket. */
+  /** Returns the next argument to evaluate. Every third call halves the bracket. */
   double Next(int trial) noexcept
   {
     if (this->IsNarrow())
@@ -63,7 +66,7 @@ public:
     return this->Now = this->Low + fraction * (this->High - this->Low);
   }
 
-  /** Narrows the bracket by the function's value at the argument that Next returned. */
+  /** Narrows the bracket, given the function's value at the argument that Next() returned. */
   void Narrow(double value) noexcept
   {
     if (!this->IsOpen || this->Now >= this->High)

@@ -10,8 +10,8 @@ namespace
 {
 
 /**
- * The limit: ten sweeps of three rotations. Near the end, each sweep about squares the elements
- * beside the diagonal, so far fewer sweeps suffice.
+ * Limit of the rotations: ten sweeps of three. Near the end, each sweep roughly squares the
+ * off-diagonal elements, so that far fewer sweeps suffice.
  */
 constexpr int MostRotations = 30;
 
@@ -23,7 +23,7 @@ void RotateAxes(double (&a)[3][3], double (&v)[3][3], int p, int q) noexcept
     return;
   }
   const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-  // 0 if theta is infinite.
+  // t is 0 if theta is infinite.
   const double t = std::copysign(1.0 / (std::abs(theta) + std::sqrt(theta * theta + 1.0)), theta);
   const double c = 1.0 / std::sqrt(t * t + 1.0);
   const double s = t * c;
@@ -68,13 +68,13 @@ SymmetricEigen ComputeEigen(const Matrix3& matrix) noexcept
   }
   if (check != 0.0 || largest == 0.0)
   {
-    return eigen; // NaN is never equal
+    return eigen; // returns for NaN, too, which is not equal to 0
   }
   for (auto& row : a)
   {
     for (double& x : row)
     {
-      x /= largest; // no square overflows
+      x /= largest; // scaled, so that no square overflows
     }
   }
   double v[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Eigenvalues and eigenvectors of a symmetric 3x3 matrix, by Jacobi's rotations: exact to rounding
- * for equal eigenvalues, too, and without allocation.
+ * Eigenvalues and eigenvectors of a symmetric 3x3 matrix, by Jacobi rotations. They are exact to
+ * rounding even if eigenvalues are equal. Nothing is allocated.
  */
 #ifndef SymmetricEigen_h
 #define SymmetricEigen_h
@@ -16,13 +16,13 @@ namespace VolumeHaptics
 struct SymmetricEigen
 {
   double Value[3] = { 0.0, 0.0, 0.0 }; ///< eigenvalues, in descending order
-  /** Eigenvectors: unit vectors, each orthogonal to the others. */
+  /** Unit eigenvectors, orthogonal to one another. */
   Vector3 Direction[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
 };
 
 /**
- * Computes eigenvalues and eigenvectors from the upper triangle. If the matrix is not finite, all
- * values are 0.
+ * Computes eigenvalues and eigenvectors from the upper triangle of a matrix. If the matrix is not
+ * finite, all eigenvalues are 0.
  */
 SymmetricEigen ComputeEigen(const Matrix3& matrix) noexcept;
 

@@ -9,11 +9,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Contacts closer in time than this fraction are simultaneous: less than the remaining gap. */
+/**
+ * Difference in time, as a fraction of the displacement, below which contacts are simultaneous. It
+ * is less than the remaining gap.
+ */
 constexpr double Rounding = 1e-9;
 
 /**
- * Returns the fraction of a displacement after which it meets a sphere round a point from outside.
+ * Returns the fraction of a displacement after which a path from outside enters a sphere around a
+ * point. Returns Never if it does not.
  */
 double MeetCorner(
   const Vector3& corner, const Vector3& centre, const Vector3& displacement, double radius)
@@ -27,12 +31,15 @@ double MeetCorner(
   {
     return Never;
   }
-  // Not (-b - root) / a: for a long displacement that cancels.
+  // Not computed as (-b - root) / a, which loses digits for a long displacement.
   const double time = c / (-b + std::sqrt(discriminant));
   return time <= 1.0 ? time : Never;
 }
 
-/** Does the same as MeetCorner for a cylinder round an edge, between the edge's ends. */
+/**
+ * Does the same as MeetCorner for a cylinder around an edge. Only the part between the edge's ends
+ * counts.
+ */
 double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
   const Vector3& displacement, double radius)
 {
@@ -66,7 +73,7 @@ TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
   const double d4 = Dot(ac, to - b);
   const double d5 = Dot(ab, to - c);
   const double d6 = Dot(ac, to - c);
-  // The regions of the corners, of the edges, and of the face (Ericson, Real-Time Collision
+  // Look for the region of a corner, of an edge, or of the face (Ericson, Real-Time Collision
   // Detection, 5.1.5).
   if (d1 <= 0.0 && d2 <= 0.0)
   {
@@ -112,8 +119,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = height < 0.0 ? -normal : normal;
   const double closing = -Dot(displacement, normal);
   const double gap = std::abs(height) - radius;
-  // A triangle is not met before its plane. If many triangles are in one plane, this test leaves
-  // only few of them.
+  // The sphere can't meet the triangle before the triangle's plane. If many triangles are in one
+  // plane, only few of them pass this test.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;
@@ -134,7 +141,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
     const double time = gap / closing;
     const Vector3 touched = centre + time * displacement - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
-    // Otherwise an edge is met; at the limit of the face, at the same time as the face.
+    // Otherwise the sphere meets an edge. At the border of the face, it meets both at the same
+    // time.
     if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles: the distance of a point, and the contact of a moving sphere.
+ * Triangles: the point nearest to a position, and the contact with a moving sphere.
  *
- * The centre of a sphere that touches a triangle lies on the triangle's rounded hull, the sum of
- * triangle and sphere. The hull is convex: a straight path enters it once, through an offset face,
- * round an edge or round a corner; a path that begins on the hull and does not lead inward never
- * enters it.
+ * If a sphere touches a triangle, its centre is on the triangle's rounded hull, the sum of triangle
+ * and sphere. The hull is convex, so a straight path enters it only once: through an offset face,
+ * or near an edge or a corner. A path that begins on the hull and does not lead inward never enters
+ * it.
  */
 #ifndef Triangle_h
 #define Triangle_h
@@ -29,7 +29,7 @@ struct TrianglePoint
   double Weight[3]; ///< barycentric weights
 };
 
-/** Returned by MeetingTime if the sphere does not meet the triangle. */
+/** Value of MeetingTime() if the sphere does not meet the triangle. */
 constexpr double Never = 2.0;
 
 /** Returns the point of a triangle that is nearest to a position. */

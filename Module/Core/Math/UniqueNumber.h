@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Unique numbers that tell objects apart, even if one reuses the memory of another.
+ * Unique numbers, which distinguish objects even if one reuses the memory of another.
  */
 #ifndef UniqueNumber_h
 #define UniqueNumber_h

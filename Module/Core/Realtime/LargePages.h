@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An allocator for arrays of megabytes that are filled right after allocation.
+ * An allocator for arrays of megabytes that are filled right after they were allocated.
  */
 #ifndef LargePages_h
 #define LargePages_h
@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Allocator of large pages (2 MiB), which the system provides at once. It provides and clears each
- * page of 4 KiB separately when the page is first touched, which costs more than filling it.
+ * Allocates in large pages (2 MiB). The system clears small pages (4 KiB) one by one, each when it
+ * is first touched, and this takes longer than filling the array.
  */
 template <typename T>
 struct LargePages
@@ -43,8 +43,8 @@ struct LargePages
 #if defined(__linux__)
     if (count * sizeof(T) >= PageSize)
     {
-      // The call has no effect where large pages are off. The end that does not fill a large page
-      // stays in small pages.
+      // The call has no effect where large pages are off. The end of the array that does not fill a
+      // large page stays in small pages.
       (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
     }
 #endif

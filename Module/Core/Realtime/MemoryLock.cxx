@@ -30,11 +30,11 @@ namespace
 {
 
 #if defined(__linux__)
-/** MADV_POPULATE_READ of Linux 5.14, which older headers lack. */
+/** MADV_POPULATE_READ of Linux 5.14, which older headers do not define. */
 constexpr int PopulateForReading = 22;
 #endif
 
-/** Counts the locks on each page of a process. */
+/** Counts how many locks each page of a process has. */
 class PageCounts
 {
 public:
@@ -46,7 +46,7 @@ public:
   bool Add(std::uintptr_t first, std::uintptr_t last) noexcept
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    std::uintptr_t end = first; // end of the counted pages
+    std::uintptr_t end = first; // end of the pages that were counted
     try
     {
       for (; end <= last; ++end)
@@ -58,10 +58,10 @@ public:
         return true;
       }
     }
-    catch (...) // no memory for the counts
+    catch (...) // there was no memory for the counts
     {
     }
-    // mlock may have locked some pages of the range
+    // mlock may have locked some pages of the range. Release them.
     Run run;
     for (std::uintptr_t page = first; page < end; ++page)
     {
@@ -71,7 +71,10 @@ public:
     return false;
   }
 
-  /** Unlocks ranges of one array, in rising order, with as few system calls as possible. */
+  /**
+   * Unlocks ranges in ascending order. If they are of one array, uses as few system calls as
+   * possible.
+   */
   template <typename Ranges>
   void Remove(const Ranges& ranges, bool areOfOneArray) noexcept
   {
@@ -93,7 +96,9 @@ public:
   }
 
 private:
-  /** Pages that are no longer locked, including unlocked pages between them in an array. */
+  /**
+   * A run of pages to unlock: pages without a lock, and pages between them that were never locked.
+   */
   struct Run
   {
     std::uintptr_t Begin = 0;
@@ -125,7 +130,7 @@ private:
     {
       return;
     }
-    // The run ends at the first page that the program has unmapped.
+    // If the program has unmapped a page, munlock stops there, so unlock the pages one by one.
     for (std::uintptr_t page = run.Begin; page < run.End; ++page)
     {
       munlock(AddressOf(page), GetPageSize());
@@ -161,7 +166,8 @@ void FetchPages(const void* begin, std::size_t size) noexcept
 #if defined(__linux__)
   const std::uintptr_t first = PageCounts::PageOf(begin);
   const std::size_t pages = PageCounts::PageOf(end - 1) - first + 1;
-  // EINVAL: this kernel lacks MADV_POPULATE_READ. After any other error, reading would crash.
+  // EINVAL means that this kernel lacks MADV_POPULATE_READ. After any other error, reading the
+  // pages would crash.
   if (madvise(PageCounts::AddressOf(first), pages * GetPageSize(), PopulateForReading) == 0 ||
     errno != EINVAL)
   {
@@ -197,7 +203,7 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
   if (this->Process != process)
   {
     this->Process = process;
-    this->Locked.clear(); // the locks belong to the parent
+    this->Locked.clear(); // a forked child does not inherit the parent's locks
   }
   try
   {
@@ -210,7 +216,7 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
     }
     return granted;
   }
-  catch (...) // no memory for the list
+  catch (...) // there was no memory for the list
   {
     return false;
   }
@@ -228,7 +234,7 @@ bool MemoryLock::AddStack(std::size_t size) noexcept
   std::size_t whole = 0;
   pthread_attr_getstack(&attributes, &lowest, &whole);
   pthread_attr_destroy(&attributes);
-  // Stacks grow downwards on every processor of Linux desktops.
+  // The stack grows downwards on all processors for which this code is compiled.
   const char* const here = static_cast<const char*>(__builtin_frame_address(0));
   const auto left = static_cast<std::size_t>(here - static_cast<const char*>(lowest));
   const std::size_t locked = std::min(size, left);

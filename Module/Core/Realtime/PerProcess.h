@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One object for each process, for data that its threads share under a mutex.
+ * An object that exists once for each process, for data that threads share under a mutex.
  *
- * A forked child has copies of its parent's objects; the copy of a mutex may be locked by a thread
- * that does not exist in the child. So the child gets a fresh object, and the copy stays untouched.
+ * A forked child has copies of its parent's objects. In such a copy, a mutex may be locked by a
+ * thread that the child does not have. So the child makes a new object and never touches the copy.
  */
 #ifndef PerProcess_h
 #define PerProcess_h
@@ -27,8 +27,9 @@ public:
   PerProcess& operator=(const PerProcess&) = delete;
 
   /**
-   * Returns the object, from any thread. The first call makes it and may throw std::bad_alloc; it
-   * is never destroyed, since threads and signals may use it while the process ends.
+   * Returns the object. From any thread. The first call makes it and may throw std::bad_alloc. The
+   * object is never destroyed, because threads and signal handlers may use it while the process
+   * ends.
    */
   T& Get()
   {

@@ -29,18 +29,22 @@ constexpr const char* Path = "/org/freedesktop/RealtimeKit1";
 constexpr const char* BusService = "org.freedesktop.DBus";
 constexpr const char* BusPath = "/org/freedesktop/DBus";
 
-/** The longest wait for one answer (ns), and the pause between two polls of `stop` (ms). */
+/** Longest time to wait for one answer (ns), and the pause between two checks of `stop` (ms). */
 constexpr std::int64_t LongestWait = 10000000000;
 constexpr int LookPeriod = 10;
 constexpr int NoTimeLimit = 0x7fffffff;
-/** Less than the priority of the kernel's own interrupt threads, 50, so that they run first. */
+/**
+ * Largest priority to request. It is below that of the kernel's interrupt threads (50), so that
+ * these run first.
+ */
 constexpr std::int64_t HighestPriority = 40;
 /**
- * If a thread may compute for less time than this (us), a real-time class does more harm than good.
+ * Shortest limit (us) of a thread's computing time with which a real-time class is requested. With
+ * a shorter limit, the class would do more harm than good.
  */
 constexpr std::int64_t LeastTime = 20000;
 
-/** Argument types in messages: their letters in D-Bus signatures. */
+/** Types of arguments in messages: the letters of D-Bus signatures. */
 constexpr int None = 0;
 constexpr int Text = 's';
 constexpr int Variant = 'v';
@@ -48,19 +52,21 @@ constexpr int Int32 = 'i';
 constexpr int Int64 = 'x';
 constexpr int UInt32 = 'u';
 constexpr int UInt64 = 't';
-/** A message type. */
+/** The type of a message that answers a call. */
 constexpr int MethodReturn = 2;
 
 struct Connection;
 struct Message;
 struct PendingCall;
-/** Has the size of a DBusMessageIter, whose members are private. */
+/** An object of the size of DBusMessageIter, whose members are private. */
 struct Iterator
 {
   alignas(std::max_align_t) unsigned char Memory[256];
 };
 
-/** The functions used from libdbus. Names and types are those of its public interface. */
+/**
+ * The functions of libdbus that this file calls. Names and types are those of its public interface.
+ */
 struct Library
 {
   Connection* (*Open)(const char* address, void* error) = nullptr;
@@ -84,7 +90,7 @@ struct Library
   void (*GetValue)(Iterator*, void* value) = nullptr;
   void (*ReleaseMessage)(Message*) = nullptr;
 
-  /** Returns the functions; null if libdbus is not installed, or not as expected. */
+  /** Returns the functions, or null if libdbus is not installed or lacks one of them. */
   static const Library* Get() noexcept
   {
     static Library functions;
@@ -95,7 +101,7 @@ struct Library
 private:
   bool Load() noexcept
   {
-    void* const library = dlopen("libdbus-1.so.3", RTLD_NOW | RTLD_LOCAL); // stays loaded
+    void* const library = dlopen("libdbus-1.so.3", RTLD_NOW | RTLD_LOCAL); // is never unloaded
     const auto find = [library](auto& function, const char* name)
     {
       function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(library, name));
@@ -123,7 +129,7 @@ private:
   }
 };
 
-/** An answer to a call; empty if none came in time. */
+/** The answer to a call. It is empty if none came in time. */
 class Reply
 {
 public:
@@ -162,7 +168,7 @@ public:
     return false;
   }
 
-  /** Returns the number in the variant of a property; 0 if there is none. */
+  /** Returns the number in the variant of a property, or 0 if there is none. */
   std::int64_t GetNumber() const
   {
     Iterator outer;
@@ -193,7 +199,7 @@ private:
   Message* const Content;
 };
 
-/** A connection to the bus; every wait on it ends with `stop`. */
+/** A connection to the bus. All waits end when `stop` is set. */
 class Bus
 {
 public:
@@ -201,7 +207,7 @@ public:
     : Functions(library)
     , Stop(stop)
   {
-    library.ChangeSigpipe(0); // SIGPIPE belongs to the program
+    library.ChangeSigpipe(0); // keeps libdbus from changing SIGPIPE, which belongs to the program
     this->Wire = library.Open(address, nullptr);
   }
   ~Bus()
@@ -232,7 +238,7 @@ public:
   }
 
 private:
-  /** Calls a method. `arguments` are pairs of a type and a pointer. */
+  /** Calls a method. `arguments` are pairs of a type and a pointer to the value. */
   template <typename... Arguments>
   Reply Call(const char* service, const char* path, const char* interface, const char* method,
     Arguments... arguments)
@@ -243,7 +249,7 @@ private:
     PendingCall* call = nullptr;
     if (message)
     {
-      // Await has the time limit: libdbus has one only with a main loop.
+      // Await() limits the time, because libdbus itself can do so only with a main loop.
       if (this->Functions.Append(message, arguments..., None))
       {
         this->Functions.Send(this->Wire, message, &call, NoTimeLimit);
@@ -280,7 +286,10 @@ private:
   Connection* Wire = nullptr;
 };
 
-/** Sets how long (us) a real-time thread of this process may compute without a pause. */
+/**
+ * Sets how long (us) a real-time thread of this process may compute without a pause. Returns false
+ * if the system refuses.
+ */
 bool LimitTime(std::int64_t most) noexcept
 {
   rlimit limit{};

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * RealtimeKit, a service of Linux desktops that gives a real-time class to threads of users who are
- * logged in at the computer.
+ * RealtimeKit, a service of Linux desktops that grants a real-time class to threads of users who
+ * are logged in at the computer.
  *
- * Requests go over D-Bus: the system bus, or the bus at $DBUS_SYSTEM_BUS_ADDRESS. The library
- * libdbus-1.so.3 is loaded when it is needed; without the library, a bus or the service, the thread
- * stays as it is. $VOLUMEHAPTICS_RTKIT=off sends no request.
+ * Requests are sent over D-Bus, either to the system bus or to the bus at $DBUS_SYSTEM_BUS_ADDRESS.
+ * The library libdbus-1.so.3 is loaded when it is needed. Without the library, a bus or the
+ * service, the thread's class does not change. If $VOLUMEHAPTICS_RTKIT is "off", no request is
+ * sent.
  *
- * RealtimeKit only serves a process that the kernel ends if one of its real-time threads computes
- * for too long without a pause, as a rule for 200 ms. So the limit RLIMIT_RTTIME of the process is
- * lowered, for good, to the time that the service reports. After half of it the process gets
- * SIGXCPU, so that it can still send zero force.
+ * RealtimeKit requires a limit on how long a real-time thread may compute without a pause, as a
+ * rule 200 ms; the kernel ends a process that exceeds it. So the process's limit RLIMIT_RTTIME is
+ * lowered permanently to the time that the service reports. After half of this time, the process
+ * receives SIGXCPU, so that it can still send zero force.
  */
 #ifndef RealtimeKit_h
 #define RealtimeKit_h
@@ -29,28 +30,28 @@ namespace RealtimeKit
 enum class Answer : std::uint8_t
 {
   Granted,
-  Absent, ///< there is no library, bus or service, or requests are off
-  Refused ///< the service refused or did not answer
+  Absent, ///< there is no library, bus or service, or requests are switched off
+  Refused ///< the service refused, or did not answer
 };
 
-/** The user's settings for RealtimeKit, from environment variables. */
+/** Settings for RealtimeKit from environment variables. */
 struct Wish
 {
   bool IsAsked = true;
-  std::string Bus; ///< the bus's address
+  std::string Bus; ///< address of the bus
 };
 
 /**
- * Reads the settings. Call it from a thread that may read the environment: on many systems the
- * process crashes if another thread changes a variable meanwhile, as a script may do once the servo
- * runs.
+ * Reads the settings. Must be called from a thread that may read the environment: on many systems
+ * the process crashes if another thread changes a variable meanwhile, as a script may do when the
+ * servo runs already.
  */
 Wish ReadEnvironment();
 
 /**
- * Requests a real-time class for a thread of this process, given by the kernel's thread number.
- * Waits at most 10 s for each of three answers of the service, which may have to be started.
- * Returns within milliseconds once `stop` is set.
+ * Requests a real-time class for a thread of this process. `thread` is the kernel's number of the
+ * thread. Waits at most 10 s for each of the service's three answers, because the service may have
+ * to be started. Returns within milliseconds when `stop` is set.
  */
 Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept;
 

@@ -38,7 +38,7 @@ void SleepUntil(std::int64_t time) noexcept
   timespec wake{};
   wake.tv_sec = time / Second;
   wake.tv_nsec = time % Second;
-  // A signal that is handled on this thread must not shorten a tick.
+  // Sleep on after a signal that was handled on this thread, so that it does not shorten the tick.
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR)
   {
   }
@@ -48,7 +48,7 @@ void BlockSignals() noexcept
 {
   sigset_t others;
   sigfillset(&others);
-  // If the thread blocks its own crash signals, no handler can end the force before the process
+  // Crash signals must not be blocked, because a handler has to end the force before the process
   // ends.
   for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
   {

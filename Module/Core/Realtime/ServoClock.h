@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The clock of the servo loop, the signals of its thread, and the number of its process.
+ * The clock of the servo loop, the signals that its thread handles, and the number of its process.
  */
 #ifndef ServoClock_h
 #define ServoClock_h
@@ -25,13 +25,17 @@ inline double SecondsSince(std::int64_t time) noexcept
 {
   return static_cast<double>(Now() - time) * SecondsPerNanosecond;
 }
-/** Sleeps until a time of Now(); returns at once if that time has passed. */
+/** Sleeps until a time of Now(). Returns at once if the time has passed. */
 void SleepUntil(std::int64_t time) noexcept;
-/** Leaves the process's signals to other threads, except crash signals of the calling thread. */
+/**
+ * Blocks the process's signals in the calling thread, so that other threads handle them. Does not
+ * block the signals of the thread's own crashes.
+ */
 void BlockSignals() noexcept;
 /**
- * Returns the number of this process. A forked child has copies of all objects but none of the
- * threads, so the child must not wait for threads; and the devices belong to the parent.
+ * Returns the number of this process. A forked child must recognize itself by it: it has copies of
+ * all objects, but no other threads, so it must not wait for threads, and the devices belong to the
+ * parent.
  */
 std::int64_t GetProcess() noexcept;
 

@@ -21,12 +21,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How often AskRealtimeKit checks whether Raise was called (ns). */
+/** Pause (ns) between two checks in AskRealtimeKit() whether Raise() was called. */
 constexpr std::int64_t LookPeriod = 5000000;
 
 #if defined(__linux__)
 
-/** The shortest time slice that the kernel grants (ns). */
+/** Shortest time slice (ns) that the kernel grants. */
 constexpr std::uint64_t ShortestSlice = 100000;
 
 /** The first version of the kernel's struct sched_attr, which older C libraries lack. */
@@ -37,7 +37,7 @@ struct SchedulingAttributes
   std::uint64_t Flags = 0;
   std::int32_t Nice = 0;
   std::uint32_t Priority = 0;
-  std::uint64_t Slice = 0; ///< ns; sched_runtime, which kernels before 6.12 ignore
+  std::uint64_t Slice = 0; ///< sched_runtime in ns, which kernels before 6.12 ignore
   std::uint64_t Deadline = 0;
   std::uint64_t Period = 0;
 };
@@ -84,7 +84,7 @@ bool ServoPriority::RaiseThread() noexcept
   prctl(PR_SET_TIMERSLACK, 1UL); // ns
 #endif
 #if defined(__unix__)
-  // The kernel's own interrupt threads have priority 50 and must run first.
+  // Priority below that of the kernel's interrupt threads (50), so that these run first.
   constexpr int wanted = 40;
   sched_param parameters{};
   parameters.sched_priority = wanted;

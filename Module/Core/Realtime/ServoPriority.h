@@ -33,10 +33,10 @@ namespace VolumeHaptics
 enum class RealTimeGrant : std::uint8_t
 {
   Unknown,     ///< not requested yet
-  Asked,       ///< the kernel has refused; RealtimeKit has not answered
+  Asked,       ///< the kernel has refused, and RealtimeKit has not answered yet
   Kernel,      ///< granted by the kernel
   RealtimeKit, ///< granted by RealtimeKit
-  NoService,   ///< refused by the kernel, and there is no RealtimeKit
+  NoService,   ///< refused by the kernel; there is no RealtimeKit
   Refused      ///< refused by the kernel and by RealtimeKit
 };
 
@@ -44,16 +44,17 @@ class ServoPriority
 {
 public:
   /**
-   * Requests a real-time class for the calling thread, below the kernel's interrupt threads. If the
-   * request is refused, sets what needs no privilege. Returns whether the class was granted.
+   * Requests a real-time class for the calling thread, with a priority below the kernel's interrupt
+   * threads. If the request is refused, makes the settings that need no privilege. Returns whether
+   * the class was granted.
    */
   static bool RaiseThread() noexcept;
 
-  /** Calls RaiseThread on the servo's thread, and stores the answer. */
+  /** Calls RaiseThread() and stores its answer. Call it on the servo's thread. */
   void Raise() noexcept;
   /**
-   * Waits on another thread for Raise; if the kernel has refused, asks RealtimeKit. Returns after
-   * RealtimeKit's answer, or soon after RequestStop.
+   * Waits for Raise() and, if the kernel has refused, asks RealtimeKit. Call it on another thread.
+   * Returns after RealtimeKit's answer, or soon after RequestStop().
    */
   void AskRealtimeKit() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
@@ -61,10 +62,11 @@ public:
   RealTimeGrant GetGrant() const noexcept { return this->Grant.load(std::memory_order_acquire); }
 
 private:
-  /** The environment's settings, read by the thread that makes this object. */
+  /** Settings from the environment. The thread that makes this object reads them. */
   const RealtimeKit::Wish Environment = RealtimeKit::ReadEnvironment();
   std::atomic<RealTimeGrant> Grant{ RealTimeGrant::Unknown };
-  std::atomic<std::int64_t> Thread{ 0 }; ///< the kernel's number of the servo's thread
+  /** The kernel's number of the servo's thread; 0 before Raise(). */
+  std::atomic<std::int64_t> Thread{ 0 };
   std::atomic<bool> StopRequested{ false };
 };
 

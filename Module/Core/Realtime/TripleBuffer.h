@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes the latest value from one thread to another, without waiting on either side.
+ * Passes the latest value from one thread to another, without either thread having to wait.
  *
- * Three slots: one that the writer fills, one that the reader reads, and a spare in between that
- * holds the latest complete value. Each side swaps its own slot with the spare in one atomic
- * exchange, so that neither ever touches the other's slot.
+ * There are three slots: one that the writer fills, one that the reader reads, and a spare one that
+ * holds the latest complete value. Each thread exchanges its own slot with the spare one in one
+ * atomic operation, so that it never touches the other thread's slot.
  */
 #ifndef TripleBuffer_h
 #define TripleBuffer_h
@@ -38,8 +38,8 @@ public:
   }
 
   /**
-   * Called by the reader: returns whether a value came since the last call. The latest value stays
-   * readable.
+   * Exchanges the slots if there is a new value. Returns whether there was one. Called by the
+   * reader. The latest value can be read again and again.
    */
   bool Update() noexcept
   {
@@ -59,7 +59,7 @@ private:
   static constexpr std::uint8_t Index = 3;
   static constexpr std::uint8_t Fresh = 4;
 
-  // A slot in cache lines of its own, so that the two sides do not slow each other down.
+  // A slot with cache lines of its own, so that the two threads do not slow each other down.
   struct alignas(64) Padded
   {
     T Value{};

@@ -22,11 +22,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest delay (ns) that the watcher accepts. */
+/** Longest delay (ns) of the sleeper that the watcher accepts. */
 constexpr std::int64_t MostPatience = 300000;
 /**
- * The watcher's shortest and longest pause between two checks (ns), so that it uses little of its
- * processor, and soon sees a request to stop.
+ * Shortest and longest pause (ns) of the watcher between two checks. The watcher pauses to use
+ * little of its processor, and not longer than this to react soon to a request to stop.
  */
 constexpr std::int64_t LeastPause = 250000;
 constexpr std::int64_t MostPause = 5000000;
@@ -38,8 +38,8 @@ constexpr long FutexCall = SYS_futex;
 #endif
 
 /**
- * Reads the processors on which a thread may run; 0 is the calling thread. Returns false if the
- * kernel does not report them.
+ * Reads on which processors a thread may run. `thread` is 0 for the calling thread. Returns false
+ * if the kernel does not report them.
  */
 bool GetProcessors(std::int64_t thread, cpu_set_t& processors) noexcept
 {
@@ -76,7 +76,7 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   this->Processor.store(sched_getcpu(), std::memory_order_relaxed);
   std::uint32_t wakes = this->Wakes.load(std::memory_order_acquire);
   this->Planned.store(planned, std::memory_order_release);
-  // A signal, or a watcher that is late itself, may wake the thread up too early.
+  // Sleep on if a signal, or a watcher that is late itself, has woken the thread too early.
   while (ServoClock::Now() < planned)
   {
     if (syscall(FutexCall, &this->Wakes, FUTEX_WAIT_BITSET_PRIVATE, wakes, &end, nullptr,
@@ -92,7 +92,7 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   if (this->State.load(std::memory_order_relaxed) == bound &&
     this->State.compare_exchange_strong(bound, Binding::Ending, std::memory_order_acquire))
   {
-    this->GiveBack(); // if this fails, the watcher gives the processors back
+    this->GiveBack(); // if this fails, the watcher restores the processors
     this->State.store(Binding::None, std::memory_order_release);
   }
 }
@@ -103,7 +103,7 @@ void WatchedSleep::Watch() noexcept
   cpu_set_t own;
   if (!GetProcessors(0, own))
   {
-    return; // too many processors
+    return; // there are too many processors
   }
   std::int64_t counted = 0;
   while (!this->StopRequested.load(std::memory_order_acquire))
@@ -126,7 +126,7 @@ void WatchedSleep::Watch() noexcept
 }
 
 /**
- * Moves the watcher to a processor other than the sleeper's, on which the sleeper may run. Returns
+ * Moves the watcher to another processor than the sleeper's, on which the sleeper may run. Returns
  * false if there is none.
  */
 bool WatchedSleep::StandApart() noexcept
@@ -151,7 +151,10 @@ bool WatchedSleep::StandApart() noexcept
   return isApart;
 }
 
-/** Wakes the sleeper up on the watcher's processor, if the sleeper may run there. */
+/**
+ * Wakes the sleeper on the watcher's processor if the sleeper may run there. Returns whether the
+ * sleeper was bound to this processor.
+ */
 bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
 {
   const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
@@ -174,13 +177,16 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
     this->Wakes.fetch_add(1, std::memory_order_release);
     syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
   }
-  // Also if State is None again: the sleeper may have checked before the binding took effect.
+  // The binding must be ended even if State is None again, because the sleeper may have checked
+  // State before the binding took effect.
   this->IsOwing = true;
   this->EndBinding();
   return isBound;
 }
 
-/** Ends the binding; the watcher calls this until it succeeds. */
+/**
+ * Ends the binding if the sleeper has not done so. The watcher calls this again until it succeeds.
+ */
 void WatchedSleep::EndBinding() noexcept
 {
   if (this->IsOwing && this->GiveBack())
@@ -192,8 +198,8 @@ void WatchedSleep::EndBinding() noexcept
 }
 
 /**
- * Restores the sleeper's processors. Both threads may call this at the same time, with the same
- * effect. Returns true if the sleeper is no longer bound.
+ * Restores the sleeper's processors. Both threads may call this at the same time; the effect is the
+ * same. Returns whether the sleeper is no longer bound.
  */
 bool WatchedSleep::GiveBack() const noexcept
 {
@@ -201,7 +207,7 @@ bool WatchedSleep::GiveBack() const noexcept
   cpu_set_t now;
   if (!GetProcessors(sleeper, now))
   {
-    return errno == ESRCH; // the sleeper's thread has ended
+    return errno == ESRCH; // true if the sleeper's thread has ended
   }
   return !CPU_EQUAL(&now, &this->Here) || SetProcessors(sleeper, this->Allowed);
 }

@@ -44,29 +44,30 @@ namespace VolumeHaptics
 class WatchedSleep
 {
 public:
-  /** `period` is the time between two ticks (ns). */
+  /** @param period the time between two ticks (ns) */
   explicit WatchedSleep(std::int64_t period) noexcept;
 
-  /** Sleeps until a time of ServoClock::Now(), never shorter. */
+  /** Sleeps at least until a time of ServoClock::Now(). */
   void SleepUntil(std::int64_t time) noexcept { this->SleepUntil(time, time); }
   /**
-   * Sleeps with an alarm that comes too late, so that only a watcher can wake the sleeper in time.
-   * For tests.
+   * Sleeps with an alarm at `alarm`. If that is later than `planned`, only a watcher can wake the
+   * sleeper in time. For tests.
    */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
   /**
-   * Watches the sleeper until RequestStop, which holds for good. Called by one thread, which gets
-   * the priority of a servo (ServoPriority::RaiseThread) and leaves the sleeper's processor.
+   * Watches the sleeper until RequestStop(), which can't be undone. Called by one thread. This
+   * thread gets the priority of a servo (ServoPriority::RaiseThread) and leaves the sleeper's
+   * processor.
    */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
 
-  /** Returns the number of sleeps that a watcher has tried to end. */
+  /** Returns the number of sleeps that the watcher has tried to end. */
   std::uint64_t GetRescues() const noexcept { return this->Rescues.load(); }
 
 private:
-  /** The planned end of the sleep (ns); 0 while the thread is awake. */
+  /** Planned end of the sleep (ns); 0 while the thread is awake. */
   std::atomic<std::int64_t> Planned{ 0 };
   std::atomic<std::uint64_t> Rescues{ 0 };
   std::atomic<bool> StopRequested{ false };
@@ -75,9 +76,9 @@ private:
   /** Whether the sleeper is bound to the watcher's processor. */
   enum class Binding : std::uint8_t
   {
-    None,  ///< set by either; the watcher changes Allowed and Here in this state only
-    Bound, ///< set by the watcher before it binds
-    Ending ///< set by the sleeper, which reads Allowed and Here in this state only
+    None,  ///< set by either thread; only in this state, the watcher may change Allowed and Here
+    Bound, ///< set by the watcher before it binds the sleeper
+    Ending ///< set by the sleeper, which reads Allowed and Here only in this state
   };
 
   bool StandApart() noexcept;
@@ -85,16 +86,17 @@ private:
   void EndBinding() noexcept;
   bool GiveBack() const noexcept;
 
-  const std::int64_t Patience;            // ns; the sleeper is woken up if it is this late
+  const std::int64_t Patience;            // delay (ns) after which the watcher wakes the sleeper
   std::atomic<std::int64_t> Sleeper{ 0 }; // the kernel's number of the sleeping thread
-  std::atomic<int> Processor{ -1 };       // the processor on which the sleeper fell asleep
-  std::atomic<std::uint32_t> Wakes{ 0 };  // the word that the sleeper waits on
+  std::atomic<int> Processor{ -1 };       // processor on which the sleeper fell asleep
+  std::atomic<std::uint32_t> Wakes{ 0 };  // the futex word that the sleeper waits for
   std::atomic<Binding> State{ Binding::None };
-  cpu_set_t Allowed{}; // the processors on which the sleeper may run
-  cpu_set_t Here{};    // the processor to which the sleeper is bound
+  cpu_set_t Allowed{}; // processors on which the sleeper may run
+  cpu_set_t Here{};    // processor to which the sleeper is bound
   ///@{
   /**
-   * Used by the watcher only: whether it has to end a binding, and the processor that it has left.
+   * Data of the watcher alone: whether it must still end a binding, and the processor that it has
+   * left.
    */
   bool IsOwing = false;
   int Left = -1;
