@@ -33,12 +33,12 @@ namespace VolumeHaptics
 namespace
 {
 
-// The manifest of actions of VTK 9.2 to 9.7 has an action "haptic", but none of the bindings beside
-// it binds this action to a motor: OpenXR then accepts each vibration, and nothing vibrates.
+// In VTK 9.2 to 9.7, the manifest of actions has an action "haptic", but no binding beside it binds
+// the action to a motor. OpenXR then accepts each vibration, and nothing vibrates.
 
 constexpr std::size_t LargestManifest = 1 << 20; // bytes; VTK's manifests have some thousand
 
-/** Profiles of OpenXR 1.0 and its extensions with an output/haptic in each hand. */
+/** The profiles of OpenXR 1.0 and its extensions that have an output/haptic for each hand. */
 constexpr std::array<const char*, 8> ProfilesWithMotors{
   "/interaction_profiles/bytedance/pico_neo3_controller",
   "/interaction_profiles/hp/mixed_reality_controller", "/interaction_profiles/htc/vive_controller",
@@ -80,7 +80,10 @@ bool Write(const std::string& file, const Json::Value& root, std::string& error)
   return replacement.Commit(error);
 }
 
-/** Returns a member of an object as an array or an object; empties it if it is something else. */
+/**
+ * Returns a member of an object that has to be an array or an object. If it has another type,
+ * replaces it by an empty one.
+ */
 Json::Value& Member(Json::Value& object, const char* name, Json::ValueType type)
 {
   Json::Value& member = object[name];
@@ -145,10 +148,11 @@ void Bind(Json::Value& binding, const std::string& action)
 }
 
 /**
- * Copies a manifest and its bindings into a folder, which is made if it is missing, and binds the
- * action to the motors of both hands' controllers wherever OpenXR's specification gives a profile
- * such motors and nothing else is bound to them. False, with the reason and the cure, if a file
- * can't be read or written; some of the files may then be written.
+ * Copies a manifest and its bindings into a folder, and binds the action to the motors of both
+ * hands' controllers. A motor is bound if OpenXR's specification gives the controller's profile
+ * such a motor, and if nothing else is bound to it. A missing folder is made. Returns false and
+ * writes the reason and the cure to `error` if a file can't be read or written; some of the files
+ * may have been written then.
  */
 bool BindVibration(const std::string& manifest, const std::string& action,
   const std::string& folder, std::string& error)
@@ -202,7 +206,7 @@ namespace
 
 constexpr int AmplitudeSteps = 255;
 
-/** Reads a controller's pose from an event; false if a number is not finite. */
+/** Reads a controller's pose from an event. Returns false if a number is not finite. */
 bool ReadPose(const vtkEventDataDevice3D& event, double reach, double tip[3], double wxyz[4])
 {
   double direction[3];
@@ -234,7 +238,7 @@ struct vtkHapticXRController::vtkInternals
   vtkNew<vtkCallbackCommand> Observer;
   double Pending = 0.0; ///< largest amplitude since the last one that was sent
   std::int64_t SentAt = 0;
-  bool WasRefused = false; ///< the refusal was reported
+  bool WasRefused = false; ///< whether a refusal was reported
 };
 
 //------------------------------------------------------------------------------
@@ -349,7 +353,7 @@ void vtkHapticXRController::Handle(unsigned long event, void* data)
   auto* const room = vtkRenderWindowInteractor3D::SafeDownCast(this->Internals->Interactor);
   double tip[3];
   double wxyz[4];
-  // A controller that is out of sight may have any pose.
+  // Check for finite numbers, because a controller that is out of sight may have any pose.
   if (ReadPose(*pose, this->Reach * (room ? room->GetPhysicalScale() : 1.0), tip, wxyz))
   {
     device->GetVirtualHand()->SetPosition(tip);
@@ -370,7 +374,7 @@ void vtkHapticXRController::UpdateInFrame()
   const double amplitude = static_cast<double>(steps) / AmplitudeSteps;
   const bool isSame = amplitude == this->Amplitude;
   const bool isDue = Vibration::IsDue(isSame, steps == 0, ServoClock::SecondsSince(d.SentAt));
-  // The amplitude of a frame that comes too early is kept.
+  // If the frame comes too early to send its amplitude, keep the amplitude for the next one.
   d.Pending = isSame || isDue ? 0.0 : d.Pending;
   if (isDue)
   {

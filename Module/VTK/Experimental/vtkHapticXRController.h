@@ -4,8 +4,9 @@
  * @class   vtkHapticXRController
  * @brief   a controller of a headset leads the tip, and vibrates when the force changes
  *
- * Lets a controller of a headset lead the tip of a device. It renders vibration, not force:
- * contact, texture and friction that sticks and slips are felt, but a constant force is not.
+ * Lets a controller of a headset lead the tip of a device. The controller vibrates instead of
+ * exerting a force, so that contact, texture and stick-slip friction are felt, but a constant force
+ * is not.
  *
  *   device->Open("vibration:xr");
  *   device->SetVolumeHaptics(filter);
@@ -17,14 +18,14 @@
  *
  * The interactor's Move3DEvent and Select3DEvent (or Button3DEvent) of the hand lead the tip, turn
  * the stylus and press its button. In each frame, at its RenderEvent, the device is updated
- * (vtkHapticDevice::UpdateState, as a headset's interactor has no timers) and the controller gets
- * the amplitude of vtkHapticVirtualHand::TakeVibration: at most every 10 ms, for 150 ms, and again
- * every 50 ms, so that it falls silent if the program stands still.
+ * (vtkHapticDevice::UpdateState), because a headset's interactor has no timers. The controller also
+ * gets the amplitude of vtkHapticVirtualHand::TakeVibration, at most every 10 ms. A vibration lasts
+ * 150 ms and is repeated every 50 ms, so that it ends soon if the program stands still.
  *
  * The vibration needs a library that was built with VTK's module RenderingOpenXR
- * (VolumeHaptics_USE_OPENXR), and an action that is bound to the controller's motor, see
- * WriteActions. Without them, and with headsets that are used through other interactors, the tip is
- * led all the same, and UserEvent announces each new amplitude (GetAmplitude) to the program.
+ * (VolumeHaptics_USE_OPENXR), and an action that is bound to the controller's motor: see
+ * WriteActions. Without them, or with another interactor, the controller still leads the tip, and
+ * UserEvent announces each new amplitude (GetAmplitude) to the program.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
  */
@@ -48,15 +49,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The device: "vibration:xr", or "virtual", which is led and does not vibrate. */
+  /**
+   * The device. It is opened as "vibration:xr", or as "virtual", which has a tip but does not
+   * vibrate.
+   */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
 
   ///@{
   /**
-   * Set the interactor of the headset's window. It is observed, and not kept alive; nullptr ends
-   * the observation and silences the controller.
+   * Set the interactor of the headset's window. It is observed, but not kept alive. nullptr ends
+   * the observation and the vibration.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
@@ -78,29 +82,30 @@ public:
 
   ///@{
   /**
-   * How far the tip is in front of the controller (m), 0 to 1. Default 0.05. The interactor's
-   * physical scale makes world units of it.
+   * The distance of the tip in front of the controller (m), 0 to 1. Default 0.05. The interactor's
+   * physical scale converts it to world units.
    */
   vtkSetClampMacro(Reach, double, 0.0, 1.0);
   vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
-  /** The action of the manifest by which controllers vibrate. Default "haptic", as VTK names it. */
+  /** The action of the manifest that makes controllers vibrate. Default "haptic", VTK's name. */
   vtkSetMacro(ActionName, std::string);
   vtkGetMacro(ActionName, std::string);
   ///@}
 
   /**
    * Copy a manifest of actions, such as VTK's vtk_openxr_actions.json, and the bindings beside it
-   * into a folder, and bind ActionName to the motors of both hands' controllers: the files of VTK
-   * 9.2 to 9.7 have the action and bind it to nothing, so that nothing vibrates. Before the
-   * interactor is initialized, give it the copy by its whole name (SetActionManifestFileName).
-   * False, with an error, if a file can't be read or written.
+   * into a folder, and bind ActionName to the motors of both hands' controllers. This is needed
+   * because the files of VTK 9.2 to 9.7 have the action but bind it to nothing, so that nothing
+   * vibrates. Before the interactor is initialized, pass the full name of the copy to its
+   * SetActionManifestFileName. Returns false and reports an error if a file can't be read or
+   * written.
    */
   bool WriteActions(const char* manifest, const char* folder);
 
-  /** Get whether the interactor is there and can make controllers vibrate. */
+  /** Get whether there is an interactor that can make controllers vibrate. */
   bool CanVibrate();
 
   /** Get the amplitude of the last vibration, 0 to 1. */

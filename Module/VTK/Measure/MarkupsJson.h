@@ -11,12 +11,12 @@
  * | distance, angle, path | Line, Angle, Curve |
  * | area | ClosedCurve along its longest border, with the triangles in the member volumeHaptics |
  *
- * What was felt at the control points is in `measurements`, as controlPointValues; a number that is
- * not known at each of them is left out. Lengths are in
- * millimetres or micrometres, and in the coordinate system of the world.
+ * What was felt at the control points is in `measurements`, as controlPointValues. A quantity that
+ * is not known at every control point is left out. Lengths are in millimetres or micrometres, and
+ * in the coordinate system of the world.
  *
- * ClosedCurves of other programs are read as paths that end where they begin. Planes, regions of
- * interest, and markups that lack points are left out, with a note.
+ * A ClosedCurve of another program is read as a path that ends where it begins. Planes, regions of
+ * interest, and markups that lack points are left out, and a note says so.
  */
 #ifndef MarkupsJson_h
 #define MarkupsJson_h
@@ -39,16 +39,16 @@ struct MarkupsFrame
 std::string WriteMarkups(const std::vector<Measurement>& measurements, const MarkupsFrame& frame);
 
 /**
- * Reads markups. False, with the reason and the cure, if the text is no file of markups. The notes
- * say what was left out, one in each line.
+ * Reads markups. Returns false and writes the reason and the cure to `error` if the text is no file
+ * of markups. `notes` gets a line for everything that was left out.
  */
 bool ReadMarkups(const std::string& text, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error);
 
-/** Name of this library's own member; the schema allows members that it does not name. */
+/** Name of this library's own member. The schema allows members that it does not name. */
 inline constexpr const char* OwnMember = "volumeHaptics";
 
-/** Names of the quantities that were felt, in the order of a sample. */
+/** Names of the quantities that are felt at a point, in the order of a sample. */
 inline constexpr const char* SampleNames[] = { "time", "force x", "force y", "force z",
   "surface value" };
 inline constexpr const char* SampleUnits[] = { "s", "N", "N", "N", "" };

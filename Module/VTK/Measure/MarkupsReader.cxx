@@ -15,25 +15,28 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether mirrored axes change a quantity: of what was felt, only forces have a direction. */
+/** Whether a quantity changes its sign when axes are mirrored: forces along x and y do. */
 bool IsMirrored(int number)
 {
   return number == 1 || number == 2;
 }
 
-/** Returns a path such as "markups[2].controlPoints[0].position", for errors. */
+/** Returns a path with an index, such as "markups[2].controlPoints[0].position", for errors. */
 std::string At(const std::string& path, Json::ArrayIndex i)
 {
   return path + "[" + std::to_string(i) + "]";
 }
 
-/** Thrown while reading; it never leaves ReadMarkups(). */
+/** The exception for faults of the text. It never leaves ReadMarkups(). */
 struct MarkupsError
 {
   std::string Text;
 };
 
-/** Returns a text, or the first text of a code such as ["mm", "UCUM", "millimeter"]. */
+/**
+ * Returns a text, or the first text of a code such as ["mm", "UCUM", "millimeter"]; `missing` if
+ * there is neither.
+ */
 std::string CodeOf(const Json::Value& value, const std::string& missing)
 {
   if (value.isString())
@@ -68,7 +71,7 @@ public:
     this->Scale = isSame ? 1.0 : meters / frame.MetersPerWorldUnit;
   }
 
-  /** Reads the points that are defined, with their labels and what was felt there. */
+  /** Reads the points that are defined, with their labels and with what was felt there. */
   void ReadControlPoints()
   {
     const Json::Value& all = this->Markup["controlPoints"];
@@ -98,7 +101,7 @@ public:
     }
   }
 
-  /** Reads the triangles of an area that this library wrote. */
+  /** Reads the triangles of an area from this library's own member. */
   void ReadTriangles()
   {
     const Json::Value& own = this->Markup[OwnMember];
@@ -140,7 +143,9 @@ private:
       this->Sign * this->Scale * position[1].asDouble(), this->Scale * position[2].asDouble() };
   }
 
-  /** Reads the lists that have a number for each control point; empty if there is none. */
+  /**
+   * Reads the lists that have a number for each control point; returns nothing if there are none.
+   */
   std::vector<MeasuredSample> ReadSamples(Json::ArrayIndex count) const
   {
     std::vector<MeasuredSample> samples;
@@ -173,7 +178,7 @@ private:
   double Scale = 1.0; ///< world units per unit of the file
 };
 
-/** Appends what a markup stands for; adds a note if it stands for nothing known. */
+/** Appends the measurements of a markup; adds a note if the markup is of no known kind. */
 void ReadMarkup(const Json::Value& markup, const std::string& path, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes)
 {

@@ -19,14 +19,14 @@ namespace
 {
 
 /**
- * Returns the points of the longest closed line along the border of an area (the edges that belong
- * to only one triangle), in order, without the first point again at the end. A closed surface has
- * no border; it gives its first triangle.
+ * Returns the longest closed line along the border of an area, as points in order; the first point
+ * is not repeated at the end. The border consists of the edges that belong to only one triangle.
+ * For a closed surface, which has no border, returns its first triangle.
  */
 std::vector<Vector3> ExtractBorder(const Measurement& area)
 {
   using Edge = std::pair<int, int>;
-  std::set<Edge> edges; // with the direction that triangles give them
+  std::set<Edge> edges; // directed as their triangles say
   for (const std::array<int, 3>& t : area.Triangles)
   {
     for (int i = 0; i < 3; ++i)
@@ -81,7 +81,7 @@ const char* ValueName(MeasuredKind kind)
   return kind == MeasuredKind::Angle ? "angle" : (kind == MeasuredKind::Area ? "area" : "length");
 }
 
-/** Returns as bits which quantities that were felt at a point are known. */
+/** Returns which felt quantities are known at a point, as bits. */
 int CollectKnown(const Measurement& point)
 {
   MeasuredSample sample = point.Samples.empty() ? MeasuredSample() : point.Samples[0];
@@ -99,7 +99,7 @@ public:
   explicit MarkupsWriter(const MarkupsFrame& frame)
     : Frame(frame)
     , IsMicro(ChooseLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
-    // The scale is exactly 1 for a world in these units.
+    // If the world is in these units, the scale must be exactly 1.
     , Scale(this->IsMicro || std::abs(frame.MetersPerWorldUnit - 1e-3) <= 1e-12
           ? 1.0
           : frame.MetersPerWorldUnit / 1e-3)
@@ -201,7 +201,7 @@ private:
   }
 
   /**
-   * Writes lists with a number for each point; a quantity that is unknown at any point is left out.
+   * Writes lists with a number for each point. Leaves out a quantity that is unknown at any point.
    */
   static void AddSamples(Json::Value& markup, std::vector<MeasuredSample> samples)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A measurement: points with a meaning, and the value that follows from them.
+ * A measurement: points of a kind, and the value that follows from them.
  */
 #ifndef Measurement_h
 #define Measurement_h
@@ -48,24 +48,27 @@ struct Measurement
   std::vector<std::array<int, 3>> Triangles; ///< triangles of an area
 
   /**
-   * Computes the value: world units, squared world units or degrees; for a point, the value that
-   * was felt there. NaN if there is none.
+   * Computes the value, in world units, square world units or degrees; for a point, returns the
+   * value that was felt there. Returns NaN if there is none.
    */
   double Measure() const;
 };
 
 /** Returns "Point", "Distance" and so on. */
 const char* GetKindName(MeasuredKind kind);
-/** Finds a kind by its name; false if there is no such kind; case does not matter. */
+/**
+ * Looks up a kind by its name; the case of letters does not matter. Returns false if there is no
+ * such kind.
+ */
 bool FindKind(std::string_view name, MeasuredKind& kind);
 
 /**
- * Returns the fault in the points of a measurement, and the cure; empty if there is none.
+ * Returns what is wrong with the points of a measurement, and the cure; empty if nothing is.
  * Coordinates have to be finite, and triangles must refer to existing points.
  */
 std::string DetectFault(const Measurement& measurement);
 
-/** Returns the number of points of a kind; 0 stands for any number, but at least one. */
+/** Returns the number of points that a kind has; 0 stands for any number above 0. */
 int CountPoints(MeasuredKind kind);
 
 } // namespace VolumeHaptics

@@ -53,14 +53,14 @@ enum Column
   Columns
 };
 
-/** Titles of the columns in the form that MakeKey() yields. */
+/** Titles of the columns, in the form that MakeKey() returns. */
 constexpr const char* Keys[Columns] = { "measurement", "name", "kind", "point", "x", "y", "z",
   "time", "forcex", "forcey", "forcez", "surfacevalue" };
 
 constexpr const char* Titles = "measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),"
                                "force y (N),force z (N),surface value\n";
 
-/** Lines of the table; unknown quantities are empty cells. */
+/** Writes the lines of the table. Unknown quantities are empty cells. */
 class TableLines
 {
 public:
@@ -111,7 +111,7 @@ std::string MakeHead(std::size_t number, const Measurement& measurement, double 
   return head.str();
 }
 
-/** Index of each column in the rows; -1 if it is missing. */
+/** The index of each column in the rows; -1 if the column is missing. */
 struct TableColumns
 {
   explicit TableColumns(const std::vector<std::string>& titles)
@@ -139,7 +139,7 @@ private:
   int Place[Columns];
 };
 
-/** Makes measurements of the rows that belong together. */
+/** Makes a measurement of the rows that belong together. */
 class TableReader
 {
 public:
@@ -243,8 +243,9 @@ private:
   const TableColumns Place;
   const bool AllowsCommas;
   std::string GroupOfLast;
-  std::map<std::string, std::size_t> PointOfId; ///< numbers of an area's points
-  std::vector<int> Corners;                     ///< corners of a triangle that is not complete yet
+  /** numbers of an area's points, by the names that the file gives them */
+  std::map<std::string, std::size_t> PointOfId;
+  std::vector<int> Corners; ///< corners of a triangle that is not complete yet
 };
 
 bool IsKnown(const MeasuredSample& sample)
@@ -252,7 +253,7 @@ bool IsKnown(const MeasuredSample& sample)
   return std::isfinite(sample.Time) || IsFinite(sample.Force) || std::isfinite(sample.SurfaceValue);
 }
 
-/** Writes a table. Numbers are restored exactly when it is read. */
+/** Writes a table. Numbers have enough digits to be restored exactly. */
 std::string WriteMeasurementTable(
   const std::vector<Measurement>& measurements, double metersPerWorldUnit)
 {
@@ -276,7 +277,7 @@ std::string WriteMeasurementTable(
   return lines.Get();
 }
 
-/** Reads a table. False, with the reason and the cure, if the text can't be read. */
+/** Reads a table. Returns false and writes the reason and the cure to `error` if that fails. */
 bool ReadMeasurementTable(
   std::string_view text, std::vector<Measurement>& measurements, std::string& error)
 {

@@ -12,10 +12,10 @@
  *   2,Distance 1,Distance,42.5,mm,0,...
  *   2,Distance 1,Distance,42.5,mm,1,...
  *
- * An area has a line for each corner of its triangles, one triangle after the other, and `point`
- * shows which corners are the same point. The columns measurement, name, kind, point and the
- * following ones are read; only x, y and z are needed. Lines belong together as long as
- * `measurement` stays the same; without it, each line is a point of its own.
+ * An area has a line for each corner of its triangles, one triangle after another; corners with the
+ * same `point` are one point. The columns measurement, name, kind, point and all columns after it
+ * are read; only x, y and z must exist. Consecutive lines with the same `measurement` belong
+ * together. Without that column, each line is a separate point.
  */
 #ifndef MeasurementFiles_h
 #define MeasurementFiles_h
@@ -29,13 +29,16 @@
 namespace VolumeHaptics
 {
 
-/** Writes the file completely or not at all; false, with the reason and the cure, on failure. */
+/**
+ * Writes the file completely or not at all. Returns false and writes the reason and the cure to
+ * `error` if that fails.
+ */
 bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& measurements,
   const MarkupsFrame& frame, std::string& error);
 
 /**
- * Reads a file. False, with the reason and the cure, if it can't be read. The notes say what was
- * left out.
+ * Reads a file. Returns false and writes the reason and the cure to `error` if that fails. `notes`
+ * says what was left out.
  */
 bool ReadMeasurements(const std::string& file, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error);

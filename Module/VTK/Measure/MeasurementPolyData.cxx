@@ -36,7 +36,10 @@ constexpr const char* NumberArray = "Measurement";
 constexpr const char* NameField = "MeasurementName";
 constexpr const char* KindField = "MeasurementKind";
 
-/** Whether any number is finite: VTK can't read back a file with an array in which none is. */
+/**
+ * Whether any number of an array is finite. VTK can't read a file with an array without finite
+ * numbers.
+ */
 bool HasNumber(vtkDoubleArray* array)
 {
   const double* const begin = array->GetPointer(0);
@@ -44,7 +47,7 @@ bool HasNumber(vtkDoubleArray* array)
     begin, begin + array->GetNumberOfValues(), [](double number) { return std::isfinite(number); });
 }
 
-/** Makes points and cells, with what was felt at the points. */
+/** Makes points and cells, and arrays of what was felt at the points. */
 class ShapeMaker
 {
 public:
@@ -127,7 +130,7 @@ bool IsVertex(const Measurement& measurement)
   return measurement.Points.size() == 1 && measurement.Triangles.empty();
 }
 
-/** Returns a point array by its name, if it has a tuple for each point. */
+/** Returns a point array by its name; null if it does not have a tuple for each point. */
 vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
 {
   vtkDataArray* const array = shape->GetPointData()->GetArray(name);
@@ -163,7 +166,7 @@ private:
   vtkDataArray* Values;
 };
 
-/** Drops the samples if nothing is known about any of them. */
+/** Removes the samples of a measurement if nothing is known at any of them. */
 void DropUnknown(Measurement& measurement)
 {
   const auto isKnown = [](const MeasuredSample& s)
@@ -195,7 +198,10 @@ void ReadTriangles(vtkPolyData* shape, Measurement& area)
   }
 }
 
-/** Finds which cells belong to which measurement, by the array of numbers. */
+/**
+ * Collects the cells of each measurement, by the array of numbers. Returns false and writes `error`
+ * if the array or a number is unusable.
+ */
 bool CollectCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
   std::string& error)
 {
@@ -221,13 +227,13 @@ bool CollectCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<v
   return true;
 }
 
-/** Reads the points of some cells; points that triangles share only once. */
+/** Reads the points of some cells. A point that triangles share is read only once. */
 Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtkIdType>& cells)
 {
   const ShapeSamples samples(all);
   Measurement read;
   read.Kind = kind;
-  std::vector<int> numberOf; // numbers of an area's points
+  std::vector<int> numberOf; // number of each point in the area; -1 if it has none yet
   numberOf.resize(
     kind == MeasuredKind::Area ? static_cast<std::size_t>(all->GetNumberOfPoints()) : 0, -1);
   vtkNew<vtkIdList> points;
@@ -262,7 +268,7 @@ Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtk
   return read;
 }
 
-/** Whether all cells refer to existing points, which VTK's readers do not check. */
+/** Whether all cells refer to existing points. VTK's readers do not check this. */
 bool HasPointsOfCells(vtkPolyData* all)
 {
   for (vtkCellArray* const cells :
@@ -344,7 +350,7 @@ void CopyToPolyData(
     units->InsertNextValue(GetUnit(measurement.Kind, metersPerWorldUnit));
     values->InsertNextValue(GetValue(measurement, metersPerWorldUnit));
   }
-  // A polydata numbers its vertices first, then its lines, then its triangles.
+  // Cells of a polydata are numbered by kind: vertices, then lines, then triangles.
   vtkNew<vtkIntArray> numbers;
   numbers->SetName(NumberArray);
   const auto count = static_cast<int>(measurements.size());

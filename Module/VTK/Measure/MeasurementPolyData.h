@@ -17,20 +17,26 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** Makes the shape of one measurement: a vertex, a line or triangles, with what was felt. */
+/**
+ * Makes the shape of one measurement: a vertex, a line or triangles, with point arrays of what was
+ * felt.
+ */
 void CopyShape(const Measurement& measurement, vtkPolyData* shape);
 
 /**
- * Reads the points of a shape in their order, or the triangles of an area, with Time, Force and
- * SurfaceValue of the points if the shape has them.
+ * Reads a measurement from a shape: for an area its triangles, otherwise its points in their order.
+ * Also reads the arrays Time, Force and SurfaceValue of the points if the shape has them.
  */
 Measurement ReadShape(MeasuredKind kind, vtkPolyData* shape);
 
-/** Writes all measurements, with names, values and units. */
+/** Writes all measurements to a polydata, with names, values and units. */
 void CopyToPolyData(
   const std::vector<Measurement>& measurements, double metersPerWorldUnit, vtkPolyData* all);
 
-/** Reads polydata. False, with the reason and the cure, if CopyToPolyData can't have made it. */
+/**
+ * Reads measurements from a polydata. Returns false and writes the reason and the cure to `error`
+ * if CopyToPolyData can't have made it.
+ */
 bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std::string& error);
 
 } // namespace VolumeHaptics

@@ -29,8 +29,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int BlockSize = 8; ///< voxels
-/** Distance beyond the radius that the surface may have from the hand (voxels). */
+constexpr int BlockSize = 8; ///< voxels along an axis of a block
+/** The largest distance between hand and surface, beyond the radius (voxels). */
 constexpr double Reach = 3.0;
 
 /** Returns the squared distance from a position to the line between two other positions. */
@@ -67,7 +67,7 @@ bool PaintedPatch::IsOf(vtkImageData* image) const
 template <typename F>
 void PaintedPatch::Visit(const Vector3& from, const Vector3& to, double distance, F&& visit)
 {
-  // Computes the box around both balls, in index coordinates.
+  // Compute the box around the balls at both positions, in index coordinates.
   double least[3];
   double most[3];
   std::fill_n(least, 3, std::numeric_limits<double>::max());
@@ -140,7 +140,7 @@ void PaintedPatch::Mesh(const Block& block, Part& part) const
     extent[2 * a] = whole[2 * a] + BlockSize * block[static_cast<std::size_t>(a)];
     extent[2 * a + 1] = std::min(extent[2 * a] + BlockSize, whole[2 * a + 1]);
   }
-  // Uses index coordinates of the whole image, so that the points on common borders of blocks are
+  // Use index coordinates of the whole image, so that the points on common borders of blocks are
   // equal to the bit.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent);
@@ -220,14 +220,14 @@ bool PaintedPatch::LeadTo(const Vector3& position)
   }
   const Vector3 to = *nearest;
   const Vector3 from = this->Last.value_or(to);
-  // Visits short pieces, so that no block far from the line is made.
+  // Visit the line in short pieces, so that no blocks far from it are made.
   const int pieces =
     1 + static_cast<int>(std::min(1e5, Norm(to - from) / (BlockSize * this->Voxel)));
   for (int piece = 0; piece < pieces; ++piece)
   {
     const Vector3 begin = from + (static_cast<double>(piece) / pieces) * (to - from);
     const Vector3 end = from + (static_cast<double>(piece + 1) / pieces) * (to - from);
-    // Adds one voxel for the triangles that the border cuts.
+    // Visit a voxel more, for the triangles through which the border goes.
     this->Visit(begin, end, this->Radius + this->Voxel,
       [&](Part& part)
       {
@@ -260,7 +260,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
     distances->SetName("Distance");
     for (const double squared : part.Distances)
     {
-      // Beyond the border, only its direct neighbours count.
+      // The value of a point far beyond the border does not matter, so limit it.
       distances->InsertNextValue(std::min(std::sqrt(squared), 1e3 * this->Radius));
     }
     vtkNew<vtkPolyData> shared;
@@ -292,7 +292,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
   {
     return cut;
   }
-  // A part that the brush has not reached along the surface is not painted.
+  // Remove parts that the brush has not reached along the surface.
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(triangles->GetOutput());
   locator->BuildLocator();
@@ -304,7 +304,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
     const double at[3] = { place.X, place.Y, place.Z };
     connected->AddSeed(locator->FindClosestPoint(at));
   }
-  vtkNew<vtkCleanPolyData> used; // drops points without triangles
+  vtkNew<vtkCleanPolyData> used; // removes points without triangles
   used->SetInputConnection(connected->GetOutputPort());
   used->PointMergingOff();
   used->Update();

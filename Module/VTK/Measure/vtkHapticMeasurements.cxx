@@ -40,14 +40,14 @@ constexpr std::size_t MostUndone = 100;
 //------------------------------------------------------------------------------
 struct vtkHapticMeasurements::vtkInternals
 {
-  /** Lists share the items that they have in common. */
+  /** A list of measurements. Lists share the items that they have in common. */
   using Item = std::shared_ptr<const Measurement>;
   using List = std::vector<Item>;
 
   List Items;
-  std::vector<List> Before; ///< earlier lists for Undo; the latest is at the end
+  std::vector<List> Before; ///< earlier lists, for Undo; the latest is the last
   std::vector<List> After;  ///< later lists for Redo
-  Measurement Unfinished;   ///< has no points if there is none
+  Measurement Unfinished;   ///< the measurement in progress; without points if there is none
 
   void Change(List items)
   {
@@ -74,7 +74,7 @@ struct vtkHapticMeasurements::vtkInternals
       [](const Item& item) { return *item; });
     return all;
   }
-  /** Appends a measurement. Returns its index, or -1 after an error. */
+  /** Appends a measurement. Returns its index; after an error, -1. */
   vtkIdType Append(vtkHapticMeasurements* self, Measurement added, const char* name)
   {
     const std::string fault = DetectFault(added);
@@ -90,7 +90,7 @@ struct vtkHapticMeasurements::vtkInternals
     self->Modified();
     return static_cast<vtkIdType>(this->Items.size()) - 1;
   }
-  /** Replaces the list by the list of a file or polydata; false after an error. */
+  /** Replaces the list by the measurements of a file or polydata. Returns false after an error. */
   bool Replace(vtkHapticMeasurements* self, std::vector<Measurement> all, const std::string& what)
   {
     List items;
@@ -130,7 +130,7 @@ struct vtkHapticMeasurements::vtkInternals
   }
 };
 
-// Returns from a function, with an error, if there is no such measurement.
+// Reports an error and returns from the function if there is no measurement with this index.
 #define vtkHapticMeasurementMacro(index, result)                                   \
   if (!this->Internals->Has(index))                                                \
   {                                                                                \

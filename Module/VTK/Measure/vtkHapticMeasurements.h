@@ -4,8 +4,8 @@
  * @class   vtkHapticMeasurements
  * @brief   points, distances, angles, paths and areas that were measured by touch
  *
- * Keeps a list of measurements, each with a name, points in the world, and a value that follows
- * from them. It needs neither a window nor a device:
+ * Keeps a list of measurements. Each has a name, points in the world, and a value that follows from
+ * the points. Neither a window nor a device is needed:
  *
  *   measurements->AddDistance(a, b);
  *   measurements->GetValue(0);                // 42.5
@@ -19,21 +19,22 @@
  * | PATH | any | the length of the line through them |
  * | AREA | any, of triangles | the total area of the triangles |
  *
- * Lengths and areas are in the unit of the world if that is mm, um, cm, m, nm or km, else in mm.
+ * Lengths and areas are in the unit of the world if that is mm, um, cm, m, nm or km, otherwise in
+ * mm.
  *
- * By hand, vtkInteractorStyleHaptic::SetMeasurements fills it with keys, and
+ * With vtkInteractorStyleHaptic::SetMeasurements, a user fills the list by keys;
  * vtkHapticMeasurementRepresentation shows it. Points placed by hand are positions of the proxy,
  * which a surface holds, not of the tip, which is inside. At a sharp edge, as in CT, the solver
  * PRECISE holds the proxy halfway up the edge, within a tenth of a voxel; at a gradual transition,
- * up to a kernel radius in front of what is felt. PAPER holds it some voxels in front of an edge,
- * SURFACE_PROXY its radius (SetProxyRadius) in front of the isosurface. A distance across a body is
- * too long by twice this gap.
+ * it holds the proxy up to a kernel radius in front of what is felt. PAPER holds the proxy some
+ * voxels in front of an edge, and SURFACE_PROXY holds it at its radius (SetProxyRadius) in front of
+ * the isosurface. The distance between opposite sides of a body is too long by twice this gap.
  *
- * Each point may carry what was felt there: the time (s), the force on the hand (N, world axes) and
- * the value in the surface.
+ * Each point may have what was felt there: the time (s), the force on the hand (N, world axes) and
+ * the value at the surface.
  *
- * Files, by their ending. ReadFile reads them back (a .mrk.json omits quantities that are not known
- * at every point):
+ * The ending of a file selects its format. ReadFile reads all formats (a .mrk.json omits quantities
+ * that are not known at every point):
  *
  * - .csv: a line for each point; the first line names the columns. Only x, y and z are needed;
  * - .vtp: see CopyToPolyData;
@@ -82,12 +83,12 @@ public:
 
   ///@{
   /**
-   * Append a measurement. Without a name it gets the next free one, such as "Distance 2". Returns
-   * its index, or -1, with an error, if its points can't be measured.
+   * Append a measurement. Without a name, it gets the next free name, such as "Distance 2". Returns
+   * its index. If its points can't be measured, returns -1 and reports an error.
    *
-   * AddMeasurement takes the points of a shape in their order, or for AREA its polygons, and the
+   * AddMeasurement reads the points of a shape in their order, or for AREA its polygons, and the
    * point arrays Time, Force (three components) and SurfaceValue, if the shape has them. A trace of
-   * vtkVolumeHapticsFilter is a path.
+   * vtkVolumeHapticsFilter can be added as a PATH.
    */
   vtkIdType AddPoint(const double x[3], const char* name = nullptr) VTK_SIZEHINT(x, 3);
   vtkIdType AddDistance(const double a[3], const double b[3], const char* name = nullptr)
@@ -104,16 +105,16 @@ public:
    * line joins the points of the surface that are nearest to the positions of the path; positions
    * farther away than the radius plus three voxels are skipped. Parts that no painted surface
    * connects with that line, such as the far side of a thin wall, are left out. A single position
-   * on a plane or sphere paints pi r^2. Returns -1, with an error, if an argument is unusable or
-   * nothing is painted.
+   * on a plane or sphere paints pi r^2. Returns -1 and reports an error if an argument is unusable
+   * or nothing is painted.
    */
   vtkIdType AddPaintedArea(vtkImageData* image, double isoValue, vtkPolyData* path, double radius,
     const char* name = nullptr);
 
   ///@{
   /**
-   * Read and edit the list. An index that does not exist is an error, and gives 0, nothing or
-   * false.
+   * Read and edit the list. For an index that does not exist, an error is reported, and 0, false or
+   * an empty text is returned.
    */
   vtkIdType GetNumberOfMeasurements();
   int GetKind(vtkIdType index);
@@ -126,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Get the value, NaN for a point where nothing was felt; its unit as in UCUM: "mm", "mm2", "deg"
-   * or empty; and name and value for people, such as "Distance 1: 42.5 mm".
+   * Get the value (NaN for a point where nothing was felt), its unit as in UCUM ("mm", "mm2", "deg"
+   * or empty), or name and value as users see them, such as "Distance 1: 42.5 mm".
    */
   double GetValue(vtkIdType index);
   std::string GetUnit(vtkIdType index);
@@ -135,7 +136,7 @@ public:
   ///@}
 
   ///@{
-  /** Get the points of a measurement (world). */
+  /** Get the points of a measurement (world): their number, and each point. */
   vtkIdType GetNumberOfPoints(vtkIdType index);
   void GetPoint(vtkIdType index, vtkIdType point, double x[3]) VTK_SIZEHINT(x, 3);
   ///@}
@@ -148,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Undo the last change of the list, and redo it. False if there is no such change. 100 changes
-   * are kept.
+   * Undo the last change of the list, or redo the last undone one. Return false if there is none.
+   * The last 100 changes are kept.
    */
   bool Undo();
   bool Redo();
@@ -157,9 +158,9 @@ public:
 
   ///@{
   /**
-   * Set what is being measured now, for displays: the points, the path or the area so far. It
-   * belongs neither to the list nor to the files, and Undo ignores it; nullptr ends it. The text
-   * gives the value so far and what is missing, such as "Distance: 1 of 2 points".
+   * Set the measurement in progress, for displays: the points, the path or the area so far. It is
+   * not in the list or in files, and Undo ignores it; nullptr ends it. The text shows the value so
+   * far and what is missing, such as "Distance: 1 of 2 points".
    */
   void SetUnfinished(int kind, vtkPolyData* shape);
   void GetUnfinished(vtkPolyData* shape);
@@ -172,8 +173,8 @@ public:
    * Copy all measurements to polydata: vertices, lines and triangles with the cell array
    * Measurement (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is
    * known; and the field arrays MeasurementName, MeasurementKind, MeasurementValue and
-   * MeasurementUnit. ReadPolyData replaces the list by such polydata; false, with an error and no
-   * change, for any other polydata.
+   * MeasurementUnit. ReadPolyData replaces the list by the measurements of such polydata. For any
+   * other polydata, it returns false, reports an error and changes nothing.
    */
   void CopyToPolyData(vtkPolyData* data);
   bool ReadPolyData(vtkPolyData* data);
@@ -181,8 +182,9 @@ public:
 
   ///@{
   /**
-   * Write the list to a file, or replace the list by a file's list. An existing file is replaced
-   * only when the whole new one is on the disk. False, with an error and no change, on failure.
+   * Write the list to a file, or replace the list by the list of a file. An existing file is
+   * replaced only after the whole new file is on the disk. If that fails, these return false,
+   * report an error and change nothing.
    */
   bool WriteFile(VTK_FILEPATH const char* path);
   bool ReadFile(VTK_FILEPATH const char* path);
@@ -190,7 +192,7 @@ public:
 
   ///@{
   /**
-   * What the world's axes point to, for files of 3D Slicer. LPS (default): to a patient's left,
+   * The directions of the world's axes, for files of 3D Slicer. LPS (default): to a patient's left,
    * posterior and superior. RAS: to the right, anterior and superior.
    */
   vtkSetClampMacro(CoordinateSystem, int, LPS, RAS);

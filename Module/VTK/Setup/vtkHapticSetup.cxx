@@ -38,12 +38,12 @@
 #include <string>
 #include <vector>
 
-// Passes a setting of an object under VTK's name.
+// Saves or loads a setting of an object, with VTK's name of the setting as its key.
 #define PassNumberMacro(node, object, name, range)       \
   (node).Number(                                         \
     #name, range, [=] { return (object)->Get##name(); }, \
     [=](double number) { (object)->Set##name(number); })
-// Passes a component's setting under VTK's name.
+// Saves or loads a setting of an object's component, with VTK's name of the setting as its key.
 #define PassComponentMacro(node, object, component, name, range)  \
   (node).Number(                                                  \
     #name, range, [=] { return (object)->Get##name(component); }, \
@@ -73,7 +73,7 @@ const LabelNumber LabelNumbers[] = {
     &vtkHapticLabelTable::GetSpecificEnergy },
 };
 
-/** Whether a text is a label as std::to_string writes it. */
+/** Reads a label. Returns false unless the text is written as std::to_string writes the label. */
 bool ReadLabel(const std::string& text, int& label)
 {
   const char* const end = text.data() + text.size();
@@ -81,7 +81,7 @@ bool ReadLabel(const std::string& text, int& label)
   return error == std::errc() && stop == end && std::to_string(label) == text;
 }
 
-/** Passes the settings of a label; writing leaves out settings that are not set. */
+/** Saves or loads the settings of a label. Settings that are not set are not saved. */
 void PassLabel(
   SetupNode row, int label, vtkHapticLabelTable* table, bool hasFelt, bool hasForbidden)
 {
@@ -127,7 +127,7 @@ void PassLabel(
 
 void WriteTable(SetupNode node, vtkHapticLabelTable* table)
 {
-  // The field data show which flags are set: -1 stands for a flag that is not set.
+  // Look at the field data, because only there -1 shows that a flag is not set.
   vtkNew<vtkFieldData> data;
   table->WriteFieldData(data);
   vtkDataArray* const felt = data->GetArray("LabelFelt");
@@ -156,8 +156,8 @@ void ReadTable(SetupNode node, vtkHapticLabelTable* table)
 
 //------------------------------------------------------------------------------
 /**
- * Passes the entry Labels of the section Haptics: stand-off and labels of the filter's table. A
- * filter without a table writes no entry, and gets a table if the file has the entry.
+ * Saves or loads the entry Labels of the section Haptics: stand-off and labels of the filter's
+ * table. A filter without a table saves no entry. It gets a table if the file has the entry.
  */
 void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -182,7 +182,7 @@ void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
     node.Then([=] { table->RemoveAllLabels(); });
     ReadTable(node.Child("Table"), table);
   }
-  // Compares at once, so that a table that is already equal is not modified.
+  // Copy the whole table at once, because DeepCopy() does not modify a table that is already equal.
   node.Then(
     [=]
     {
@@ -196,7 +196,10 @@ void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 
 using ModeRow = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
-/** Passes the kind of a mode by `get`; -1 if a file has none. */
+/**
+ * Saves the kind of a mode, which `get` returns, or loads it. Returns the kind; -1 if the file has
+ * none.
+ */
 int PassKind(SetupNode& node, const std::function<int()>& get)
 {
   std::vector<const char*> names;
@@ -207,7 +210,7 @@ int PassKind(SetupNode& node, const std::function<int()>& get)
   return node.Choice("Kind", names, get, [](int) {});
 }
 
-/** Whether a setting of vtkHapticMode belongs to a mode's kind. */
+/** Whether a setting of vtkHapticMode is used by the mode's kind. */
 bool HasSetting(vtkHapticMode* mode, const std::string& name)
 {
   const auto& own = GetModeKind(mode).Settings;
@@ -250,9 +253,9 @@ void WriteModes(SetupNode& modes, vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Passes the entry Modes of the section Haptics. A filter without modes writes no entry; an entry
- * in a file replaces the filter's modes. Paths, surfaces and distance fields of guides are data,
- * which setups do not hold: a guide that stays at its place in the list keeps them.
+ * Saves or loads the entry Modes of the section Haptics. A filter without modes saves no entry. An
+ * entry in a file replaces the filter's modes. Paths, surfaces and distance fields of guides are
+ * data, which setups do not contain, so a guide keeps them if it stays at its place in the list.
  */
 void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -310,8 +313,8 @@ void PassModes(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Passes the entry Tool of the section Haptics, with its Kind, its settings and its functions. A
- * filter without a tool writes no entry; an entry in a file replaces the filter's tool.
+ * Saves or loads the entry Tool of the section Haptics: its Kind, settings and functions. A filter
+ * without a tool saves no entry. An entry in a file replaces the filter's tool.
  */
 void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 {
@@ -357,7 +360,8 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   PassMaterials(node, [filter] { return filter->GetProperty(); });
-  // This setup could not restore the visibility from another volume property.
+  // A visibility from another volume property is not saved, because this setup could not restore
+  // it.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)
   {
@@ -376,9 +380,9 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
 }
 
 /**
- * Sets the view up of a camera to the digits in the file. vtkCamera normalizes the vector that it
- * is given, which changes the last digit of most unit vectors; the file has a normalized one, so
- * its digits are set directly.
+ * Sets the view up of a camera to exactly the numbers in a file. vtkCamera normalizes the vector
+ * again, which changes the last digit of most unit vectors. The file's vector is normalized
+ * already, so its numbers are set directly.
  */
 struct CameraAccess : vtkCamera
 {
@@ -404,14 +408,14 @@ NumberRow ToRow(const double x[3])
 
 //------------------------------------------------------------------------------
 /**
- * Passes the section Haptics. `visible` is the volume property that visibility can come from, or
- * null.
+ * Saves or loads the section Haptics. `visible` is the volume property from which the visibility
+ * may come, or null.
  */
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
   {
-    // The file is a whole setup from before MaterialPlacement was added.
+    // The file is a whole setup that is older than MaterialPlacement.
     node.Then([=] { filter->SetMaterialPlacementToKernel(); });
   }
   PassSettings(node, filter, FilterSettings);
@@ -439,8 +443,8 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
     part.Flag(
       "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
       [=](bool on) { property->SetDisableGradientOpacity(c, on); });
-    // Passes the stored function: while gradient opacity is disabled, the getter returns a
-    // different function.
+    // Save or load the stored function, because while gradient opacity is disabled, the getter
+    // returns another function.
     PassFunction(part.Child("GradientOpacity"), AnyNumber(),
       [=]
       {
@@ -501,7 +505,7 @@ void PassCamera(SetupNode node, vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-/** Passes the entry DeviceToWorld of the root. */
+/** Saves or loads the entry DeviceToWorld of the root. */
 void PassDeviceToWorld(SetupNode& root, vtkMatrix4x4* matrix)
 {
   constexpr std::size_t size = 16;
@@ -531,9 +535,9 @@ using namespace VolumeHaptics;
 
 constexpr SetupFileKind SetupKind{ "VTK Volume Haptics setup", 1, "setup",
   "that vtkHapticSetup saved", "save the setup again" };
-constexpr std::size_t LargestSetup = 16 << 20; // bytes; a setup without labels has thousands
+constexpr std::size_t LargestSetup = 16 << 20; // bytes; without labels, a setup has some thousand
 
-/** Passes once over everything that a setup holds. */
+/** Saves or loads everything in a setup once. */
 void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
 {
   SetupNode node(pass, &root, {});
@@ -598,7 +602,7 @@ bool vtkHapticSetup::Save(const char* file)
   }
   vtkHapticLabelTable* const labels =
     this->VolumeHaptics ? this->VolumeHaptics->GetLabelTable() : nullptr;
-  constexpr std::size_t leastBytes = 24; // smallest size of a label in the file
+  constexpr std::size_t leastBytes = 24; // least number of bytes that a label takes in the file
   if (labels && leastBytes * static_cast<std::size_t>(labels->GetNumberOfLabels()) > LargestSetup)
   {
     vtkErrorMacro(<< DescribeTooLarge(file));
@@ -608,7 +612,7 @@ bool vtkHapticSetup::Save(const char* file)
   SetupPass writing;
   writing.Writing = true;
   PassSetup(this, writing, root);
-  // A setup that could not be loaded again must not replace a valid one.
+  // Test whether the setup can be loaded again, because otherwise it must not replace a valid one.
   SetupPass reading;
   PassSetup(this, reading, root);
   if (!reading.Error.empty())

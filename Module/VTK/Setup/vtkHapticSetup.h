@@ -14,8 +14,8 @@
  *   setup->Save("liver.json");        // and later
  *   setup->Load("liver.json");        // then vtkHapticDevice::Publish
  *
- * Each of the four objects is optional: an object that is not set is neither saved nor loaded. They
- * are kept by reference, and Load changes them and their functions in place.
+ * Each of the four objects is optional: an object that is not set is neither saved nor loaded. Load
+ * changes the objects themselves and their functions.
  *
  * The file contains:
  *
@@ -33,9 +33,9 @@
  * are not saved.
  *
  * Load checks the whole file before it changes anything. Settings that the file lacks stay
- * unchanged, also the label table; if the file has one, its labels replace all others. Unknown keys
- * are ignored. A file that can't be used gives one error that names the file, the key and the cure,
- * and changes nothing.
+ * unchanged, and so does the label table if the file has none; otherwise, the file's labels replace
+ * all others. Unknown keys are ignored. If a file can't be used, one error names the file, the key
+ * and the cure, and nothing is changed.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
  */
@@ -59,18 +59,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The filter, whose settings and property decide what is felt. Default nullptr: left out.
-   */
+  /** The filter whose settings and property are saved and loaded. Default nullptr: left out. */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   ///@{
   /**
-   * The volume property that is seen. HideInvisible attaches it to
-   * vtkHapticProperty::SetVisibilityFrom; a visibility from another volume property is not saved.
-   * Default nullptr: left out.
+   * The volume property that the renderer uses. HideInvisible means that
+   * vtkHapticProperty::SetVisibilityFrom has this volume property; a visibility from another volume
+   * property is not saved. Default nullptr: left out.
    */
   void SetVolumeProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVolumeProperty();
@@ -95,14 +93,15 @@ public:
 
   /**
    * Write the file. An existing file is replaced only after the whole new one is on the disk; if
-   * that fails, the old one stays. False, with an error, if the folder is missing, not writable or
-   * full, if a setting could not be loaded again (such as NaN), or if the file would be larger than
-   * 16 MiB (a label table of 100 000 labels may be).
+   * that fails, the old one stays. Returns false and reports an error if the folder is missing, not
+   * writable or full, if a setting could not be loaded again (such as NaN), or if the file would be
+   * larger than 16 MiB (as it may be with 100 000 labels).
    */
   bool Save(const char* file);
 
   /**
-   * Read the file (16 MiB at most). False, with an error and no change, if it can't be used.
+   * Read the file (16 MiB at most). If it can't be used, returns false, reports an error and
+   * changes nothing.
    */
   bool Load(const char* file);
 

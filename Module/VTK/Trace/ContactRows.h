@@ -16,14 +16,17 @@ namespace VolumeHaptics
 {
 
 /**
- * The number of the point, the offset (3, m), depth (m), energy (J), stretch (m), stiffness
- * (N/m^3), strength (N/m^2), and the fraction of the energy that counts, which all contacts have in
- * common.
+ * Ten numbers of a contact: the number of the point, the offset (3, m), depth (m), energy (J),
+ * stretch (m), stiffness (N/m^3), strength (N/m^2), and the fraction of the energy that counts. All
+ * contacts have the same fraction.
  */
 using ContactRow = std::array<double, 10>;
 
 std::vector<ContactRow> ToRows(const ShellContacts& contacts);
-/** Reads a row. False for numbers that no tick produces, but a file may contain. */
+/**
+ * Reads a row. Returns false for numbers that no tick produces, because a file may contain any
+ * numbers.
+ */
 bool FromRow(const ContactRow& row, ShellContact& contact, double& fraction);
 
 } // namespace VolumeHaptics

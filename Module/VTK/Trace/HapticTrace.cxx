@@ -64,7 +64,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
   return lines;
 }
 
-/** Writes the records of a block to a trace's columns; some columns may not be chosen. */
+/** Writes the records of a block to the columns of a trace that are chosen. */
 class ColumnWriter
 {
 public:
@@ -138,7 +138,8 @@ private:
   }
 
   const HapticTrace& Trace;
-  // Copies, because for the compiler, writing to the columns could change the originals.
+  // These are copies, because the compiler would assume that writing to the columns changes the
+  // originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
   const TickRecord* const Records;
@@ -147,9 +148,9 @@ private:
 };
 
 /**
- * Writes at most FewRecords records of ticks on one model, column by column: tuples of all columns
- * at once would compete for the same few lines of the cache, and each record would need all maps at
- * once. `work` continues from the records before.
+ * Writes at most FewRecords records of ticks on one model, column by column. Writing all columns at
+ * once would be slower, because their tuples compete for the same few cache lines, and each record
+ * needs all maps at once. `work` continues from the records before.
  */
 void WriteRecords(const HapticTrace& trace, const HapticModel& model, const TickRecord* records,
   const double* times, std::size_t count, vtkIdType firstRow, WorkMeter& work)

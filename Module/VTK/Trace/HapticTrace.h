@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The trace: the record of every tick, as polylines of proxy positions with point arrays.
+ * The trace: the record of every tick, as point arrays on polylines of proxy positions.
  */
 #ifndef HapticTrace_h
 #define HapticTrace_h
@@ -33,8 +33,8 @@ namespace VolumeHaptics
 struct BakedVolume;
 
 /**
- * Memory for the ticks of all paths, which TracePart fills. It is allocated once, and the thread
- * that writes a page touches it first.
+ * Memory for the ticks of all paths. TracePart fills it. It is allocated once; each of its pages is
+ * first touched by the thread that writes it.
  */
 class HapticTrace
 {
@@ -45,14 +45,14 @@ public:
   HapticTrace& operator=(const HapticTrace&) = delete;
 
   /**
-   * Returns the tuples of the proxy, or of the chosen array whose numbers have this offset (bytes)
-   * in a TraceRow; null if the array is not chosen.
+   * Returns the tuples of the column whose numbers have this offset (bytes) in a TraceRow: the
+   * proxy, or a chosen array. Null if the array is not chosen.
    */
   unsigned char* GetColumn(std::size_t offset) const { return this->Columns[offset]; }
   /** Returns the labels; null if they are not chosen. */
   long long* GetLabels() const { return this->LabelNumbers; }
   /**
-   * Returns the forces of each mode, three numbers for each tick; null for modes that are not
+   * Returns the forces of the modes, three numbers for each tick; null for a mode that is not
    * chosen.
    */
   const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
@@ -62,7 +62,7 @@ public:
    * chosen.
    */
   double* GetOrientations() const { return this->OrientationNumbers; }
-  /** A chosen array that only some tools have. */
+  /** A chosen array of a tool. Only some tools have such arrays. */
   struct ToolArray
   {
     const ToolColumn* Column;
@@ -70,7 +70,7 @@ public:
   };
   const std::vector<ToolArray>& GetArraysOfTool() const { return this->ToolArrays; }
 
-  /** Some rows of the trace: the ticks of one path. */
+  /** Consecutive rows of the trace: the ticks of one path. */
   struct Rows
   {
     vtkIdType First;
@@ -78,9 +78,10 @@ public:
   };
 
   /**
-   * Passes these rows of points and arrays to a polydata, with a polyline for each path. A single
-   * path of less than two ticks has no polyline. The rows come in ascending order; gaps between
-   * them are closed.
+   * Passes the rows of these paths to a polydata: points, arrays, and a polyline for each path. If
+   * there is a single path with fewer than two ticks, it has no polyline. The rows must be in
+   * ascending order; gaps between them are closed. `areSeveral` says that there are several
+   * paths, so that each gets a polyline.
    */
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
@@ -97,12 +98,12 @@ private:
   std::vector<ToolArray> ToolArrays;
 };
 
-/** Number of records that stay in the cache beside all that a tick reads. */
+/** Number of records that fit into the CPU cache along with the data that a tick reads. */
 constexpr std::size_t FewRecords = 32;
 
 /**
- * Collects a few records of consecutive ticks, and writes them to the trace on the same thread.
- * Parts may be written by several threads.
+ * Collects a few records of consecutive ticks, and then writes them to the trace on the same
+ * thread. Several threads may each write a part.
  */
 class TracePart
 {
@@ -110,9 +111,12 @@ public:
   /** `work` carries its sum from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
-  /** Returns the record that Append() adds; write all of it before. */
+  /** Returns the record that the next Append() adds. Write all of it before. */
   TickRecord& GetNext() { return this->Records[this->Filled]; }
-  /** Adds the record. `forces` are the modes' forces on device axes, if the trace has any. */
+  /**
+   * Adds the record of GetNext(). `forces` are the modes' forces on device axes, if the trace has
+   * modes.
+   */
   void Append(const std::shared_ptr<const HapticModel>& model, double time,
     const ModeForces* forces = nullptr)
   {
@@ -134,7 +138,7 @@ public:
   void Flush();
 
 private:
-  /** Makes the next record belong to another model, which made its tick. */
+  /** Sets another model for the next record, because its tick used that model. */
   void Replace(const std::shared_ptr<const HapticModel>& model);
   void WriteModeForces(const ModeForces& forces);
 

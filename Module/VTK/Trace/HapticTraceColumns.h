@@ -32,9 +32,9 @@ struct TraceColumn
   const char* Unit; ///< unit as in a column's title; empty if there is none
   ColumnType Type;
   int Components;
-  std::size_t Offset; ///< bytes
+  std::size_t Offset; ///< offset in the row (bytes)
 
-  /** Returns the size of a tuple (bytes). */
+  /** Returns the size of the array's tuple (bytes). */
   std::size_t GetWidth() const;
 };
 

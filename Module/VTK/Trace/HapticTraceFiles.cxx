@@ -26,7 +26,7 @@ namespace
 {
 
 /**
- * Possible titles of the three columns of positions, in order of preference: titles of this
+ * Titles that the three columns of positions may have, in order of preference: titles of this
  * library, of ParaView, and of other tables.
  */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
@@ -40,7 +40,7 @@ std::string WithoutUnit(const std::string& title)
   return title.substr(0, title.find(" ("));
 }
 
-/** Reads the numbers of a column that a replay needs; empty if it is missing. */
+/** Reads the numbers of a column that a replay needs; returns nothing if the column is missing. */
 std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
 {
   std::vector<double> values;
@@ -60,7 +60,7 @@ std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
   return values;
 }
 
-/** Reads vectors from three columns; empty if one is missing. */
+/** Reads vectors from three columns; returns nothing if a column is missing. */
 std::vector<Vector3> ReadVectors(vtkTable* table, const char* const columns[3])
 {
   const std::vector<double> x = ReadColumn(table, columns[0]);
@@ -87,7 +87,10 @@ std::vector<Vector3> ReadVectors(vtkDataArray* array)
 }
 
 ///@{
-/** Reads quaternions from four columns, or from an array; empty if one is missing. */
+/**
+ * Read quaternions from four columns, or from an array; return nothing if a column or the array is
+ * missing.
+ */
 std::vector<Quaternion> ReadQuaternions(vtkTable* table, const std::string& name)
 {
   std::vector<double> parts[4];
@@ -129,7 +132,7 @@ std::vector<double> ReadNumbers(vtkDataArray* array)
   return numbers;
 }
 
-/** Contents of a file, not checked yet. */
+/** The contents of a file before they are checked. */
 struct Contents
 {
   std::vector<Vector3> DeviceTips;
@@ -164,7 +167,7 @@ Contents ReadTable(const std::string& file)
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->ForceDoubleOn();
-  // A missing cell must not become 0: NaN will be noticed.
+  // Read a missing cell as NaN, which will be detected, and not as 0.
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
@@ -183,7 +186,7 @@ Contents ReadTable(const std::string& file)
   return contents;
 }
 
-/** Whether the last line of a table has its end; a table that was cut off lacks it. */
+/** Whether the last line of a table is complete. In a table that was cut off, it has no end. */
 bool EndsWithLine(const std::string& file)
 {
   vtksys::ifstream stream(file.c_str(), std::ios::binary);
@@ -191,7 +194,7 @@ bool EndsWithLine(const std::string& file)
   return stream.get() == '\n';
 }
 
-/** Returns the fault in the contents; empty if there is none. */
+/** Returns what is wrong with the contents; empty if nothing is. */
 std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& times)
 {
   if (tips.empty())
@@ -218,7 +221,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
-/** Reads the tips. Returns the fault in the file; empty if there is none. */
+/** Reads the tips. Returns what is wrong with the file; empty if nothing is. */
 std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 {
   const std::string ending = GetTraceEnding(file);

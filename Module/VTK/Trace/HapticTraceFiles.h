@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads traces from files: .vtp (everything) and .csv (the point arrays, one line for each tick,
- * and the field arrays in .csv.json beside it).
+ * Reads traces from files: .vtp (with everything) and .csv (the point arrays, one line for each
+ * tick; the field arrays are in .csv.json beside it).
  */
 #ifndef HapticTraceFiles_h
 #define HapticTraceFiles_h
@@ -31,17 +31,18 @@ struct RecordedTips
 };
 
 /**
- * Reads the tips of a .vtp or .csv: from DeviceTip if there is one, else from Tip, else from the
- * points. Orientations come from DeviceOrientation, or with Tip or the points from Orientation.
- * Only a whole trace is accepted. False, with an error that names the file, for missing, truncated,
- * foreign or empty files, numbers that are not finite, and times or ticks that run backwards.
+ * Reads the tips of a .vtp or .csv: from DeviceTip if the file has it, otherwise from Tip,
+ * otherwise from the points. Orientations come from DeviceOrientation, or from Orientation if the
+ * tips come from Tip or the points. Only a whole trace is accepted. Returns false, and writes an
+ * error that names the file, if the file is missing, truncated, foreign or empty, if numbers are
+ * not finite, or if times or ticks run backwards.
  */
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * Reads a path in world units as ReadTraceFile reads tips, but never from DeviceTip, and without
- * orientations. If a .csv has no Tip, the columns "Points:0" to "Points:2" or "x", "y" and "z" are
- * read. The end of the last line may be missing.
+ * Reads a path in world units. Reads tips like ReadTraceFile, but never from DeviceTip, and reads
+ * no orientations. If a .csv has no Tip, reads the columns "Points:0" to "Points:2" or "x", "y" and
+ * "z". The end of the last line may be missing.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

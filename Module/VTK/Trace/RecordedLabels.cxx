@@ -19,7 +19,8 @@ namespace VolumeHaptics
 bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error)
 {
   settings.clear();
-  constexpr std::size_t largest = 64 << 20; // bytes; a tuple for each placement of the device
+  // bytes; the file has a tuple for each placement of the device
+  constexpr std::size_t largest = 64 << 20;
   const std::string file = csv + ".json";
   if (!vtksys::SystemTools::FileExists(file))
   {

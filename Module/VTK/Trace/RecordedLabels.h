@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks that a replay uses the label image that the recording was made with.
+ * Checks that a replay uses the same label image as the recording.
  */
 #ifndef RecordedLabels_h
 #define RecordedLabels_h
@@ -15,12 +15,13 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads the text Settings of the fields beside a recording .csv, in .csv.json; empty if there is
- * none. False, with the fault and the cure, if that file exists but is not JSON.
+ * Reads the text Settings of the field arrays in .csv.json, beside a recording .csv. The text is
+ * empty if there is no such file. Returns false and writes what is wrong, and the cure, if the file
+ * is not JSON.
  */
 bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error);
 
-/** Gives a path the field array Settings, as recordings have it. */
+/** Adds the field array Settings, as recordings have it, to a path. */
 void SetRecordedSettings(vtkPolyData* path, const std::string& settings);
 
 /**
@@ -30,22 +31,25 @@ void SetRecordedSettings(vtkPolyData* path, const std::string& settings);
 std::string FindRecordedSetting(vtkPolyData* recording, const std::string& prefix);
 
 /**
- * Whether a recording is older than the setting MaterialPlacement: its surfaces then have the
+ * Whether a recording is older than the setting MaterialPlacement. Its surfaces then have the
  * materials of the kernel.
  */
 bool IsOlderThanMaterialPlacement(vtkPolyData* recording);
 
 /**
- * Whether walls of labels with thick slices come from a finer grid: false for a recording that was
- * made without this grid. The recording may be null, or a path.
+ * Whether walls of labels with thick slices come from a finer grid. It is false only for a
+ * recording that was made without this grid. `recording` may be null, or a path.
  */
 bool HasFineLabels(vtkPolyData* recording);
 
-/** Returns the hash of the label image in the settings of a recording; empty if it had none. */
+/**
+ * Returns the hash of the label image from the settings of a recording; empty if there was no label
+ * image.
+ */
 std::string ReadLabelHash(vtkPolyData* recording);
 
 /**
- * Compares the label image of a recorded path with the label image of this hash (empty: none).
+ * Compares the label image of a recorded path with the label image of this hash (empty: no image).
  * Returns an error if they differ; empty if they are equal, or if the path was recorded without
  * labels.
  */

@@ -29,7 +29,7 @@ std::size_t GetNumberOfTraceArrays()
 
 const char* GetTraceArrayName(std::size_t array)
 {
-  // Never destroyed, like the list of columns.
+  // The list is never destroyed, like the list of columns.
   static const auto* const names = []
   {
     auto* const all = new std::vector<std::string>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Chooses which arrays a trace of the filter has.
+ * The choice of the arrays that a trace of the filter has.
  */
 #ifndef TraceArrayChoice_h
 #define TraceArrayChoice_h
@@ -16,22 +16,24 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Names of arrays that only some traces have: those of volumes with labels, of volumes that move,
- * and of the method PRIMITIVES. The number of the mode follows the name of its array.
+ * Names of arrays that only some traces have: of volumes with labels, of volumes that move, and of
+ * the method PRIMITIVES. The name of a mode's array ends with the number of the mode.
  */
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
 ///@}
-/** Names of arrays that traces of every tool have, before those of its kind (ToolKind). */
+/**
+ * Names of arrays that traces of every tool have. The arrays of the tool's kind (ToolKind) follow.
+ */
 constexpr const char* CommonToolArrays[] = { "Orientation", "Torque", "Depth", "ShaftForce" };
 
-/** Largest number of modes. */
+/** The largest number of modes whose forces a trace has. */
 constexpr std::size_t MostModeForces = 8;
 
 /**
- * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels, the
- * data time, the force of each mode, and the arrays of tools.
+ * A set of arrays. Bit i stands for column i of GetTraceColumns(). The bits after the last column
+ * stand for the labels, the data time, the force of each mode, and the arrays of tools.
  */
 using TraceArrayChoice = unsigned long long;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
@@ -42,28 +44,33 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 }
 
 ///@{
-/** Return the number and the names of the arrays, in the order of the bits. */
+/**
+ * Return the number of all arrays, and the name of an array. Arrays are in the order of the bits.
+ */
 std::size_t GetNumberOfTraceArrays();
 /** Returns the index of the array of a mode's force. */
 std::size_t GetModeForceArray(std::size_t mode);
-/** Returns the index of an array of tools: the CommonToolArrays, then those of each kind. */
+/**
+ * Returns the index of a tool's array. `column` counts the CommonToolArrays, then the arrays of
+ * each kind of tool.
+ */
 std::size_t GetToolArray(std::size_t column);
 const char* GetTraceArrayName(std::size_t array);
 ///@}
 
-/** Returns the index of an array; GetNumberOfTraceArrays() if no array has this name. */
+/** Returns the index of an array by its name; GetNumberOfTraceArrays() if no array has the name. */
 std::size_t FindTraceArray(const std::string& name);
 
 /** Splits a text into words at commas and spaces. */
 std::vector<std::string> SplitTraceArrays(const std::string& text);
 
 /**
- * Reads "all", "none" or some names. If no array has one of the names, returns the fault and the
- * cure, and leaves the choice unchanged.
+ * Reads "all", "none" or names of arrays. If no array has one of the names, returns the error and
+ * the cure, and leaves the choice unchanged.
  */
 std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayChoice& choice);
 
-/** Writes the choice as a text that can be read again. */
+/** Returns the choice as a text that ReadTraceArrays can read. */
 std::string DescribeTraceArrays(TraceArrayChoice choice);
 
 } // namespace VolumeHaptics

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Writes a row. */
+/** A visitor for VisitTraceSources() that writes a row. */
 struct RowFiller
 {
   const HapticModel& Model;
@@ -22,7 +22,8 @@ struct RowFiller
   {
     ToArray(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
   }
-  // Device axes are the world's axes, rotated: lengths are scaled, forces and directions are not.
+  // Only rotate forces and directions: device axes are the world's axes, rotated, and only lengths
+  // are scaled.
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);

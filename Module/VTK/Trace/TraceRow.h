@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tick of a trace and of a recording; HapticTraceColumns.h lists its arrays.
+ * The values of a tick in a trace and in a recording. HapticTraceColumns.h lists them as arrays.
  */
 #ifndef TraceRow_h
 #define TraceRow_h
@@ -26,7 +26,7 @@ struct TraceRow
   double Proxy[3];
   double Time; ///< s
   double Tip[3];
-  double Force[3]; ///< N, as the other forces
+  double Force[3]; ///< N, like the other forces
   double NormalForce;
   double FrictionForce;
   double DragForce;
@@ -41,13 +41,13 @@ struct TraceRow
   double SurfaceStrength;
   double Energy; ///< J
   double DataTime;
-  double Torque[3]; ///< N m, of a tool
+  double Torque[3]; ///< torque of a tool, N m
   unsigned char Contact;
   unsigned char Unfinished;
   unsigned char Renewed;
 };
 
-/** Most numbers of all ToolColumns that recordings have. */
+/** The most numbers that recordings have of all ToolColumns together. */
 constexpr int MostToolNumbers = 7;
 
 /** One tick of a recording. */
@@ -56,11 +56,11 @@ struct RecordingRow
   TraceRow Trace;
   double DeviceTip[3];     ///< m
   double Command[3];       ///< N
-  double TorqueCommand[3]; ///< N m, sent
+  double TorqueCommand[3]; ///< torque that was sent, N m
   /// w, x, y, z of a unit quaternion; all 0 if the device has none
   double DeviceOrientation[4];
   double Orientation[4];           ///< orientation in the world
-  double OfTools[MostToolNumbers]; ///< recorded arrays of each kind of tool, in order
+  double OfTools[MostToolNumbers]; ///< recorded arrays of each kind of tool, one after another
   double Share; ///< fraction of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
@@ -68,9 +68,9 @@ struct RecordingRow
   unsigned char Enabled;
   unsigned char Armed;
   unsigned char Fault;
-  unsigned char Reason; ///< why Share is not 1, a GateReason
+  unsigned char Reason; ///< a GateReason: why Share is not 1
   unsigned char Spinning;
-  unsigned char RemovalRequest; ///< request that began to be carried out
+  unsigned char RemovalRequest; ///< request about removed tissue that began in the tick
 };
 
 /** Computes the work (J) of force and torque on the hand since the first record, by trapezoids. */
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  /** Adds the work of the torque of a tool with a shape that is in the hand at both records. */
+  /** Adds the work of the torque of a tool with a shape, if the hand holds it at both records. */
   void AddTurn(const TickRecord& record)
   {
     Quaternion from = this->LastOrientation;
@@ -104,13 +104,13 @@ private:
       return;
     }
     const Quaternion turn = to * Conjugate(from);
-    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // the axis times sin(angle/2)
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // rotation axis times the sine of half the angle
     const double sine = Norm(axis);
     if (sine > 0.0)
     {
       // q and -q are the same orientation, so take the shorter turn.
       const double angle =
-        2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // component along axis
+        2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // angle about `axis`
       this->Work += 0.5 * (angle / sine) * Dot(record.Torque + this->LastTorque, axis);
     }
   }
@@ -125,16 +125,17 @@ private:
 
 /**
  * Returns the label just inside the surface at a record's proxy, or at the point of an inserted
- * needle; 0 if there is none.
+ * needle; 0 if there is no label.
  */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
-/** Whether the wall in front of a forbidden label holds the proxy of a record. */
+/** Whether the proxy of a record is held by the wall in front of a forbidden label. */
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
 /**
- * Calls a visitor with each number of a row and the member of a record that it comes from. Points
- * and directions are transformed from device space to the world of the model's image.
+ * Calls a visitor with each number of a row and the member of a record from which it comes. The
+ * visitor should transform points and directions from device space to the world of the model's
+ * image.
  */
 template <typename Visitor>
 void VisitTraceSources(Visitor&& visit)
@@ -159,13 +160,13 @@ void VisitTraceSources(Visitor&& visit)
   visit.Byte(&TraceRow::Renewed, &TickRecord::IsRenewed);
 }
 
-/** Returns the data time of a row: 0 if the volume does not move. */
+/** Returns the data time of a row; 0 if the volume does not move. */
 double GetTraceDataTime(const HapticModel& model, const TickRecord& record);
 
-/** Returns V at the proxy of a record. */
+/** Returns the value V at the proxy of a record. */
 double GetTraceValue(const HapticModel& model, const TickRecord& record);
 
-/** Transforms a record from device space to the world of the model's image. */
+/** Write a record to a row, transformed from device space to the world of the model's image. */
 void FillTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
 RecordingRow MakeRecordingRow(

@@ -245,7 +245,7 @@ std::string HapticLabelList::Describe(int label) const
 
 /**
  * Returns the property whose edges are shown: the current proposal, or the property if it has an
- * accepted proposal. Returns null if neither has edges.
+ * accepted proposal. Returns null if it has no edges.
  */
 vtkHapticProperty* HapticProposalView::GetProposed() const
 {

@@ -137,8 +137,8 @@ public:
   void PollEdges();
 
   /**
-   * Draws the proposed function beside the edited one, and the limits of distinctness.
-   * `get` returns the function of a property.
+   * Draws the proposed function beside the edited one, and the limits of distinctness. `get`
+   * returns the function of a property.
    */
   void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
 

@@ -76,8 +76,8 @@ private:
   using Notify = std::function<void(const std::string&)>;
 
   /**
-   * Restores the previous settings, because the new settings can't be felt.
-   * `wasPublished` says whether the servo already had the previous settings.
+   * Restores the previous settings, because the new settings can't be felt. `wasPublished`
+   * says whether the servo already had the previous settings.
    */
   void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
     const Notify& notify);

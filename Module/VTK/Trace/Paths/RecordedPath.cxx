@@ -28,7 +28,10 @@ namespace
 /** Limits of the periods (s) that vtkHapticDevice::SetServoRate allows, with a margin. */
 constexpr double ShortestPeriod = 1e-6;
 constexpr double LongestPeriod = 1.0;
-/** Farthest tip (m) that a device could report; a farther one would be at infinity in the world. */
+/**
+ * The farthest tip (m) that a device could report. A tip farther away could be infinitely far in
+ * the world.
+ */
 constexpr double FarthestRecordedTip = 1e15;
 
 } // namespace
@@ -153,7 +156,7 @@ void RecordedPathReader::ReadTicks()
   vtkDataArray* const placement = this->FindOfTicks(RecordingNames::Placement, 1);
   vtkDataArray* const times = this->FindOfTicks("Time", 1);
   const auto isFlag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  // Older recordings, and recordings that a user has made smaller, lack this array.
+  // This array may be missing in older recordings, and in recordings that a user has made smaller.
   vtkDataArray* const dataTimes = this->Path->GetPointData()->GetArray(DataTimeColumn)
     ? this->FindOfTicks(DataTimeColumn, 1)
     : nullptr;
@@ -188,14 +191,15 @@ void RecordedPathReader::ReadTicks()
   }
   if (!isMoving)
   {
-    // At a data time of 0, the volume showed the first time step, or did not move at all.
+    // All data times are 0, so the volume showed its first time step or did not move at all.
     this->Result.DataTimes.clear();
   }
 }
 
 void RecordedPathReader::ReadOrientations()
 {
-  // Older recordings, and recordings that a user has made smaller, lack these arrays.
+  // These arrays may be missing in older recordings, and in recordings that a user has made
+  // smaller.
   if (!this->Path->GetPointData()->GetArray(RecordingNames::DeviceOrientation))
   {
     return;
@@ -232,7 +236,8 @@ void RecordedPathReader::ReadRemoval()
     this->Result.AirValue = air ? air->GetComponent(0, 0) : this->Result.AirValue;
     this->Require(std::isfinite(this->Result.AirValue), RecordingNames::AirValue, 0, "finite");
   }
-  // Older recordings, and recordings that a user has made smaller, lack these arrays.
+  // These arrays may be missing in older recordings, and in recordings that a user has made
+  // smaller.
   vtkPointData* const data = this->Path->GetPointData();
   const auto find = [&](const char* name)
   { return data->GetArray(name) ? this->FindOfTicks(name, 1) : nullptr; };
@@ -256,8 +261,8 @@ void RecordedPathReader::ReadRemoval()
 
 void RecordedPathReader::ReadContacts()
 {
-  // Only recordings with a tool with a shape that touched something at their beginning have
-  // contacts.
+  // The array is missing unless a tool with a shape touched something at the beginning of the
+  // recording.
   if (!this->Path->GetFieldData()->GetArray(RecordingNames::InitialContacts))
   {
     return;

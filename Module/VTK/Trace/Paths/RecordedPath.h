@@ -28,35 +28,37 @@ struct RecordedPath
   std::vector<Vector3> Tips; ///< tips in device space
   std::vector<double> Times; ///< time of every tick (s)
   std::vector<Affine3> Placements;
-  std::vector<int> PlacementOf;  ///< number of the placement, per tick
+  std::vector<int> PlacementOf;  ///< number of the placement, for each tick
   std::vector<bool> Enabled;     ///< whether the tick enabled the servo
-  std::vector<bool> Renewed;     ///< whether the tick got a new local surface
-  std::vector<double> DataTimes; ///< data time, per tick; empty if the volume did not move
-  /// orientation of the stylus per tick, in device space; NoOrientation for ticks without one;
+  std::vector<bool> Renewed;     ///< whether a new local surface arrived in the tick
+  std::vector<double> DataTimes; ///< data time of each tick; empty if the volume did not move
+  /// orientation of the stylus in each tick, in device space; NoOrientation for a tick without one;
   /// empty if no tick has one
   std::vector<Quaternion> Orientations;
-  std::vector<bool> Spinning;           ///< whether a burr spun, per tick; empty if it never did
-  std::vector<RemovalRequest> Requests; ///< request of each tick; empty if there was none
+  std::vector<bool> Spinning; ///< whether a burr spun, for each tick; empty if none ever spun
+  /** request of each tick about removed tissue; empty if there was none */
+  std::vector<RemovalRequest> Requests;
   ServoState InitialState;
   ///@{
   /**
-   * Belong to InitialState: the removed tissue, and the value of a sample without tissue, or NaN.
+   * The tissue that was removed at the beginning, and the value of a sample without tissue; NaN if
+   * none could be removed. Both belong to InitialState.
    */
   std::vector<BrickTissue> InitialTissue;
   double AirValue = std::numeric_limits<double>::quiet_NaN();
   ///@}
   ///@{
-  /** Belong to InitialState: what a tool with a shape touched. */
+  /** What a tool with a shape touched at the beginning. It belongs to InitialState. */
   std::vector<ShellContact> InitialContacts;
   double ContactFraction = 1.0; ///< fraction of the contacts' energies that counts
   ///@}
   double TickPeriod = 0.0;     ///< period of the recorded servo (s)
-  std::vector<ForceCaps> Caps; ///< caps of the recorded device, per placement
+  std::vector<ForceCaps> Caps; ///< caps of the recorded device, for each placement
 };
 
 /**
- * Reads the tip path of a recording, which may have been changed since it was written: checks every
- * number, so that the servo's tick gets only numbers that it could have computed itself.
+ * Reads the tip path of a recording. The recording may have been changed since it was written, so
+ * every number is checked: the servo's tick gets only numbers that it could have computed itself.
  */
 class RecordedPathReader
 {
@@ -64,14 +66,15 @@ public:
   RecordedPathReader(vtkPolyData* path, RecordedPath& result);
 
   /**
-   * Reads the recording. Returns the first fault, as the end of a sentence; empty if there is none.
+   * Reads the recording. Returns what is wrong first, as the end of a sentence; empty if nothing
+   * is.
    */
   std::string Read();
 
 private:
   /**
-   * Returns an array of this shape. If it is missing or has another shape, stores a fault and
-   * returns null.
+   * Return an array of this shape. If it is missing or has another shape, record that and return
+   * null.
    */
   vtkDataArray* Find(
     vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);

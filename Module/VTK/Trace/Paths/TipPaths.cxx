@@ -32,7 +32,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Counts the points at which cells of the path begin or end; two at one position count as one. */
+/** Joins the ends of cells to junctions: ends at the same position are one junction. */
 class Junctions
 {
 public:
@@ -55,7 +55,7 @@ private:
   std::vector<std::size_t> Root;
 };
 
-/** Computes the tolerance for the coordinates of two points at one position. */
+/** Computes the tolerance within which the coordinates of two points count as equal. */
 double ComputeRounding(vtkPolyData* path)
 {
   double bounds[6];
@@ -65,7 +65,7 @@ double ComputeRounding(vtkPolyData* path)
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-/** Calls a function with each line cell: the number of its points, and their ids. */
+/** Calls take(size, ids) with each line cell: the number of its points, and their ids. */
 template <typename F>
 void ForEachLine(vtkPolyData* path, F&& take)
 {
@@ -124,15 +124,16 @@ bool IsInOrder(vtkPolyData* path)
 }
 
 /**
- * The ticks of a day at 1 kHz: more ticks mean a wrong unit of time, and would not fit into memory.
+ * The ticks of a day at 1 kHz. More ticks would come from a wrong unit of time, and would not fit
+ * into memory.
  */
 constexpr double MostTicks = 1e8;
 
-/** Checks several numbers at once, by the processor's wide instructions. */
+/** Checks several numbers at once, so that the compiler can use SIMD instructions. */
 bool AreFinite(const double* numbers, vtkIdType count)
 {
   constexpr int lanes = 8;
-  double sums[lanes] = {}; // sums of zeros; NaN once a number is not finite
+  double sums[lanes] = {}; // sums of 0 times a number: NaN if a number is not finite, otherwise 0
   vtkIdType i = 0;
   for (; i + lanes <= count; i += lanes)
   {
@@ -161,7 +162,7 @@ void DividedPoints::Append(const vtkIdType* ids, vtkIdType count)
     }
     if (same == count)
     {
-      this->Count += count; // most polydata number their points in order, and need no list
+      this->Count += count; // most polydata number their points in order, so no list is needed
       return;
     }
     this->Points.resize(static_cast<std::size_t>(this->Count));
@@ -217,7 +218,7 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
       {
         divided.Begins.push_back(divided.Count);
       }
-      // A point that two segments share is one tick.
+      // A point that two consecutive segments share is only one tick.
       const vtkIdType known = goesOn && divided.GetLast() == ids[0] ? 1 : 0;
       divided.Append(ids + known, size - known);
       isAfterSegment = isSegment;
@@ -233,7 +234,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     return { -1, -1 };
   }
-  // Points of cells are numbered from 1, in the order in which they are stored.
+  // Number the points of cells from 1, in the order in which they are stored; 0 marks other points.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
   vtkIdType count = 0;
@@ -241,7 +242,8 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     one = one != 0 ? ++count : 0;
   }
-  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false); // to the next point
+  // whether a cell joins the point to the next one
+  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false);
   ForEachEdge(path,
     [&](vtkIdType a, vtkIdType b)
     {
@@ -291,8 +293,8 @@ std::size_t TipPathLines::CountStrokes() const
     return ends.size() / 2;
   }
 
-  // Ends meet if they are equal. If a cell continues the one before, rounding may separate their
-  // ends.
+  // Ends meet if their positions are equal. If a cell continues the one before it, rounding may
+  // separate their ends, so allow for it.
   const double near = ComputeRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
@@ -307,8 +309,9 @@ std::size_t TipPathLines::CountStrokes() const
     }
   }
 
-  // Connected cells are one line if at most two of their junctions have an odd number of ends
-  // (Euler); otherwise each two of these junctions need a line.
+  // By Euler's theorem, connected cells can be drawn with one stroke if at most two of their
+  // junctions have an odd number of ends. Otherwise one stroke is needed for each two of these
+  // junctions.
   std::map<std::size_t, std::size_t> endsAt;
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
@@ -331,7 +334,7 @@ std::size_t TipPathLines::CountStrokes() const
 
 std::string DescribeLackOfMemory(double ticks)
 {
-  // The bytes of a tick: a Vector3 of the path; 25 numbers, 3 flags and an index of the trace
+  // Bytes of a tick: a Vector3 of the path; and 25 numbers, 3 flags and an index of the trace
   // (HapticTrace).
   constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
   std::ostringstream message;
@@ -583,7 +586,7 @@ bool TipPaths::CheckTimes(std::size_t path, std::string& error) const
 bool TipPaths::CountTicks(std::string& error)
 {
   const std::size_t paths = this->AreSeveral() ? this->Divided.Begins.size() - 1 : 1;
-  double longest = 0.0; // s
+  double longest = 0.0; // duration of the longest path (s)
   double most = 0.0;
   for (std::size_t path = 0; path < paths; ++path)
   {

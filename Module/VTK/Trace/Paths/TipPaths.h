@@ -25,12 +25,13 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** Lists the points of several paths, one path after another. */
+/** The points of several paths, one path after another. */
 struct DividedPoints
 {
   std::vector<vtkIdType> Points; ///< numbers of the points; empty if they are 0, 1, 2 ...
-  std::vector<vtkIdType> Begins; ///< begin of each path in Points; then the end of the last path
-  vtkIdType Count = 0;           ///< number of all points
+  /** begin of each path in Points, and at the end, the end of the last path */
+  std::vector<vtkIdType> Begins;
+  vtkIdType Count = 0; ///< number of all points
 
   void Append(const vtkIdType* ids, vtkIdType count);
   /** Returns the point that was appended last. */
@@ -38,10 +39,10 @@ struct DividedPoints
 };
 
 /**
- * Divides a polydata into paths. A polydata with at most one line cell is one path, through all its
- * points in the order in which they are stored. Segments (cells of two points) that one stroke of a
- * pen draws are also one path. Otherwise each line cell is a path through its own points; segments
- * that continue one another form one path. The points have to be finite.
+ * Divides a polydata into paths. The points must be finite. A polydata with at most one line cell
+ * is one path, through all its points in the order in which they are stored. Segments (cells of two
+ * points) are also one path if they can be drawn with one stroke of a pen. Otherwise each line cell
+ * is a path through its own points, but segments that continue one another form one path.
  */
 class TipPathLines
 {
@@ -55,23 +56,23 @@ public:
   bool IsOne() const;
 
   /**
-   * Finds the first leap: consecutive points of the line cells, in the order in which they are
-   * stored, that no cell joins. Returns the points before and after the leap; -1, -1 if there is
-   * none. Points at one position need no cell.
+   * Returns the first leap of the path, as the points before and after it; -1, -1 if there is none.
+   * A leap lies between consecutive points of the line cells, in the order in which they are
+   * stored, that no cell joins. Points at the same position need no cell.
    */
   std::pair<long long, long long> FindLeap() const;
 
   /**
-   * Returns several paths in the order of the cells. An empty cell is a path without points. False,
-   * with an error, if a cell has a point that does not exist.
+   * Divides the polydata into several paths, in the order of the cells. An empty cell is a path
+   * without points. Returns false and writes an error if a cell has a point that does not exist.
    */
   bool Divide(DividedPoints& divided, std::string& error) const;
 
 private:
   bool IsOfSegments() const;
   /**
-   * Counts the strokes of a pen that draw the line cells: 1 for segments that continue one another,
-   * in any order and direction; 0 without line cells.
+   * Returns the number of strokes of a pen that can draw the line cells: 1 for segments that
+   * continue one another, in any order and direction; 0 without line cells.
    */
   std::size_t CountStrokes() const;
 
@@ -79,31 +80,32 @@ private:
 };
 
 /**
- * TipPathLines says which lines are paths. Without a point array `Time` every point is a tick.
- * With it, a path is resampled linearly to one tick every `period` seconds, starting at its first
- * time. If points have the same time, the last one counts; a point at the time of a tick is used
- * unchanged, to the bit. A recording of vtkHapticDevice is one path, used tick by tick, in device
- * space.
+ * The paths of a polydata, as divided by TipPathLines, and their ticks. Without a point array
+ * `Time`, every point is a tick. With it, a path is resampled linearly to one tick every `period`
+ * seconds, beginning at its first time. If points have the same time, the last of them counts. A
+ * point at the time of a tick is used unchanged, to the bit. A recording of vtkHapticDevice is one
+ * path, and is used tick by tick in device space.
  */
 class TipPaths
 {
 public:
   /**
-   * Reads the data that all paths share. False, with an error, for numbers that are not finite,
-   * time that runs backwards, incomplete recordings, a line that does not follow the order of the
-   * points, or more ticks than fit into memory.
+   * Reads the data that all paths share. Returns false and writes an error if numbers are not
+   * finite, if time runs backwards, if a recording is incomplete, if a line does not follow the
+   * order of the points, or if the ticks do not fit into memory.
    */
   bool Read(vtkPolyData* path, double period, std::string& error);
   /**
-   * Reads the point arrays Orientation and Spinning, which only tools need, if they exist and the
-   * path is no recording. False, with an error, for an array that holds no such data.
+   * Reads the point arrays Orientation and Spinning, which only tools need. Does nothing if they do
+   * not exist, or if the path is a recording. Returns false and writes an error if an array has the
+   * wrong form.
    */
   bool ReadHand(vtkPolyData* path, std::string& error);
 
   std::size_t GetNumberOfPaths() const { return this->FirstTicks.size() - 1; }
   /** Returns the number of ticks of all paths. */
   vtkIdType GetNumberOfTicks() const { return this->FirstTicks.back(); }
-  /** Returns the number of ticks of the paths before this one. */
+  /** Returns the number of ticks of all paths before this one. */
   vtkIdType GetFirstTick(std::size_t path) const { return this->FirstTicks[path]; }
   vtkIdType GetNumberOfTicks(std::size_t path) const
   {
@@ -111,9 +113,9 @@ public:
   }
   /** Returns the time of the last tick of all paths (s). */
   double ComputeLastTime() const;
-  /** Whether each path gets its own line, whatever its length. */
+  /** Whether there are several paths, each of which gets a line, whatever its length. */
   bool AreSeveral() const { return !this->Divided.Begins.empty(); }
-  /** Returns the recording, which is then the only path; null if the paths are no recording. */
+  /** Returns the recording, which is the only path; null if there is no recording. */
   const RecordedPath* GetRecording() const { return this->Recording ? &*this->Recording : nullptr; }
 
   /** The points of a path in the polydata: At(0) to At(GetSize() - 1). */
@@ -144,11 +146,13 @@ public:
   /** Returns the time of a point (s). */
   double GetTime(vtkIdType point) const { return this->Times[point]; }
   double GetPeriod() const { return this->Period; }
-  /** Whether points have orientations of the stylus in the world. */
+  /** Whether points have orientations of the stylus (world). */
   bool HaveOrientations() const { return !this->Orientations.empty(); }
-  /** Returns the orientation of a point; NoOrientation if it has none. */
+  /** Returns the orientation at a point; NoOrientation if there is none. */
   const Quaternion& GetOrientation(vtkIdType point) const { return this->Orientations[point]; }
-  /** Whether a burr spins from a point to the next one; true unless the path says otherwise. */
+  /**
+   * Whether a burr spins between a point and the next one. It does unless the path says otherwise.
+   */
   bool IsSpinning(vtkIdType point) const { return this->Spinning.empty() || this->Spinning[point]; }
 
   /** A point and a tick coincide if their times differ by less than this fraction of a tick. */
@@ -165,19 +169,22 @@ private:
   Vector3 ConvertPoint(vtkIdType point) const;
 
   vtkSmartPointer<vtkPoints> Points;
-  const double* Doubles = nullptr;      ///< the points, if they are doubles
-  const float* Floats = nullptr;        ///< the points, if they are floats
+  const double* Doubles = nullptr;      ///< the points if they are doubles, otherwise null
+  const float* Floats = nullptr;        ///< the points if they are floats, otherwise null
   std::vector<double> Times;            ///< time of each point (s); empty if each is a tick
-  std::vector<Quaternion> Orientations; ///< one for each point, or empty
-  std::vector<bool> Spinning;           ///< one for each point, or empty
+  std::vector<Quaternion> Orientations; ///< one for each point; empty if there are none
+  std::vector<bool> Spinning;           ///< one for each point; empty if a burr always spins
   double Period = 0.0;                  ///< tick period (s)
-  DividedPoints Divided;                ///< empty if all points are one path, in order
-  /** First tick of each path; then the number of all ticks. */
+  DividedPoints Divided; ///< points of several paths; empty if all points are one path, in order
+  /** First tick of each path, and at the end, the number of all ticks. */
   std::vector<vtkIdType> FirstTicks = { 0 };
   std::optional<RecordedPath> Recording;
 };
 
-/** Returns the error for more ticks than fit into memory together with their trace. */
+/**
+ * Returns the error for more ticks than fit into memory together with their trace. `ticks`
+ * is their number.
+ */
 std::string DescribeLackOfMemory(double ticks);
 
 } // namespace VolumeHaptics

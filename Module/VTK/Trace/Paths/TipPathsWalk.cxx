@@ -21,8 +21,8 @@ namespace
 {
 
 /**
- * Computes the data time: the first step's at the hand's time 0, and never before the first step's
- * or after the last step's.
+ * Computes the data time. At the hand's time 0 it is the first step's time; it never leaves the
+ * times from the first to the last step.
  */
 double ComputeDataTime(const HapticModel& model, double time)
 {
@@ -34,20 +34,24 @@ double ComputeDataTime(const HapticModel& model, double time)
 }
 
 /**
- * The most ticks in a stretch: long enough that handing it to a thread costs nothing in comparison.
+ * The most ticks in a stretch. It is so large that handing a stretch to a thread takes no
+ * noticeable time.
  */
 constexpr vtkIdType LongestStretch = 1000;
-/** Towards the end of a round, stretches are shorter, because all threads wait for the last one. */
+/**
+ * The fewest ticks in a stretch. Stretches get shorter towards the end of a round, because all
+ * threads wait for the last one.
+ */
 constexpr vtkIdType ShortestStretch = 64;
-/** The most rounds, if one path is long. */
+/** The most rounds for one long path. */
 constexpr vtkIdType WalkRounds = 100;
 /** The least number of rounds of several paths. */
 constexpr vtkIdType LeastRounds = 8;
-/** The number of paths that each thread has on their way at a time. */
+/** The number of paths that are under way at a time, for each thread. */
 constexpr std::size_t RunnersOfAThread = 16;
 /**
- * Ticks for each thread in a round, enough that beginning and ending the round costs nothing in
- * comparison.
+ * The number of ticks for each thread in a round. It is so large that beginning and ending a round
+ * takes no noticeable time.
  */
 constexpr vtkIdType TicksOfAThread = 65536;
 /**
@@ -57,8 +61,8 @@ constexpr vtkIdType TicksOfAThread = 65536;
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 
 /**
- * Makes a path's own copy of the removal with which it begins: the model's, or the recording's.
- * Null if nothing is removed.
+ * Makes a path's own copy of the removal with which it begins, the model's or the recording's.
+ * Returns null if nothing is removed.
  */
 std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const BakedVolume& baked, const RecordedPath* recording)
@@ -72,7 +76,7 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
     recording ? recording->InitialTissue : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
-  // A tool that only feels tissue needs no room to remove any.
+  // If the tool removes no tissue, make no room for more.
   const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(fractions.size(), 1));
   auto removal = isChanged
     ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
@@ -157,7 +161,7 @@ Quaternion TipReader::ComputeOrientation() const
   {
     return NoOrientation;
   }
-  // Interpolates the shorter way round: q and -q are the same orientation.
+  // Interpolate along the shorter arc: q and -q are the same orientation.
   const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -fraction : fraction;
   const double rest = 1.0 - fraction;
   const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,
@@ -179,7 +183,7 @@ TipPathWalk::TipPathWalk(const RecordedPath& recording)
 
 void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
 {
-  // Computes what ResidentServo does where all samples are there.
+  // This computes what ResidentServo computes if all samples are in memory.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = ComputeDataTime(model, this->Tips->GetTime());
   this->CopyHand(model);
@@ -213,7 +217,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   }
   const RecordedPath& recording = *this->Recording;
   const std::size_t i = this->Next++;
-  // Keeps the order of the servo: the model, then enabling, then the tick.
+  // Use the order of the servo: first the model, then enabling, then the tick.
   const int placement = recording.PlacementOf[i];
   if (i == 0 || placement != recording.PlacementOf[i - 1])
   {
@@ -228,7 +232,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
       !RestoreContacts(
         *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactFraction))
     {
-      // The state belongs to another tool; the new tool begins in the hand.
+      // The recorded state belongs to another tool, so begin with the tool in the hand.
       this->State.Shell = ShellState{};
     }
     model = std::move(moved);
@@ -246,7 +250,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
     this->SetOrientation(recording.Orientations[i]);
   }
   this->CopyRemoval(*model, i);
-  // A surface counts from the tick in which the result of the slow loop arrived.
+  // A new surface is used from the tick in which the slow loop's result arrived.
   LocalSurface surface;
   LocalSurfaceResult result;
   if (recording.Renewed[i])
@@ -346,13 +350,13 @@ struct TipPathsWalk::Runner
   }
 
   const std::size_t Path;
-  const std::shared_ptr<TissueRemoval> Removal; ///< the removal of this path alone; null if there
-                                                ///< is none
+  /** the removal of this path alone; null if nothing is removed */
+  const std::shared_ptr<TissueRemoval> Removal;
   const ModelFinder Finder;
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< the model, placed as a recording says
   WorkMeter Work;
-  bool IsTaken = false; ///< whether a thread advances it
+  bool IsTaken = false; ///< whether a thread is advancing it
 };
 
 TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
@@ -367,7 +371,7 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
   this->Threads = this->Finder || count == 1
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  // Each runner with a removal of its own takes several megabytes.
+  // A runner with a removal of its own takes several megabytes, so let only one per thread run.
   const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
   this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
@@ -416,7 +420,8 @@ TipPathsWalk::Runner* TipPathsWalk::Claim(vtkIdType& stretch)
     return nullptr;
   }
   this->Fill();
-  // Prefers the path with the longest way to go: otherwise it would be the last, and alone.
+  // Prefer the path with the most ticks left: otherwise it would come last, and only one thread
+  // would work.
   Runner* longest = nullptr;
   vtkIdType left = 0;
   for (const std::unique_ptr<Runner>& runner : this->Running)
@@ -457,7 +462,7 @@ void TipPathsWalk::GiveBack(Runner* runner)
 
 void TipPathsWalk::AdvanceStretches()
 {
-  // The mutex also hands over what a stretch changes.
+  // Locking the mutex also makes the changes of a stretch visible to the next thread.
   std::unique_lock<std::mutex> lock(this->Mutex);
   vtkIdType stretch = 0;
   while (Runner* const runner = this->Claim(stretch))
@@ -475,8 +480,8 @@ void TipPathsWalk::Advance()
   this->RoundEnd = ServoClock::Now() + RoundTime;
   if (this->Threads == 1)
   {
-    // On this thread: a single path needs no other, and a finder may throw what no thread of VTK
-    // may throw.
+    // Use this thread, because a single path needs no other, and a finder may throw exceptions that
+    // VTK's threads may not throw.
     this->AdvanceStretches();
     return;
   }
@@ -488,7 +493,7 @@ void TipPathsWalk::Advance()
       {
         this->AdvanceStretches();
       }
-      catch (const std::bad_alloc&) // no thread of VTK may throw this
+      catch (const std::bad_alloc&) // VTK's threads may not throw, so throw it below
       {
         const std::lock_guard<std::mutex> lock(this->Mutex);
         this->HasFailed = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Walks the paths of a polydata, several at once.
+ * Walks the paths of a polydata, several at a time.
  */
 #ifndef TipPathsWalk_h
 #define TipPathsWalk_h
@@ -31,7 +31,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads one of the paths tick by tick. The path must outlive the reader, and may have several
+ * Reads one of the paths tick by tick. `paths` must outlive the reader. A path may have several
  * readers.
  */
 class TipReader
@@ -39,7 +39,7 @@ class TipReader
 public:
   TipReader(const TipPaths& paths, std::size_t path);
 
-  /** Returns the tip at the next tick (world). Call it as often as TipPaths has ticks. */
+  /** Returns the tip at the next tick (world). Call it as often as the path has ticks. */
   Vector3 Next()
   {
     ++this->Tick;
@@ -65,9 +65,9 @@ public:
   }
 
 private:
-  /** Computes the position at the time of the tick. */
+  /** Interpolates the position at the time of the tick. */
   Vector3 FindPoint();
-  /** Returns how far the tick is on the way from the point before it to the next one, 0 to 1. */
+  /** Returns how far the tick lies between the point before it and the next one, from 0 to 1. */
   double ComputeFraction() const;
   /** Interpolates the orientations before and after the tick. */
   Quaternion ComputeOrientation() const;
@@ -76,12 +76,15 @@ private:
 
   const TipPaths& Paths;
   const TipPaths::Members Members;
-  double Start = 0.0;   ///< s
+  double Start = 0.0;   ///< time of the first tick (s)
   vtkIdType Tick = -1;  ///< number of the last tick
-  vtkIdType Before = 0; ///< number of the last point before the tick, or at it
+  vtkIdType Before = 0; ///< number of the last point that is not after the tick
 };
 
-/** Finds the model for the next tick, to a tip (device), in place of the last tick's model. */
+/**
+ * A function that returns the model for the next tick, given the last tick's model, the state, and
+ * the tip (device).
+ */
 using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
   std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
 
@@ -89,25 +92,27 @@ using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
 class TipPathWalk
 {
 public:
-  /** With a finder, each tick uses the model that it finds; the finder must outlive the walk. */
+  /**
+   * If there is a finder, each tick uses the model that it finds. The finder must outlive the walk.
+   */
   explicit TipPathWalk(const TipReader& tips, const ModelFinder* finder = nullptr);
   explicit TipPathWalk(const RecordedPath& recording);
 
   /**
-   * Computes the next tick. Returns its model: the given model, placed as the recording says, or
-   * the model that was found. Throws the finder's exceptions.
+   * Computes the next tick and returns the tick's model: the given model, placed as the recording
+   * says, or the model that the finder returned. Throws the finder's exceptions.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** Whether all ticks use one model, of a whole volume, and read their tips from a path. */
+  /** Whether all ticks use one model of a whole volume, and read their tips from a path. */
   bool IsPlain(const HapticModel& model) const
   {
     return this->Tips && !this->Finder && model.Resident.IsWhole();
   }
-  /** Computes the next tick of a plain walk, directly into a record. Nothing else is done. */
+  /** Computes the next tick of a plain walk, directly into a record, and does nothing else. */
   void Tick(const HapticModel& model, TickRecord& record);
-  /** Returns the record of the last tick, unless that tick wrote directly into one. */
+  /** Returns the record of the last tick. Not for plain walks, which write into another record. */
   const TickRecord& GetRecord() const;
-  /** Returns the forces of the modes in the last tick, with its model. */
+  /** Returns the forces of the modes in the last tick. `model` is the model of that tick. */
   ModeForces ComputeModeForces(const HapticModel& model) const;
   /**
    * Returns the orientation of the stylus (world) in the last tick; NoOrientation if there is none.
@@ -119,42 +124,41 @@ public:
 private:
   /** Provides memory for the tool of a model. */
   void ProvideTool(const HapticModel& model);
-  /**
-   * Copies from a path to the state: the orientation, turned to the device's axes, and the spin.
-   */
+  /** Copies the orientation (turned to the device's axes) and the spin from a path to the state. */
   void CopyHand(const HapticModel& model);
   /**
-   * Copies from a recording's tick: the spin to the state, and a request to the model's removal.
+   * Copies the spin from tick `i` of a recording to the state, and its request to the model's
+   * removal.
    */
   void CopyRemoval(const HapticModel& model, std::size_t i);
-  /** Sets the state's orientation, on the device's axes, or to NoOrientation. */
+  /** Sets the state's orientation, which is on the device's axes, or NoOrientation. */
   void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording
   const ModelFinder* const Finder = nullptr;
   const RecordedPath* const Recording = nullptr;
-  std::size_t Next = 0; ///< next tick of a recording
+  std::size_t Next = 0; ///< number of the next tick of a recording
   ServoState State;
   ResidentServo Servo;
-  TickMemory Taps;                     ///< memory of a plain walk
+  TickMemory Taps;                     ///< memory for the ticks of a plain walk
   std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
-  const BakedVolume* ToolOf = nullptr; ///< volume that the tool's memory was made for
-  ForceGate Gate;                      ///< only its opening is used
-  TickRecord Whole;  ///< record of the last tick, with the force before the residency scales it
-  TickRecord Scaled; ///< record with the force that is felt, while the gate is not open
+  const BakedVolume* ToolOf = nullptr; ///< the volume for which the tool's memory was made
+  ForceGate Gate;                      ///< only its opening is used here
+  TickRecord Whole;  ///< record of the last tick, before the residency scales its force
+  TickRecord Scaled; ///< record with the felt force, while the gate is not open
 };
 
 /**
- * Each path has a state of its own, and begins as if it were the only one: on the same model it
- * gives the same numbers, to the bit, whatever the number of threads. Models are immutable, and
- * all that a tick changes is in the state, so that no method needs to be left out. If tissue may be
- * removed, each path has a copy of what is left of it.
+ * Walks all paths. Each path has a state of its own, and begins as if it were the only one. So on
+ * the same model it gives the same numbers, to the bit, whatever the number of threads. This holds
+ * for all methods, because models are immutable, and all that a tick changes is in the state. If
+ * tissue may be removed, each path has its own copy of the remaining tissue.
  *
- * The paths advance in rounds, between which the caller can report progress and stop. In a round,
- * threads take stretches of the paths, one by one, until it has had its ticks. If a model has to be
- * found for each tick, paths go on one after another, on the calling thread. A single path is felt
- * on the calling thread, too.
+ * The paths advance in rounds, between which the caller can report progress or stop. In a round,
+ * threads take stretches of the paths, one by one, until the round has had its ticks. If a model
+ * has to be found for each tick, the paths advance one after another on the calling thread. A
+ * single path also advances on the calling thread.
  */
 class TipPathsWalk
 {
@@ -166,19 +170,20 @@ public:
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
   /** Returns the fraction of the ticks that are done, 0 to 1. */
   double GetProgress() const;
-  /** Advances the paths by a round. Throws std::bad_alloc, and what the finder of models throws. */
+  /**
+   * Advances the paths by a round. Throws std::bad_alloc, and the exceptions of the finder of
+   * models.
+   */
   void Advance();
-  /** Returns a tick of a recording that gave numbers that are not finite; -1 if there is none. */
+  /** Returns the tick of a recording whose result was not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
 
-  /**
-   * Returns the tissue that is left at the end of the only path; null unless a burr went along it.
-   */
+  /** Returns the tissue that is left at the end of the only path; null if no burr walked it. */
   const std::vector<BrickTissue>* GetFinalTissue() const
   {
     return this->FinalTissue ? &*this->FinalTissue : nullptr;
   }
-  /** Returns the written rows of the trace, for each path. */
+  /** Returns the rows of the trace that were written, for each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
 
 private:
@@ -186,14 +191,14 @@ private:
   vtkIdType GetTicksLeft(std::size_t path) const;
   ///@{
   /**
-   * Let paths begin, get a path to advance (null at the end of the round), and return it. Call them
-   * with the mutex locked.
+   * Fill() lets further paths begin. Claim() returns a path to advance, or null at the end of the
+   * round. GiveBack() returns the path. Call them with the mutex locked.
    */
   void Fill();
   Runner* Claim(vtkIdType& stretch);
   void GiveBack(Runner* runner);
   ///@}
-  /** Advances paths until the end of the round; each thread calls this. */
+  /** Advances paths until the end of the round. Each thread calls this. */
   void AdvanceStretches();
   void Advance(Runner& runner, vtkIdType ticks);
 
@@ -206,12 +211,12 @@ private:
   vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
-  vtkIdType Flaw = -1; ///< GetFlaw(), for the only path of a recording
+  vtkIdType Flaw = -1; ///< the result of GetFlaw()
 
-  // These members are changed with the mutex only.
+  // The mutex must be locked when these members are used.
   std::mutex Mutex;
   vtkIdType RoundTicksLeft = 0;
-  std::int64_t RoundEnd = 0; ///< ServoClock
+  std::int64_t RoundEnd = 0; ///< ServoClock: time after which no stretch begins in the round
   std::size_t NextPath = 0;
   std::vector<std::unique_ptr<Runner>> Running;
   bool HasFailed = false; ///< whether memory ran out

@@ -32,8 +32,8 @@ namespace
 {
 
 /**
- * A curve for a hand of constant speed: the positions on it, by the distance along it (0 to
- * Length).
+ * A curve on which a hand moves at constant speed: its length, and the position at each distance
+ * along it (0 to Length).
  */
 struct HapticCurve
 {
@@ -47,7 +47,7 @@ struct Plane
   explicit Plane(const Vector3& normal)
   {
     const Vector3 n = (1.0 / Norm(normal)) * normal;
-    // For a normal along z, the vectors are x and y, as users expect.
+    // If the normal is along z, the vectors are along x and y, as users expect.
     const Vector3 aside = std::abs(n.Z) > 0.5 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 0, 1 };
     const Vector3 u = aside - Dot(aside, n) * n;
     this->U = (1.0 / Norm(u)) * u;
@@ -63,15 +63,15 @@ struct Plane
   Vector3 V;
 };
 
-/** Computes the length of r = phi from 0 to an angle. */
+/** Computes the length of the spiral r = phi from 0 to an angle. */
 double SpiralLength(double angle)
 {
   return 0.5 * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
 /**
- * Computes the angle at a length, by Newton's method: its step never overshoots, because the length
- * is convex.
+ * Computes the angle at a length of the spiral by Newton's method. Its steps never overshoot,
+ * because the length is convex.
  */
 double SpiralAngle(double length)
 {
@@ -109,8 +109,8 @@ HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners)
 }
 
 /**
- * Makes a circle around a centre, in the plane across a normal (of any length but 0),
- * counterclockwise seen from the normal's tip.
+ * Makes a circle around a centre, in the plane perpendicular to a normal (of any length but 0),
+ * counterclockwise as seen from the normal's tip.
  */
 HapticCurve MakeCircleCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns)
@@ -142,7 +142,7 @@ namespace
 {
 using VolumeHaptics::Vector3;
 
-/** Limit on the points: more come from a mistake in a unit, and would not fit into memory. */
+/** The most points of a path. More would come from a wrong unit, and would not fit into memory. */
 constexpr double MostPoints = 1e8;
 
 Vector3 ToVector(const double x[3])
@@ -150,7 +150,10 @@ Vector3 ToVector(const double x[3])
   return { x[0], x[1], x[2] };
 }
 
-/** Writes a point for each tip, in one polyline; the array Time only if there are times. */
+/**
+ * Writes a point for each tip, and a polyline through them. Writes the array Time only if there are
+ * times.
+ */
 void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -175,7 +178,10 @@ void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, v
   }
 }
 
-/** Makes a curve that comes down on the middle of a face, goes in, across and out again. */
+/**
+ * Makes a curve that comes down on a face, presses in, slides over it through its middle, and lifts
+ * out again.
+ */
 VolumeHaptics::HapticCurve MakePressAndSlide(
   const double corner[3], const double size[3], int direction, double depth, double clearance)
 {
@@ -289,7 +295,7 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
   }
   if (VolumeHaptics::GetTraceEnding(this->FileName) == ".vtp")
   {
-    // Passes on all arrays of the file, which an exact replay needs.
+    // Pass on all arrays of the file, because an exact replay needs them.
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(this->FileName.c_str());
     reader->Update();
@@ -333,7 +339,7 @@ std::string vtkHapticPathSource::GiveOutShape(vtkPolyData* output) const
       ? "The haptic path has no length: Point1 and Point2 are the same. Move one of them."
       : "The haptic path has no length. Set Depth, Clearance or BoxSize to more than 0.";
   }
-  // A last step that only rounding produces does not count.
+  // Do not count a last step that comes only from rounding.
   const double steps = std::ceil(curve.Length / this->Speed * this->PointsPerSecond - 1e-6);
   if (!(steps < MostPoints))
   {

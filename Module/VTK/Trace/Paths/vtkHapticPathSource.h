@@ -4,19 +4,19 @@
  * @class   vtkHapticPathSource
  * @brief   the path of a stylus' tip, to be felt by vtkVolumeHapticsFilter
  *
- * Makes the path of a stylus' tip: a line, a circle, a spiral, a press that slides and lifts, or
- * the contents of a file:
+ * Makes the path of a stylus' tip: a line, a circle, a spiral, a press followed by a slide and a
+ * lift, or the contents of a file:
  *
  *   path->SetShapeToCircle();
  *   path->SetRadius(10.0); // world units
  *   filter->SetPathConnection(path->GetOutputPort());
  *
  * The output is one polyline with a point for each tick, at equal distances of at most Speed /
- * PointsPerSecond. The point array Time (s) advances by 1 / PointsPerSecond from point to point:
- * the filter resamples the path if its ServoRate differs, and the hand's speed stays the same.
+ * PointsPerSecond. The point array Time (s) advances by 1 / PointsPerSecond from point to point. If
+ * the filter's ServoRate differs, it resamples the path, so that the hand's speed stays the same.
  *
- * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, an
- * unusable file) give one error that names the settings and the cure, and an empty output.
+ * If settings make no path (a line of no length, a radius of 0, numbers that are not finite, an
+ * unusable file), the output is empty, and an error names the settings and the cure.
  *
  * @sa vtkVolumeHapticsFilter
  */
@@ -46,12 +46,12 @@ public:
 
   ///@{
   /**
-   * LINE (default): from Point1 to Point2. CIRCLE: around Center, across Normal. SPIRAL: in that
-   * plane, from Center out to Radius. PRESS_AND_SLIDE: comes down on a face of the box, presses
-   * in, slides across and lifts. FROM_FILE: a .vtp or .csv, such as a recording of a haptic
-   * device. CIRCLE goes round Turns times, Radius away from Center, counterclockwise seen from
-   * where Normal points to. SPIRAL goes outwards by the same step with each of its Turns. See
-   * also PressDirection and FileName.
+   * LINE (default): from Point1 to Point2. CIRCLE: around Center, perpendicular to Normal. SPIRAL:
+   * in the same plane, from Center out to Radius. PRESS_AND_SLIDE: comes down on a face of the box,
+   * presses in, slides across and lifts. FROM_FILE: a .vtp or .csv, such as a recording of a haptic
+   * device. CIRCLE makes Turns turns at the distance Radius from Center, counterclockwise as seen
+   * from where Normal points to. SPIRAL moves outwards by the same distance in each of its Turns.
+   * See also PressDirection and FileName.
    */
   vtkSetClampMacro(Shape, int, LINE, FROM_FILE);
   vtkGetMacro(Shape, int);
@@ -92,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /** The middle of the CIRCLE or the SPIRAL. Default (0, 0, 0). */
+  /** The centre of the CIRCLE or the SPIRAL. Default (0, 0, 0). */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Radius of the CIRCLE, and the largest one of the SPIRAL (world units), more than 0. Default
-   * 20.
+   * The radius of the CIRCLE, or the largest radius of the SPIRAL (world units), more than 0.
+   * Default 20.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * How many turns the CIRCLE or the SPIRAL has, more than 0 and up to 10000; fractions count.
-   * Default 3.
+   * The number of turns of the CIRCLE or the SPIRAL, more than 0 and up to 10000; it may be a
+   * fraction. Default 3.
    */
   vtkSetMacro(Turns, double);
   vtkGetMacro(Turns, double);
@@ -166,16 +166,14 @@ public:
   ///@}
 
   ///@{
-  /**
-   * How far the hand presses into the box, 0 or more world units. Default 3.
-   */
+  /** The depth of the press into the box, 0 or more world units. Default 3. */
   vtkSetMacro(Depth, double);
   vtkGetMacro(Depth, double);
   ///@}
 
   ///@{
   /**
-   * How far above the box the hand begins and ends, 0 or more world units. Default 10.
+   * The height above the box at which the hand begins and ends, 0 or more world units. Default 10.
    */
   vtkSetMacro(Clearance, double);
   vtkGetMacro(Clearance, double);
@@ -183,8 +181,8 @@ public:
 
   ///@{
   /**
-   * The file for FROM_FILE. A .vtp is passed on unchanged: a recording of vtkHapticDevice is then
-   * replayed to the bit. A .csv has a line for each point, with the columns "Tip x", "Tip y" and
+   * The file for FROM_FILE. A .vtp is passed on unchanged, so that a recording of vtkHapticDevice
+   * is replayed to the bit. A .csv has a line for each point, with the columns "Tip x", "Tip y" and
    * "Tip z", as in the project's own traces, or "Points:0" to "Points:2", as ParaView exports, or
    * "x", "y" and "z", all in world units; and optionally "Time" (s). If it is a recording that was
    * made with labels (the file .csv.json beside it says so), vtkVolumeHapticsFilter accepts it only
