@@ -13,8 +13,7 @@ void DriftLine::Reset() noexcept
 
 void DriftLine::Add(const Vector3& tip, double time) noexcept
 {
-  // A tolerance of half a millisecond, so that a tick that wakes late does not cost a whole
-  // interval.
+  // Tolerates half a millisecond, so that a tick that wakes up late does not lose a whole interval.
   if (this->Count > 0 && time - this->LastTime < Spacing - 5e-4)
   {
     return;

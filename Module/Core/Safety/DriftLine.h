@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a hand drifts by itself: a line through the last tips, and whether it foretells the next.
+ * Predicts where a hand drifts by itself: a line through the last tips, and a check of whether such
+ * a line predicts the next tips.
  *
- * The line is fitted to the tips of a quarter of a second by least squares: long enough for two
- * cycles of a hand's tremor (8 to 12 Hz), which then hardly tilts it. A slow swing looks like a
- * line for as long, but does not go on along it: so the tips of 0.4 s are kept, and a line through
- * the older ones has to foretell the newer ones.
+ * The line is fitted by least squares to the tips of a quarter of a second. This is long enough for
+ * two cycles of a hand's tremor (8 to 12 Hz), which then hardly tilts the line. A slow swing also
+ * looks like a line over this time, but does not continue along it. So the tips of 0.4 s are
+ * stored, and a line through the older ones has to predict the newer ones.
  */
 #ifndef DriftLine_h
 #define DriftLine_h
@@ -22,28 +23,31 @@ class DriftLine
 public:
   /** Time (s) between two stored tips. */
   static constexpr double Spacing = 0.008;
-  /** The number of stored tips, and the number of tips that a line is fitted to. */
+  /** Number of stored tips, and number of tips to which a line is fitted. */
   static constexpr int Capacity = 50;
   static constexpr int Fitted = 31;
 
   /** Removes all tips. */
   void Reset() noexcept;
-  /** Adds a measured tip (m) at a time (s). Tips closer in time than Spacing are left out. */
+  /**
+   * Adds a measured tip (m) at a time (s). Ignores a tip that follows the last one in less than
+   * Spacing.
+   */
   void Add(const Vector3& tip, double time) noexcept;
   bool IsFull() const noexcept { return this->Count == Capacity; }
 
   /**
-   * Returns the largest distance (m) of the newer tips, along each axis, from a line through the
-   * older tips. Call it only when all places are full.
+   * Returns, for each axis, the largest distance (m) of the newer tips from a line through the
+   * older tips. Must be called only if IsFull() is true.
    */
   Vector3 ComputeSurprise() noexcept;
 
-  /** Fits the line to the newest tips. Call it only when all places are full. */
+  /** Fits the line to the newest tips. Must be called only if IsFull() is true. */
   void Fit() noexcept { this->FitFrom(Capacity - Fitted); }
   ///@{
   /**
-   * Results of the last fit: the place at a time (m); the slope (m/s); and, along each axis, the
-   * root mean square distance of the tips from the line (m).
+   * Return results of the last fit: the line's position at a time (m), its slope (m/s), and for
+   * each axis the root mean square distance of the tips from the line (m).
    */
   Vector3 GetPlace(double time) const noexcept
   {
@@ -69,7 +73,7 @@ private:
 
   Entry Entries[Capacity];
   int Count = 0;
-  int Next = 0; ///< the oldest entry, when full
+  int Next = 0; ///< index of the oldest entry if all are used
   double LastTime = 0.0;
   Vector3 Middle;
   double MiddleTime = 0.0;

@@ -11,11 +11,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** E has turned if it has come back by this fraction of the last swing */
+/** E has changed direction if it has come back by at least this fraction of the last swing. */
 constexpr double Turn = 0.2;
-/** and by the force times this way (m), because encoders have steps, which differ between axes. */
+/**
+ * E must also come back by at least the force times this length (m), because encoders have steps,
+ * which differ between axes.
+ */
 constexpr double StepWay = 1e-4;
-/** The most that one cycle counts: given / taken. */
+/** Limit of the ratio given / taken that counts for one cycle. */
 constexpr double MostGain = 2.0;
 
 } // namespace
@@ -70,7 +73,7 @@ bool EnergyObserver::UpdateEnergy() noexcept
   }
   if (-ahead < std::max({ LeastSwing, Turn * this->Swing, StepWay * this->Force }))
   {
-    // A swing that is much smaller than the last one must be detected later, too.
+    // Forget the last swing after a rest, so that a much smaller swing is detected, too.
     const bool rests = this->Time - this->Extreme.Time > LongestCycle;
     this->Swing = rests ? 0.0 : this->Swing;
     return false;
@@ -122,7 +125,7 @@ bool EnergyObserver::CountCycle(const Instant& from, const Instant& to, double l
   return gives;
 }
 
-/** Returns whether the last cycles of the row give energy. */
+/** Returns whether the last `cycles` cycles of the row give energy. */
 bool EnergyObserver::IsGiving(std::size_t cycles, double leastGain) const noexcept
 {
   if (this->Count < cycles)

@@ -44,7 +44,7 @@ bool ForceGate::Arm(bool isSole) noexcept
   this->Ending = End::None;
   if (!isFelt)
   {
-    // The hand moved on while it felt nothing: a spring from the old proxy would push it.
+    // The hand moved while it felt nothing, so that a spring from the old proxy would push it.
     this->Restarts = true;
     this->Cause = GateReason::None;
     this->State = GateState::Ramping;
@@ -75,11 +75,11 @@ void ForceGate::FadeOut() noexcept
 
 void ForceGate::SetHeld(bool held) noexcept
 {
-  // A fade that has begun goes on to zero; force begins again only after it.
+  // A fade that has begun continues to zero. Only then may the force begin again.
   const bool isHeld = held || (this->Held && !this->Rests);
   if (this->Held && !isHeld)
   {
-    // The hand moved on while it felt nothing: a spring from the old proxy would push it back.
+    // The hand moved while it felt nothing, so that a spring from the old proxy would push it back.
     this->Restarts = true;
     this->Ramp = 0.0;
   }
@@ -91,7 +91,7 @@ void ForceGate::SetUnconfirmed(bool unconfirmed) noexcept
 {
   if (this->Unconfirmed && !unconfirmed)
   {
-    // The hand moved on while it did not feel the volume.
+    // The hand moved while it did not feel the volume.
     this->Restarts = true;
     this->Ramp = 0.0;
   }
@@ -123,7 +123,7 @@ void ForceGate::ReportSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
   {
-    // An owner that returns during the fade does not stop it: the hand has to feel the fault before
+    // If the owner returns during the fade, the fade continues: the hand must feel the fault before
     // force returns.
     this->EndInFault(GateReason::Unattended);
   }
@@ -155,7 +155,7 @@ void ForceGate::ReportData(double residency, double period) noexcept
   const double step = period / FadeTime;
   const double wanted = this->IsClosing() ? 0.0 : residency;
   const double change = wanted - this->Opening;
-  // Not std::clamp: a target within a step is reached to the bit.
+  // Not computed by std::clamp, so that a target within one step is reached to the bit.
   this->Opening = std::fabs(change) <= step ? wanted : this->Opening + std::copysign(step, change);
   this->Data = residency;
 }
@@ -222,18 +222,19 @@ void ForceGate::EndFade() noexcept
 void ForceGate::ReportCommand(bool flows) noexcept
 {
   this->Flows = flows;
-  // The slew limit may keep the command above zero after the gate has closed. A fade therefore
-  // ends only when the command is zero as well.
+  // The slew limit may keep the command above zero after the gate has closed. So a fade ends only
+  // when the command is zero, too.
   if (!flows && this->Ending != End::None && this->Opening == 0.0)
   {
     this->EndFade();
   }
-  // The hand moved unseen: begin at the tip, but not while there is force, which would end in a
-  // step.
+  // The hand moved while it was not observed, so begin at the tip. Not while there is a force,
+  // because it would end in a step.
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;
-  // If the device is armed during a hold, the force must not begin with the remainder of a fade.
+  // The device may be armed during a hold. Then the force must not begin with what is left of a
+  // fade.
   this->Opening = this->Rests ? 0.0 : this->Opening;
   this->Settle();
 }

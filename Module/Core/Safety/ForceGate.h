@@ -11,25 +11,25 @@
  * States
  * ------
  *
- *   Disarmed    no force, from the tick on in which it is entered
- *   Fault       no force, from that tick on; the reason names the fault, and stays until Arm
+ *   Disarmed    no force; it ends at once
+ *   Fault       no force; it ends at once. The reason names the fault until Arm is called
  *   Fading      the share falls to 0 within FadeTime, after FadeOut, because the owner is silent or
  *               because the loop is unstable
  *   Holding     the same for as long as it is held, for example during long work
- *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
- *   Confirming  the volume is not felt: small pushes find out the device's signs (SignCheck.h)
+ *   Retreating  no samples: the last force falls to zero (SafetyStage), and no new force flows
+ *   Confirming  the volume is not felt: small pushes test the device's signs (SignCheck.h)
  *   Ramping     the share rises from 0 to 1 over SafetyLimits::RampTime
- *   Armed       the whole force flows, as far as the data are there
+ *   Armed       the whole force flows, unless data are missing
  *
- * The last six are *open*. A hold may begin in any state and outlives all orders, and samples may
- * be missing during a fade. So the gate remembers each cause, and its open state is the first in
- * the list whose cause exists. Holding and Retreating are states of their own because the force
- * ends differently than in Fading, and comes back by itself.
+ * The last six states are *open*. A hold may begin in any state, no other order ends it, and
+ * samples may be missing during a fade. So the gate stores each cause, and its open state is the
+ * first one in the list whose cause exists. Holding and Retreating are separate states because the
+ * force ends differently than in Fading, and returns by itself.
  *
  * Events
  * ------
  *
- * "open" stands for: the open state by the list above. "-": the state stays.
+ * "open" means the open state by the list above, and "-" that the state does not change.
  *
  *   event                     Disarmed    Fault          open
  *   Arm                       open (a, b) open (a, b)    open (a, b, c)
@@ -54,23 +54,23 @@
  *   ReportData                -           -              - (i)
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
- *   (b) The proxy begins at the tip: DrainRestart. No force is wanted then, until the tip moves.
- *   (c) Changes nothing while force flows, unless it fades, or other orders came at the same time.
+ *   (b) The proxy begins at the tip (DrainRestart), so that no force is wanted until the tip moves.
+ *   (c) Changes nothing while force flows, unless the force fades or other orders came at the same
+ *       time.
  *   (d) The fault stays the reason.
  *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
- *   (f) Remembered for Arm.
- *   (g) A hold that has not come to its end goes on until no force flows. Then the ramp begins at
- *       0.
+ *   (f) Stored for Arm.
+ *   (g) A hold that has begun continues until no force flows. Then the ramp begins at 0.
  *   (h) The ramp begins at 0. The cause of Retreating exists as long as samples are missing or
  *       force flows.
- *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
+ *   (i) Moves the opening towards the share of the data in memory, by 1 in FadeTime.
  *   (j) The ramp begins at 0.
- *   (k) Until SetClutched(false), Arm only has the force return then, and ends a fade.
+ *   (k) Until SetClutched(false), Arm only ends a fade and makes the force return afterwards.
  *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (m) As Arm, if the force returns. Disarm, FadeOut and ReportNotReady since then prevent it.
+ *   (m) As Arm, if the force returns. It does not after Disarm, FadeOut or ReportNotReady.
  *
- * Faults, Disarm and the clutch act in the tick in which they come. Nothing that opens the gate
- * makes the share jump: it rises by RampTime, and the opening by FadeTime.
+ * Faults, Disarm and the clutch act in the tick in which they come. When the gate opens, the share
+ * never jumps: the ramp takes RampTime, and the opening FadeTime.
  *
  * Share
  * -----
@@ -98,28 +98,30 @@ enum class GateState : std::uint8_t
   Confirming
 };
 
-/**
- * Why the share is not 1. The arrays Reason and Fault of recordings have these numbers.
- */
+/** Why the share is below 1. Recordings store these numbers in the arrays Reason and Fault. */
 enum class GateReason : std::uint8_t
 {
-  None,       ///< the whole force passes
-  NotFinite,  ///< a fault: a force or a tip that is not a finite number
-  OverSpeed,  ///< a fault: a tip that is faster than SafetyLimits::MaximumSpeed
+  None,       ///< the whole force is sent
+  NotFinite,  ///< a fault: a force or a tip is not finite
+  OverSpeed,  ///< a fault: the tip is faster than SafetyLimits::MaximumSpeed
   DeviceLost, ///< a fault: the device is lost
-  Unattended, ///< a fault after the fade: the owner was silent for SafetyLimits::AttentionTime
-  Ordered,    ///< not armed yet, disarmed, or fading out after FadeOut
-  NotReady,   ///< the device was not ready; Arm is needed when it is
-  LongWork,   ///< held by the owner
-  NoSamples,  ///< no sample came within SafetyLimits::WatchdogTime
-  NoData,     ///< some samples of the volume around the tip are missing (Residency.h)
-  Rising,     ///< the force rises after Arm, a hold, a gap, missing data or a new model
-  Confirming, ///< small pushes find out the device's signs
-  Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
+  /** A fault after the fade: the owner was silent for longer than SafetyLimits::AttentionTime. */
+  Unattended,
+  Ordered,   ///< not armed yet, disarmed, or fading out after FadeOut
+  NotReady,  ///< the device was not ready; Arm is needed again when it is
+  LongWork,  ///< held by the owner, for example during long work
+  NoSamples, ///< no sample came within SafetyLimits::WatchdogTime
+  NoData,    ///< some samples of the volume around the tip are missing (Residency.h)
+  Rising, ///< the force rises after Arm, after a hold, a gap or missing data, or with a new model
+  Confirming, ///< small pushes test the device's signs
+  Unmoved,    ///< a fault: the pushes moved the tip too little, or the tip moved by itself
   WrongSign,  ///< a fault: the device moves against the force
-  Active,     ///< a fault: the device runs away against its force (PortObserver.h), or swings by
-              ///< itself (EnergyObserver.h)
-  Clutched    ///< the hand moves without the tip (clutch); the force returns by itself
+  /**
+   * A fault: the device runs away against its force (PortObserver.h) or oscillates
+   * (EnergyObserver.h).
+   */
+  Active,
+  Clutched ///< the hand moves without the tip (clutch); the force returns by itself afterwards
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
@@ -128,7 +130,7 @@ constexpr bool IsFault(GateReason reason) noexcept
     reason == GateReason::Unmoved || reason == GateReason::WrongSign ||
     reason == GateReason::Active;
 }
-/** Returns the fault that needs Arm; None if there is none. */
+/** Returns the fault that must be cleared by Arm, or None. */
 constexpr GateReason ComputeFault(GateState state, GateReason reason) noexcept
 {
   const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
@@ -138,46 +140,49 @@ constexpr GateReason ComputeFault(GateState state, GateReason reason) noexcept
 class ForceGate
 {
 public:
-  /** The shortest time (s) in which the opening changes by 1. */
+  /** Shortest time (s) in which the opening changes from 0 to 1 or back. */
   static constexpr double FadeTime = 0.05;
 
   ///@{
   /**
-   * Orders, given before a tick. Arm returns true if it changes anything; the contact before then
-   * no longer counts. `isSole` is false if other orders came at the same time, one of which may
+   * Orders, given before a tick. Arm returns true if it changed anything; then earlier contact no
+   * longer counts. `isSole` is false if other orders came at the same time, because one of them may
    * have been Disarm.
    */
   bool Arm(bool isSole = true) noexcept;
   void Disarm() noexcept;
   void FadeOut() noexcept;
   void SetHeld(bool held) noexcept;
-  /** Sets whether the device's signs have yet to be confirmed. */
+  /** Sets whether the device's signs must still be confirmed. */
   void SetUnconfirmed(bool unconfirmed) noexcept;
-  /** Returns true if the call armed the gate, as Arm does. */
+  /** Sets whether the gate is clutched. Returns true if the call has armed the gate. */
   bool SetClutched(bool clutched) noexcept;
   ///@}
 
   ///@{
   /**
-   * ReportSilence reports that the owner was silent for longer than SafetyLimits::AttentionTime,
-   * ReportNotReady that the device is not ready.
+   * ReportSilence() reports that the owner was silent for longer than SafetyLimits::AttentionTime.
+   * ReportNotReady() reports that the device is not ready.
    */
   void ReportSilence() noexcept;
   void ReportNotReady() noexcept;
   ///@}
 
-  /** Reports that a new model would let the force leap. */
+  /** Reports that the force would jump with a new model. */
   void ReportJump() noexcept;
-  /** Sets the share of the data for this tick of a period (s): 1, or the residency. */
+  /**
+   * Reports for this tick of a period (s) the share of the data that are in memory: 1, or the
+   * residency.
+   */
   void ReportData(double residency, double period) noexcept;
 
   ///@{
   /**
-   * SafetyStage calls these in this order: ReportFault, or ReportUnstable for a loop that swings
-   * although it is damped, so that the force fades with a fault; ReportGap for missing samples;
-   * then Pass (which returns the share, that of the pushes if there are some, and raises the ramp
-   * by a step), ReportRetreat or Cut; and last ReportCommand, which tells whether force flows to
-   * the device.
+   * SafetyStage calls these functions in this order. First ReportFault, or ReportUnstable for a
+   * loop that oscillates although it is damped, so that the force fades and the fade ends in a
+   * fault. Then ReportGap for missing samples. Then one of Pass, ReportRetreat and Cut; Pass
+   * returns the share (or that of the pushes) and raises the ramp by a step. Last ReportCommand,
+   * which reports whether the device receives a force.
    */
   void ReportFault(GateReason fault) noexcept;
   void ReportUnstable() noexcept;
@@ -195,28 +200,31 @@ public:
   {
     return this->State != GateState::Disarmed && this->State != GateState::Fault;
   }
-  /** Returns the share in the last tick: 0 to 1. */
+  /** Returns the share of the last tick, 0 to 1. */
   double GetShare() const noexcept { return this->Share; }
   /**
-   * Returns the share that remains after fades, holds and missing data, without the ramp: 0 to 1.
+   * Returns the opening, 0 to 1: the share without the ramp, that is, after fades, holds and
+   * missing data.
    */
   double GetOpening() const noexcept { return this->Opening; }
-  /** Returns whether an order moves the opening to 0, independent of the data. */
+  /** Returns whether an order lowers the opening to 0, whatever data are in memory. */
   bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
   /**
-   * Returns whether the last force falls to zero by itself, or has done so, because samples are
-   * missing.
+   * Returns whether samples are missing, so that the last force falls to zero or has already done
+   * so.
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
   bool IsUnconfirmed() const noexcept { return this->Unconfirmed; }
-  /** Returns whether the gate is held and no force flows any more. */
+  /** Returns whether the gate is held and the device receives no force. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
-  /** Returns true once after an event that makes the proxy begin at the tip. */
+  /**
+   * Returns whether an event has made the proxy begin at the tip. Returns true only once for it.
+   */
   bool DrainRestart() noexcept;
 
 private:
-  /** How a fade ends. */
+  /** What follows a fade. */
   enum class End : std::uint8_t
   {
     None,
@@ -226,23 +234,23 @@ private:
   void Shut(GateReason why) noexcept;
   void EndFade() noexcept;
   void EndInFault(GateReason fault) noexcept;
-  /** Sets the open state from its causes. */
+  /** Computes the open state from its causes. */
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;
-  GateReason Cause = GateReason::Ordered; ///< the reason in Disarmed and Fault
+  GateReason Cause = GateReason::Ordered; ///< reason of the states Disarmed and Fault
   End Ending = End::None;
-  GateReason EndFault = GateReason::None; ///< the fault at the end of a fade
+  GateReason EndFault = GateReason::None; ///< fault that follows the fade
   bool Held = false;
   bool Unconfirmed = false;
   bool Clutched = false;
-  bool Returns = false; ///< whether the force returns after the clutch
+  bool Returns = false; ///< whether the force returns after the clutch ends
   bool Rests = false;
   bool Retreats = false;
-  bool Retreated = false; ///< whether the force had retreated at the end of the last tick
-  bool Flows = false;     ///< whether the last command had force
+  bool Retreated = false; ///< whether the force was retreating at the end of the last tick
+  bool Flows = false;     ///< whether the last command contained a force
   bool Restarts = false;
-  double Data = 1.0; ///< the share of the data
+  double Data = 1.0; ///< share of the data that are in memory
   double Opening = 1.0;
   double Ramp = 0.0;
   double Share = 0.0;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The smallest Paid / Work that (2) uses: with zero the force could never return. */
+/** Smallest Paid / Work that is used in (2). With zero, the force could never return. */
 constexpr double LeastPaid = 1.0 / 64.0;
 
 } // namespace
@@ -49,7 +49,7 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
   }
   else if (this->HasTip)
   {
-    // The mean of both ends is exact for springs.
+    // The work uses the mean of both forces, which is exact for springs.
     const double work = -0.5 * Dot(this->Source + source, tip - this->Tip);
     this->Return = IsIdentical(tip, this->Tip) ? this->Return : std::max(0.0, -work);
     this->Work += work;
@@ -61,8 +61,8 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
     }
     if (!(this->Work > 0.0))
     {
-      // The hand has got back all that it put in: further work would come from the wanted force
-      // itself.
+      // The hand has got back all that it put in. The wanted force itself would pay for further
+      // work.
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }
@@ -79,8 +79,8 @@ double GrowthLimit::ComputeMostShare() const noexcept
   const double paid = this->Work - this->Unpaid;
   const double taken = std::max(paid, LeastPaid * this->Work);
   const double share = 2.0 * taken / (this->Work + taken);
-  // A tick is a finite step along the curve, and the next one may take back as much as this one:
-  // give no more than the account still has.
+  // A tick is a finite step along the curve, and the next tick may give back as much work as this
+  // one. So the share is limited to what the account still has.
   const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }
@@ -97,7 +97,8 @@ Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
     const double share = std::min(input.Share, this->ComputeMostShare());
     const double sent = std::min(share, (before + input.Growth) / norm);
     const bool isKnown = input.IsMeasured || !this->HasTip;
-    // A device may be one tick late: the hand has then felt the share of the last tick.
+    // A device may output a force one tick late, so that the hand has felt the share of the last
+    // tick.
     this->LeastShare = std::min(isKnown ? this->LastShare : this->LeastShare, sent);
     this->MostShare = std::max(isKnown ? this->LastShare : this->MostShare, sent);
     this->LastShare = sent;

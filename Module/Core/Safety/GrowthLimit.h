@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file The slew limit of the force on the hand, and the energy account of everything that lowers a
- * force: forces grow slowly, fall at once, and give no energy to the hand.
+ * @file
+ * Limits the growth of the force on the hand (slew limit), and keeps an energy account of
+ * everything that lowers a force, so that forces grow slowly, fall at once, and give no energy to
+ * the hand.
  *
  * Only growth is limited. A limit on falls would hold the force after the tip has left a wall, and
  * push the hand out with energy that it never put in. Let W be the wanted force, w its direction, F
@@ -11,10 +13,11 @@
  *
  *   |F| <= max(0, F'.w) + rate * period.                                                       (1)
  *
- * The new direction takes effect at once, and only the part of F' along it counts as present: a
- * force that is reversed starts from zero, one that turns by a few degrees a tick is not held back.
+ * The new direction takes effect at once, and only the component of F' along it counts as present.
+ * So a reversed force starts from zero, and a force that turns by a few degrees a tick is not held
+ * back.
  *
- * (1) alone still makes a stiff wall active. On the way in W rises faster than the rate, so the
+ * With (1) alone, a stiff wall is still active. On the way in W rises faster than the rate, so the
  * hand works against less than W; on the way out it gets all of W back. The gate's share does the
  * same if it rises while the hand presses. So the limit keeps an account of the contact, which
  * begins when W is zero or turns by a right angle:
@@ -28,9 +31,9 @@
  * If s = p(r), then dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), on the way in and out alike.
  * On the way out r runs back along the same curve, and reaches 0 together with Work. So Paid never
  * becomes negative: the hand never gets back more than it put in, for any wanted force. A tick is a
- * finite step, so s is limited once more: if the next tick takes back as much of Work as this one
- * did, Paid must suffice for it. On the way in r rises to 1: pressing on brings back the force that
- * the limit took, and a still hand feels no change. For a spring, with Work = k x^2 / 2, the
+ * finite step, so s is limited further: if the next tick takes back as much of Work as this one
+ * did, Paid must suffice for it. On the way in r rises to 1: pressing on restores the force that
+ * the limit took, and a hand at rest feels no change. For a spring, with Work = k x^2 / 2, the
  * stiffness of F is
  *
  *   k (p + 2 (p - r) dp/dr) <= k,
@@ -41,15 +44,15 @@
  *
  * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
  * and leaps, although the hand moved all the time, and s has changed meanwhile. So dPaid takes the
- * least s since the tip was last measured if the hand did work, and the largest if it got work
- * back: the account never counts more than the hand really put in. The s of the tick before is
- * among them, since a force may take a tick to reach the hand.
+ * least s since the tip was last measured if the hand did work, and the largest s if it got work
+ * back, so that the account never counts more than the hand really put in. The s of the previous
+ * tick is among them, because a force may take a tick to reach the hand.
  *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide
  * the debt to a spring that the tip meets later in the same contact. So a source that knows how
- * much energy can come back gives it as `recoverable`, and Work and Paid are scaled down to it. A
- * source that knows its drag gives it, too, and the account leaves it out: drag takes energy at any
- * share. If a source gives neither, its drag counts as work that can come back.
+ * much energy can come back passes it as `recoverable`, and Work and Paid are scaled down to it. A
+ * source that knows its drag passes it, too, and the account leaves it out, because drag takes
+ * energy at any share. If a source passes neither, its drag counts as work that can come back.
  */
 #ifndef GrowthLimit_h
 #define GrowthLimit_h
@@ -59,16 +62,17 @@
 namespace VolumeHaptics
 {
 
-/** A wanted force, with the values that the limit needs. */
+/** A wanted force and the data by which its growth is limited. */
 struct GrowthInput
 {
-  Vector3 Wanted;          ///< N
-  Vector3 Drag;            ///< N, the purely dissipative part of Wanted, if known
-  Vector3 Tip;             ///< m
-  bool IsMeasured = false; ///< whether the tip was measured since the last Apply, even if it rests
-  double Share = 1.0;      ///< the share of Wanted that may be sent: 0 to 1
-  double Growth = 0.0;     ///< N, the largest growth above the last force
-  /** The most energy (J) that the hand can get back from Wanted; negative if it is not known. */
+  Vector3 Wanted; ///< the wanted force in N
+  Vector3 Drag;   ///< purely dissipative part of Wanted in N, if it is known
+  Vector3 Tip;    ///< position of the tip in m
+  /** Whether the tip was measured since the last Apply, even if it did not move. */
+  bool IsMeasured = false;
+  double Share = 1.0;  ///< fraction of Wanted that may be sent, 0 to 1
+  double Growth = 0.0; ///< largest growth of the force over the last one, in N
+  /** Largest energy (J) that the hand can get back from Wanted; negative if it is not known. */
   double Recoverable = -1.0;
 };
 
@@ -76,26 +80,26 @@ class GrowthLimit
 {
 public:
   /**
-   * Resets the limit after a force was cut, or if the motion of the tip is unknown: the next force
-   * grows from zero, in a new contact.
+   * Resets the limit, after a force was cut or if the motion of the tip is unknown. The next force
+   * grows from zero in a new contact.
    */
   void Reset() noexcept;
 
   /**
-   * Returns the force to send: at most `Share` of the wanted force, and at most `Growth` above the
-   * last force.
+   * Returns the force to send: at most `Share` of the wanted force, and at most `Growth` more than
+   * the last force.
    */
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * Records that a smaller force in the direction of the last force was sent. The contact goes on;
-   * the tip is unknown until the next Apply.
+   * Records that a smaller force in the direction of the last one was sent. The contact continues.
+   * The tip is unknown until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 
   /**
    * Returns whether the account holds back more than a tenth of the wanted force, because the hand
-   * was spared work on the way in and has not pressed deeper since.
+   * did less work on the way in and has not pressed deeper since.
    */
   bool IsSoft() const noexcept { return this->ComputeMostShare() < 0.9; }
 
@@ -107,16 +111,16 @@ private:
   void BeginContact() noexcept;
   double ComputeMostShare() const noexcept;
 
-  Vector3 Source; ///< N, the wanted force without drag
+  Vector3 Source; ///< the wanted force without drag in N
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
-  double LeastShare = 1.0; ///< smallest s since the tip was last measured
-  double MostShare = 1.0;  ///< largest s since the tip was last measured
-  double LastShare = 1.0;  ///< the last s
-  double Work = 0.0;       ///< J
-  double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 until something is held back
-  double Return = 0.0;     ///< J, the part of Work that the hand got back when the tip last moved
+  double LeastShare = 1.0; ///< smallest s since the last measurement of the tip
+  double MostShare = 1.0;  ///< largest s since the last measurement of the tip
+  double LastShare = 1.0;  ///< s of the last tick
+  double Work = 0.0;       ///< work of the hand against W in J
+  double Unpaid = 0.0;     ///< Work - Paid in J; exactly 0 until some force is held back
+  double Return = 0.0;     ///< part of Work (J) that the hand got back when the tip last moved
 };
 
 } // namespace VolumeHaptics

@@ -9,9 +9,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 30 mm/s. */
+/**
+ * Shortest time (s) over which the velocity is averaged. Over it, an encoder's step of 0.06 mm is
+ * 30 mm/s.
+ */
 constexpr double DamperVelocityTime = 2e-3;
-/** A tip that was not measured for this long (s) has moved unseen. */
+/** Time (s) without a measurement after which the tip counts as having moved unseen. */
 constexpr double DamperGapTime = 0.03;
 
 } // namespace
@@ -62,8 +65,8 @@ Vector3 PortDamper::Apply(const Vector3& wall, double most, double cap, double p
   {
     return wall;
   }
-  // The delay counts from the middle of the measurement; the force may take a tick to reach the
-  // hand, and stays until the next one.
+  // The delay begins at the middle of the measurement. The force may reach the hand a tick later,
+  // and lasts until the next one.
   const double late = 0.5 * this->Span + std::max(this->Between, period) + period;
   const double largest = 0.5 * LightMass / late;
   const double damping = cap > 0.0 ? std::min(cap, largest) : largest;

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Damping that is added to the force of a wall that buzzes, so that it takes energy only.
+ * Damps the force of a wall that oscillates, so that the wall only takes energy.
  *
- * Along the force F of the wall, with the measured speed v of the tip along F, the force becomes
+ * Let F be the force of the wall, and v the measured speed of the tip along F. The damped force has
+ * the direction of F and the magnitude
  *
  *   max(0, |F| - B v).
  *
- * B is the largest damping that the device holds, but so small that the damping itself can't turn
- * the motion around before it is measured again. With the time tau by which v is late, from the
- * middle of its measurement to the end of the force,
+ * B is the largest damping that the device renders, but limited so that the damping itself can't
+ * reverse the motion before it is measured again. If v is late by the time tau, from the middle of
+ * its measurement to the end of the force, then
  *
  *   B <= m / (2 tau),   m = LightMass,
  *
- * since in the time tau the damping then takes at most half of the speed even of a light stylus. To
- * be sure, an account sums up the energy that the damping has taken. If it has given more than
- * MostGiven instead, there is no more damping.
+ * because the damping then takes at most half of the speed within tau, even from a light stylus. As
+ * a further check, an account sums up the energy that the damping has taken. If the damping has
+ * given more than MostGiven instead, it ends.
  *
- * The force stays within a bound that the caller gives. It never pulls the tip into the wall, and
- * motion along the wall is free.
+ * The force stays within a bound that the caller sets. The damping never pulls the tip into the
+ * wall, and does not affect motion along the wall.
  */
 #ifndef PortDamper_h
 #define PortDamper_h
@@ -35,10 +36,10 @@ namespace VolumeHaptics
 class PortDamper
 {
 public:
-  static constexpr double LightMass = 0.05; ///< kg
-  static constexpr double MostGiven = 1e-4; ///< J
+  static constexpr double LightMass = 0.05; ///< in kg
+  static constexpr double MostGiven = 1e-4; ///< in J
 
-  /** Clears everything, and stops damping. */
+  /** Clears everything and ends the damping. */
   void Reset() noexcept;
 
   ///@{
@@ -48,34 +49,34 @@ public:
   bool IsEngaged() const noexcept { return this->Engaged; }
   ///@}
 
-  /** Processes a measurement of the tip (m), with the time (s) since the last measurement. */
+  /** Processes a measurement of the tip (m). `time` (s) is the time since the last measurement. */
   void Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * Returns the force of the wall (N) with the damping. Called in every tick of a period (s). The
-   * damping makes no force larger than `most` (N). `cap` is the largest B (N s/m) that the device
-   * holds; 0 if B is not limited.
+   * Returns the damped force of the wall (N). Called in every tick of a period (s). Damping does
+   * not raise the force above `most` (N). `cap` is the largest B (N s/m) that the device renders; 0
+   * if it does not limit B.
    */
   Vector3 Apply(const Vector3& wall, double most, double cap, double period) noexcept;
 
 private:
   struct Measurement
   {
-    double Time = 0.0; ///< s
+    double Time = 0.0; ///< time in s
     Vector3 Tip;
   };
   static constexpr std::size_t Kept = 16;
 
   bool Engaged = false;
-  std::array<Measurement, Kept> Measurements{}; ///< a ring
+  std::array<Measurement, Kept> Measurements{}; ///< a ring buffer
   std::size_t Count = 0;
-  double Time = 0.0;    ///< s, time of the last measurement
-  double Free = 0.0;    ///< s, since the wall last pushed
-  double Taken = 0.0;   ///< J
-  double Between = 0.0; ///< s, between the last two measurements
-  double Span = 0.0;    ///< s, over which the velocity is averaged
-  Vector3 Velocity;     ///< m/s
-  Vector3 DampedSum;    ///< N, the damping of all ticks since the last measurement
+  double Time = 0.0;    ///< time of the last measurement in s
+  double Free = 0.0;    ///< time since the wall last pushed in s
+  double Taken = 0.0;   ///< energy that the damping has taken, in J
+  double Between = 0.0; ///< time between the last two measurements in s
+  double Span = 0.0;    ///< time over which the velocity is averaged in s
+  Vector3 Velocity;     ///< velocity of the tip in m/s
+  Vector3 DampedSum;    ///< sum of the damping forces (N) of all ticks since the last measurement
   double DampedCount = 0.0;
 };
 

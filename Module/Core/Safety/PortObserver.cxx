@@ -12,18 +12,21 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 15 mm/s. */
+/**
+ * Shortest time (s) over which the velocity is averaged. Over it, an encoder's step of 0.06 mm is
+ * 15 mm/s.
+ */
 constexpr double VelocityTime = 4e-3;
 /**
- * A tip that has not moved for this long (s) rests. Before that, the device may not have reported
- * the motion yet.
+ * Time (s) without motion after which the tip is at rest. After a shorter time, the device may only
+ * not have reported a motion yet.
  */
 constexpr double RestTime = 10e-3;
-/** A hand withstands a force for this long (s) after the force has fallen. */
+/** Time (s) for which a hand can still push as strongly after the force has fallen. */
 constexpr double HandTime = 0.3;
-/** A force rises if it is above its mean of this time (s). */
+/** A force rises if it is above its mean over this time (s). */
 constexpr double RiseTime = 2e-3;
-/** A smaller force (N) has no direction, and moves nothing. */
+/** Force (N) below which the direction is unknown and the force moves nothing. */
 constexpr double LeastForce = 0.02;
 
 } // namespace
@@ -102,7 +105,8 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   const bool rises = norm > 1.02 * this->EarlierForce + 0.005;
   this->EarlierForce += (1.0 - std::exp(-time / RiseTime)) * (norm - this->EarlierForce);
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
-  // Only motion along the present force counts: a force that turns around speeds up nothing.
+  // Only motion along the present force counts, because a force that changes direction does not
+  // speed the tip up.
   const double before = std::max(0.0, Dot(this->Velocity, into));
   this->Velocity = this->EstimateVelocity();
   const double speed = std::max(0.0, Dot(this->Velocity, into));

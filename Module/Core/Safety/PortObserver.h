@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds a device that runs away against its force, as one with a wrong sign does.
+ * Detects a device that runs away against its force, as a device with a wrong sign does.
  *
- * The observer compares what is sent with what is measured: the force F, held until the next one,
- * and the motion dx of the tip (the idea of Hannaford and Ryu, "Time-domain passivity control of
- * haptic interfaces", 2002). It does not depend on the wall. Pass it every force that was sent, and
- * ask it at every measurement.
+ * The observer compares the force F that was sent, which lasts until the next one, with the
+ * measured motion dx of the tip (the idea of Hannaford and Ryu, "Time-domain passivity control of
+ * haptic interfaces", 2002). It does not depend on the wall. It needs every force that was sent and
+ * every measurement.
  *
  * Run-away
  * --------
@@ -31,15 +31,15 @@
  * the smaller RisingBound. Both bounds are more than 1.6 times the largest value of 100 000
  * sessions of honest devices; see Documentation/evaluation.md.
  *
- * A gap in the measurements and a leap of the tip begin anew.
+ * A gap in the measurements or a leap of the tip begins a new contact.
  *
  * Limits
  * ------
  *
  * A soft wall with a wrong sign moves the tip as a hand does that presses, and a hand that holds a
- * device firmly keeps it from running away: these are not found. Force times motion can't tell a
- * wrong sign from a hand that presses: the check at the first arming does (SignCheck.h). A loop
- * that swings by itself is found by EnergyObserver.h.
+ * device firmly keeps it from running away: neither is detected. Force times motion can't tell a
+ * wrong sign from a hand that presses; the check at the first arming can (SignCheck.h).
+ * EnergyObserver.h detects a loop that oscillates by itself.
  */
 #ifndef PortObserver_h
 #define PortObserver_h
@@ -60,20 +60,23 @@ public:
   static constexpr double RisingBound = 1.2e-3;    ///< J
   static constexpr double ContactBound = 2.5e-3;   ///< J
 
-  /** Clears everything: force and tip are unknown. */
+  /** Clears everything. Force and tip are unknown then. */
   void Reset() noexcept;
 
   /**
-   * Processes a measurement of the tip (m), with the time (s) since the last measurement. Returns
-   * true if the device moves against the force.
+   * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement.
+   * Returns true if the device moves against the force.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
-  /** Records the force (N) on the device until the next tick. Called in every tick. */
+  /** Records the force (N) that the device exerts until the next tick. Called in every tick. */
   void RecordSent(const Vector3& force) noexcept;
 
   ///@{
-  /** Return energies (J) in the present contact; see above. */
+  /**
+   * Return the smaller one of Work and an Excess (J) in the present contact, as explained above:
+   * with the gains while the force rises, or with all gains.
+   */
   double GetRisingRunAway() const noexcept;
   double GetRunAway() const noexcept;
   ///@}
@@ -81,7 +84,7 @@ public:
 private:
   struct Measurement
   {
-    double Time = 0.0; ///< s
+    double Time = 0.0; ///< time in s
     Vector3 Tip;
   };
   static constexpr std::size_t Kept = 64;
@@ -95,18 +98,18 @@ private:
   void Account(const Vector3& force, const Vector3& motion, double time) noexcept;
   void EndContact() noexcept;
 
-  std::array<Measurement, Kept> Measurements{}; ///< a ring
+  std::array<Measurement, Kept> Measurements{}; ///< a ring buffer
   std::size_t Count = 0;
-  double Time = 0.0; ///< s
-  Vector3 SentSum;   ///< N, the sum over all ticks since the last measurement
+  double Time = 0.0; ///< time in s
+  Vector3 SentSum;   ///< sum of the forces (N) of all ticks since the last measurement
   double SentCount = 0.0;
-  double LargestForce = 0.0; ///< N, the largest force in the recent past
-  double EarlierForce = 0.0; ///< N, the force smoothed over RiseTime
-  Vector3 Velocity;          ///< m/s
+  double LargestForce = 0.0; ///< largest force (N) of the recent past
+  double EarlierForce = 0.0; ///< force (N), smoothed over RiseTime
+  Vector3 Velocity;          ///< velocity of the tip in m/s
   bool IsContact = false;
-  double Work = 0.0;         ///< J
-  double Excess = 0.0;       ///< J
-  double RisingExcess = 0.0; ///< J
+  double Work = 0.0;         ///< see above, in J
+  double Excess = 0.0;       ///< see above, in J
+  double RisingExcess = 0.0; ///< Excess with gains only while the force rises, in J
 };
 
 } // namespace VolumeHaptics

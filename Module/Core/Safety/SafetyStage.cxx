@@ -12,13 +12,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Without samples, a force goes to zero within this time (s). */
+/** Time (s) within which a force goes to zero if there are no samples. */
 constexpr double RetreatTime = 0.02;
 
 /**
- * Computes the energy (J) that the spring of an input gives back while it relaxes, if at most
- * `most` (N) of its pull is felt. The pull is computed from the stretch, because the force may be
- * clamped already. Negative if the stiffness is not known.
+ * Computes the energy (J) that the spring of an input gives back when it relaxes, if at most `most`
+ * (N) of its pull is felt. Uses the stretch to compute the pull, because the force may be clamped.
+ * Returns a negative number if the stiffness is not known.
  */
 double ComputeRecoverable(const SafetyInput& input, double most) noexcept
 {
@@ -61,13 +61,14 @@ GrowthInput SafetyStage::ComputeGrowth(
 Vector3 SafetyStage::Retreat(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
-  // A force without fresh samples must end in time, even if forces may only grow slowly.
+  // Without fresh samples, a force must end soon, even if forces may only grow slowly.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
   const double most = std::max(0.0, Norm(last) - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
-    // The position of the hand is known again: push the hand only if the wanted force does so.
+    // The hand's position is known again, so the force may push the hand only if the wanted force
+    // does.
     GrowthInput growth = this->ComputeGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);
@@ -80,7 +81,8 @@ Vector3 SafetyStage::Retreat(
 
 double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
 {
-  // After a late wake-up the next one comes early, but the device has moved for a whole period.
+  // A tick that wakes up late may be followed by an early one, but the device has moved for a whole
+  // period.
   const double measured = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
   const double time = std::max(measured, input.Period);
   const double speed = this->HasTip && time > 0.0 ? Norm(input.Tip - this->LastTip) / time : 0.0;
@@ -99,7 +101,7 @@ bool SafetyStage::UpdateSamples(
   bool isActive = false;
   bool givesEnergy = false;
   this->Stale = this->Silence > limits.WatchdogTime;
-  // A gap counts even if a fresh sample ends it, because the hand was not observed meanwhile.
+  // A gap counts even if a fresh sample ends it, because the hand was not observed during the gap.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
@@ -149,7 +151,7 @@ Vector3 SafetyStage::ComputeCommand(
   }
   if (input.Elapsed > limits.WatchdogTime)
   {
-    // The loop itself stood still, and the device may have ended the force by itself.
+    // The loop itself did not run, and the device may have ended the force by itself.
     this->Growth.Lower({});
   }
   if (gap)

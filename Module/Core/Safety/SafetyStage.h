@@ -5,10 +5,10 @@
  * The only way from a computed force to a device.
  *
  * In the order in which a force passes:
- * 1. A force, a torque or a tip that is not finite gives zero and a fault.
- * 2. A tip that is faster than the limit gives zero and a fault. The speed is taken between two
- *    measurements, by their own times. A device that runs away against its force (PortObserver.h)
- *    gives zero and a fault, too.
+ * 1. If the force, the torque or the tip is not finite, the result is zero and a fault.
+ * 2. If the tip is faster than the limit, the result is zero and a fault. The speed is taken
+ *    between two measurements, by their own times. A device that runs away against its force
+ *    (PortObserver.h) gives zero and a fault, too.
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The force is multiplied by the gate's share (ForceGate.h), and the growth of the force is
  *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
@@ -20,8 +20,8 @@
  * in the computation of the force: see HapticModel::Caps. Joint commands are scaled down together,
  * by the back end: SaturateTogether.
  *
- * No rule adds energy, and nothing grows faster than the slew limit allows. A fault and disarming
- * cut the force at once.
+ * No rule adds energy, and no force grows faster than the slew limit allows. A fault or disarming
+ * cuts the force at once.
  *
  * If no sample and no sign of the device comes for WatchdogTime, the force retreats: the last force
  * falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on
@@ -44,68 +44,73 @@ namespace VolumeHaptics
 
 struct SafetyLimits
 {
-  double MaximumForce = 0.0;       ///< N; 0 lets no force through
-  double MaximumForceRate = 500.0; ///< N/s, the fastest growth
-  double MaximumSpeed = 0.0;       ///< m/s; 0: no limit
-  double RampTime = 0.5;           ///< s
-  double WatchdogTime = 0.03;      ///< s
+  double MaximumForce = 0.0;       ///< in N; with 0, no force is sent
+  double MaximumForceRate = 500.0; ///< fastest growth of the force in N/s
+  double MaximumSpeed = 0.0;       ///< in m/s; 0 for no limit
+  double RampTime = 0.5;           ///< duration of the ramp after Arm in s
+  double WatchdogTime = 0.03;      ///< time without samples (s) after which the force retreats
   /**
-   * How long (s) the owner may be silent before the force fades out (ServoLoop::Attend); 0: without
-   * limit.
+   * Time (s) for which the owner may be silent before the force fades out (ServoLoop::Attend); 0
+   * for no limit.
    */
   double AttentionTime = 0.0;
-  bool MovesTip = false;           ///< whether forces move the tip: see DeviceLimits
-  double MaximumDamping = 0.0;     ///< N s/m, the largest that the device holds; 0: no limit
-  double MaximumTorque = 0.0;      ///< N m; 0 lets no torque through: see TorqueStage.h
-  double MaximumTorqueRate = 20.0; ///< N m/s, the fastest growth
+  bool MovesTip = false;       ///< whether forces move the tip (DeviceLimits)
+  double MaximumDamping = 0.0; ///< largest damping that the device renders in N s/m; 0 for no limit
+  double MaximumTorque = 0.0;  ///< in N m; with 0, no torque is sent (TorqueStage.h)
+  double MaximumTorqueRate = 20.0; ///< fastest growth of the torque in N m/s
 };
 
 /** The input of the stage in a tick. */
 struct SafetyInput
 {
-  Vector3 Force;          ///< N, as computed
-  double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
-  double Stretch = 0.0;   ///< m, of the spring; Force may be less than it pulls
-  Vector3 Drag;           ///< N, the purely dissipative part of the force, if known
+  Vector3 Force; ///< computed force in N
+  /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
+  double Stiffness = 0.0;
+  double Stretch = 0.0; ///< stretch of the spring in m; Force may be less than the spring's pull
+  Vector3 Drag;         ///< purely dissipative part of the force in N, if it is known
   /**
-   * J: the work of a moving surface on the spring that pulls the hand, if the whole force flows.
+   * Work (J) of a moving surface on the spring that pulls the hand, assuming that the whole force
+   * is sent.
    */
   double WallWork = 0.0;
-  bool IsNew = false;   ///< whether the force changed for another reason than the motion of the tip
-  Vector3 Tip;          ///< m
-  double Period = 1e-3; ///< s, nominal, for the slew limit and the ramp
-  double Elapsed = 0.0; ///< s since the last tick, measured
+  bool IsNew = false;   ///< whether the force has changed for a reason other than the tip's motion
+  Vector3 Tip;          ///< position of the tip in m
+  double Period = 1e-3; ///< nominal period in s, for the slew limit and the ramp
+  double Elapsed = 0.0; ///< measured time since the last tick in s
   bool Fresh = false;   ///< whether the tip was measured for this tick
-  bool Alive = false;   ///< whether the tip has not moved: see DeviceSample
+  bool Alive = false;   ///< whether the tip is known not to have moved (DeviceSample::Alive)
   /**
-   * The time (s) that a fresh tip took to get here, by the device's own clock; 0 if that time is
-   * not known. The stage then uses the time since the last fresh tip.
+   * Time (s) in which the tip moved here from its last measured position, by the device's own
+   * clock. If it is not known (0), the stage uses the time since the last fresh tip.
    */
   double MotionTime = 0.0;
-  double RoundTrip = 0.0; ///< s, measured; 0 if it is not known
-  bool Lost = false;      ///< whether the device is gone
-  Vector3 Torque;         ///< N m, as computed: only checked for finite numbers here
+  double RoundTrip = 0.0; ///< measured round trip in s; 0 if it is not known
+  bool Lost = false;      ///< whether the device is lost
+  Vector3 Torque; ///< computed torque in N m, which the stage only checks for finite numbers
 };
 
 class SafetyStage
 {
 public:
   /**
-   * Returns the force to send. Reports the stage's findings to the gate, and applies the gate's
-   * share.
+   * Returns the force to send. Reports the stage's findings to the gate, and multiplies the force
+   * by the gate's share.
    */
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
   /**
-   * Resets the stage after ForceGate::Arm: forces grow from zero, and earlier motion of the tip
-   * does not count.
+   * Resets the stage after ForceGate::Arm, so that forces grow from zero and earlier motion of the
+   * tip does not count.
    */
   void Reset() noexcept;
 
-  /** Returns whether the force is damped, because the loop swings by itself. */
+  /** Returns whether the force is damped because the loop oscillates. */
   bool IsDamping() const noexcept { return this->Damper.IsEngaged(); }
 
-  /** Returns whether a wall feels softer than wanted until the tip leaves it: see GrowthLimit. */
+  /**
+   * Returns whether a wall feels softer than wanted, which lasts until the tip leaves it or presses
+   * deeper (GrowthLimit.h).
+   */
   bool IsSoft() const noexcept { return this->Growth.IsSoft(); }
 
   /** Returns whether the last samples are older than the watchdog allows. */
@@ -127,18 +132,18 @@ private:
   PortObserver Observer;
   EnergyObserver Energy;
   PortDamper Damper;
-  Vector3 LastCommand;    ///< N
+  Vector3 LastCommand;    ///< in N
   double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;
-  double SampleAge = 0.0; ///< s, age of the last fresh sample
-  double Silence = 0.0;   ///< s, time without a sign of the device
+  double SampleAge = 0.0; ///< time since the last fresh sample in s
+  double Silence = 0.0;   ///< time since the last sign of the device in s
   bool HasTip = false;
   bool Stale = false;
 };
 
 /**
- * Scales commands down together until the largest is within the limit, so that the direction stays.
- * All commands become zero if one is not finite.
+ * Reduces all commands by the same factor, so that the largest is within the limit and the
+ * direction does not change. Sets all commands to zero if one is not finite.
  */
 void SaturateTogether(double* commands, int count, double limit) noexcept;
 

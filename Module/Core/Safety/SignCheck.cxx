@@ -10,39 +10,42 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The time (s) in which a push rises, and the time after which it ends. */
+/** Time (s) in which a push rises, and time after which it ends. */
 constexpr double PushRiseTime = 0.15;
 constexpr double PushTime = 0.2;
 /**
- * The number of force levels; the lowest level as a fraction of the highest, and its limit in
- * newtons.
+ * Number of force levels, the lowest level as a fraction of the highest one, and the limit of the
+ * lowest level in newtons.
  */
 constexpr int Levels = 4;
 constexpr double FirstShare = 0.125;
 constexpr double FirstForce = 0.1;
-/** The largest speed (m/s) and unevenness (m) of a hand at rest. */
+/** Limits of speed (m/s), spread (m) and surprise (m) of a hand at rest (DriftLine.h). */
 constexpr double RestSpeed = 0.02;
 constexpr double RestSpread = 0.25e-3;
 constexpr double RestSurprise = 0.35e-3;
-/** The tip has turned back once it is this far (m) from its farthest place. */
+/** Distance (m) from the farthest place at which the tip counts as having turned back. */
 constexpr double TurnedBack = 0.1e-3;
-/** A return ends at this distance (m): a free mass turns back before. */
+/** Distance (m) at which a return ends. A free mass turns back earlier. */
 constexpr double MostDistance = 3.5e-3;
-/** How long (s) the check waits for rest. */
+/** Time (s) for which the check waits for rest. */
 constexpr double Patience = 8.0;
 /**
- * A vote is clear of the noise from this distance (m) on, or from this multiple of the spread on.
+ * Distance of a vote that is clear of the noise: at least this length (m), and at least this
+ * multiple of the spread.
  */
 constexpr double ClearDistance = 0.4e-3;
 constexpr double ClearSpread = 4.0;
 /**
- * The number of votes that an axis needs in each direction, and their lead over three times the
- * opposite votes.
+ * Number of votes that an axis needs in each direction, and number of votes by which it must exceed
+ * three times the opposite votes.
  */
 constexpr int VotesEachWay = 2;
 constexpr int VotesAhead = 4;
 constexpr int MostTrials = 20;
-/** Trials at the highest level without a vote, after which an axis counts as not moving. */
+/**
+ * Number of trials at the highest level without a vote after which an axis counts as not moving.
+ */
 constexpr int MostUnclear = 6;
 
 double Get(const Vector3& v, int axis) noexcept
@@ -98,7 +101,7 @@ void SignCheck::Interrupt() noexcept
 
 double SignCheck::GetDirection() const noexcept
 {
-  // The Thue-Morse sequence: the parity of the bits.
+  // The directions are the Thue-Morse sequence, the parity of the trial number's bits.
   int parity = 0;
   for (int bits = this->Tally[this->Axis].Trials; bits != 0; bits >>= 1)
   {
@@ -107,7 +110,7 @@ double SignCheck::GetDirection() const noexcept
   return parity == 0 ? 1.0 : -1.0;
 }
 
-/** Returns the force of the push, at a time since its beginning. */
+/** Returns the force of the push at a time (s) after its beginning. */
 double SignCheck::GetForce(double time) const noexcept
 {
   const double first = std::min(FirstShare * this->Most, FirstForce);
@@ -139,8 +142,8 @@ void SignCheck::Rest() noexcept
 }
 
 /**
- * Continues a push. `distance` (m) is how far the measured tip is from the line, in the direction
- * of the push.
+ * Continues a push. `distance` (m) is the distance of the measured tip from the line, along the
+ * direction of the push.
  */
 void SignCheck::Push(double distance) noexcept
 {
@@ -158,7 +161,7 @@ void SignCheck::Push(double distance) noexcept
 void SignCheck::Return(double distance) noexcept
 {
   const double way = this->Farthest < 0.0 ? -1.0 : 1.0;
-  // A tip that the push has not moved needs no braking.
+  // No braking is needed if the push has not moved the tip.
   if (way * (this->Farthest - distance) >= TurnedBack || std::abs(this->Farthest) < TurnedBack ||
     std::abs(distance) > MostDistance)
   {
@@ -170,7 +173,7 @@ void SignCheck::Return(double distance) noexcept
   }
 }
 
-/** Counts a vote, by the distance along the push (m). */
+/** Counts a vote. `distance` (m) is along the direction of the push. */
 void SignCheck::Count(double distance) noexcept
 {
   Votes& votes = this->Tally[this->Axis];
@@ -188,7 +191,7 @@ void SignCheck::Count(double distance) noexcept
   this->MustPushHarder = std::abs(distance) < this->Clear || (with > 0 && against > 0);
 }
 
-/** Ends a trial: goes on with the next axis, unless there is a verdict. */
+/** Ends a trial, and begins the next one on the next axis unless there is a verdict. */
 void SignCheck::Judge() noexcept
 {
   Votes& votes = this->Tally[this->Axis];
@@ -242,7 +245,7 @@ Vector3 SignCheck::Step(const Vector3& tip, bool isFresh, double elapsed) noexce
   }
   else if (this->Now == Phase::Push && phase > 2.0 * PushTime)
   {
-    this->Interrupt(); // a push without measured tips is no trial
+    this->Interrupt(); // a push without measured tips is not a trial
   }
   else if (this->Now == Phase::Return && phase >= this->Duration)
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds out whether a device pushes the hand along the force that it is given, or against it.
+ * Tests whether a device pushes the hand along the force that it is given, or against it.
  *
  * A device whose motor is wired the other way round turns every spring into one that drives the
- * hand away, and no computed value shows it. So before such a device is trusted, it gives the hand
- * a few small pushes along each of its axes, and the motion has to follow them.
+ * hand away, and no computed value shows this. So before a device is trusted, it gives the hand a
+ * few small pushes along each of its axes, and the motion has to follow them.
  *
  *   check.Begin(axes, most);
  *   every tick:  force = check.Step(tip, isFresh, elapsed);  until  check.GetVerdict() is one
@@ -25,17 +25,17 @@
  *    does not build up.
  *
  * A passive hand that begins at rest first moves with the force, whether it is a mass, a damper or
- * a spring, so that the vote tells the sign of the device. A constant force (gravity, a spring that
- * is bent already) can't fake a vote, since the distance is measured from the line.
+ * a spring, so that the vote shows the sign of the device. A constant force (gravity, a spring that
+ * is already bent) can't fake a vote, because the distance is measured from the line.
  *
  * The verdict
  * -----------
  *
  * Trials go round the axes. On each axis the directions follow + - - + - + + - ..., which no steady
  * drift, and no swing of a hand, follows. The level begins low, for a hand that gives way at once,
- * and rises with each trial of that axis without a clear vote, up to a tenth of the device's
- * force. An axis is right, or wrong, as soon as at least two votes in each direction say so, and
- * three times as many as say the opposite, and four more. The first wrong axis ends the check.
+ * and rises with each trial of that axis without a clear vote, up to a tenth of the device's force.
+ * An axis is right (or wrong) as soon as each direction has at least two votes for it, and all its
+ * votes exceed three times the opposite votes by four. The first wrong axis ends the check.
  */
 #ifndef SignCheck_h
 #define SignCheck_h
@@ -49,17 +49,17 @@ namespace VolumeHaptics
 
 enum class SignResult : std::uint8_t
 {
-  Pending,   ///< not begun, or under way
-  Confirmed, ///< the tip moves with the force along every axis
+  Pending,   ///< not begun, or in progress
+  Confirmed, ///< the tip moves with the force along all axes
   Wrong,     ///< the tip moves against the force along an axis
-  NoMotion,  ///< the tip does not move along an axis: it is held too firmly, or is at a stop
-  Restless   ///< the tip moves by itself, or both with and against the force
+  NoMotion,  ///< the tip does not move along an axis, because it is held too firmly or is at a stop
+  Restless   ///< the tip moves by itself, or sometimes with and sometimes against the force
 };
 
 struct SignVerdict
 {
   SignResult Result = SignResult::Pending;
-  int Axis = 0; ///< 0 to 2: the axis of Wrong, NoMotion and Restless
+  int Axis = 0; ///< axis of Wrong, NoMotion or Restless, 0 to 2
 };
 
 class SignCheck
@@ -67,21 +67,25 @@ class SignCheck
 public:
   /** Distance (m) at which a push ends. */
   static constexpr double StopDistance = 0.8e-3;
-  /** The largest push, as a fraction of the device's force, and in newtons. */
+  /** Largest push, as a fraction of the device's force (MostShare) and in newtons (MostForce). */
   static constexpr double MostShare = 0.1;
   static constexpr double MostForce = 4.0;
 
   /**
-   * Starts from the beginning. Bit i of `axes` is set if the device can push along axis i; `force`
-   * (N) is the largest force of the device.
+   * Starts from the beginning. Bit i of `axes` is set if the device can exert a force along axis i.
+   * `force` (N) is the device's largest force.
    */
   void Begin(unsigned axes, double force) noexcept;
   /**
-   * Returns the force to send in this tick (N); zero once there is a verdict. `tip` (m) was
-   * measured in this tick if it is fresh, `elapsed` (s) after the last tick.
+   * Returns the force (N) to send in this tick, or zero if there is a verdict. `tip` (m) is the
+   * position of the tip; it was measured in this tick if isFresh is true. `elapsed` (s) is the time
+   * since the last tick.
    */
   Vector3 Step(const Vector3& tip, bool isFresh, double elapsed) noexcept;
-  /** Discards the present trial, because something else held the force back, or the tip leapt. */
+  /**
+   * Discards the present trial, because the force was held back for another reason or because the
+   * tip jumped.
+   */
   void Interrupt() noexcept;
 
   const SignVerdict& GetVerdict() const noexcept { return this->Verdict; }
@@ -98,8 +102,8 @@ private:
   struct Votes
   {
     int With[2] = {};
-    int Against[2] = {}; ///< votes against the force, by the direction of the push
-    int Unclear = 0;     ///< trials at the highest level without a clear vote
+    int Against[2] = {}; ///< votes against the force, by direction of the push
+    int Unclear = 0;     ///< number of trials at the highest level without a clear vote
     int Trials = 0;
     int Level = 0;
     bool IsDone = false;
@@ -117,16 +121,16 @@ private:
 
   SignVerdict Verdict;
   unsigned Axes = 0;
-  double Most = 0.0; ///< N, the largest force of a push
+  double Most = 0.0; ///< largest force of a push in N
   Votes Tally[3];
   int Axis = 0;
   Phase Now = Phase::Rest;
-  double Time = 0.0;           ///< s since Begin
-  double Start = 0.0;          ///< s, when the phase began
-  double Duration = 0.0;       ///< s, duration of the push
-  double Clear = 0.0;          ///< m: a smaller distance is no vote
-  double Farthest = 0.0;       ///< m, the farthest signed distance in the trial
-  bool MustPushHarder = false; ///< whether the next push along this axis has to be harder
+  double Time = 0.0;           ///< time since Begin in s
+  double Start = 0.0;          ///< time at which the phase began in s
+  double Duration = 0.0;       ///< duration of the push in s
+  double Clear = 0.0;          ///< distance (m) below which a trial is no vote
+  double Farthest = 0.0;       ///< farthest signed distance (m) in the trial
+  bool MustPushHarder = false; ///< whether the next push along this axis must be stronger
   DriftLine Drift;
 };
 

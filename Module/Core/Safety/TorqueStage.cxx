@@ -14,7 +14,7 @@ void TorqueStage::UpdateTurn(const Quaternion& orientation) noexcept
 {
   const Quaternion turn = orientation * Conjugate(this->Last);
   const Vector3 axis = std::copysign(1.0, turn.W) * Vector3{ turn.X, turn.Y, turn.Z };
-  const double sine = Norm(axis); // the sine of half the angle
+  const double sine = Norm(axis); // sine of half the angle
   constexpr double small = 1e-6;
   const double length = sine > small ? 2.0 * std::asin(std::min(sine, 1.0)) / sine : 2.0;
   this->Turned += length * axis;
@@ -40,7 +40,7 @@ Vector3 TorqueStage::Apply(
   growth.IsMeasured = input.IsMeasured;
   growth.Share = gate.GetShare();
   growth.Growth = limits.MaximumTorqueRate * input.Period;
-  // The energy of a spring that pulls with the whole torque, of which at most `most` is felt.
+  // The energy of a spring that pulls with the computed torque, if at most `most` of it is felt.
   growth.Recoverable = k > 0.0 ? 0.5 * most * (2.0 * Norm(input.Torque) - most) / k : -1.0;
   return this->Growth.Apply(growth);
 }

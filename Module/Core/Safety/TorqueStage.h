@@ -4,16 +4,15 @@
  * @file
  * The only way from a computed torque to a device.
  *
- * The torque passes the gate of the force (ForceGate.h), after SafetyStage.h has updated the gate:
- * where no force may flow, no torque flows from that tick on, and the gate's share applies to both.
- * A torque that is not finite is a fault, which SafetyStage reports. Then, in this order:
- * 1. The norm is clamped to the smaller of the device's and the user's maximum.
- * 2. The gate's share is taken, and the growth is limited. A torque may fall at once. GrowthLimit.h
- *    keeps the account, of torques and turns in place of forces and ways: the work that a turning
- *    hand was spared on the way in is not given to it on the way out.
+ * The torque passes the same gate as the force (ForceGate.h), after SafetyStage.h has updated the
+ * gate. In a tick in which no force may flow, no torque flows either, and the gate's share applies
+ * to both. A torque that is not finite is a fault, which SafetyStage reports. Then, in this order:
+ * 1. The norm is clamped to the smaller one of the device's and the user's maximum.
+ * 2. The torque is multiplied by the gate's share, and its growth is limited. It may fall at once.
+ *    GrowthLimit.h keeps the account, with torques and angles instead of forces and lengths: work
+ *    that a turning hand did not have to do on the way in is not given to it on the way out.
  *
- * While samples are missing there is no torque: the force retreats by itself, and the torque is
- * gone at once.
+ * If samples are missing, the force retreats, but the torque ends at once.
  */
 #ifndef TorqueStage_h
 #define TorqueStage_h
@@ -31,11 +30,11 @@ struct SafetyLimits;
 /** The input of the stage in a tick. */
 struct TorqueInput
 {
-  Vector3 Torque;          ///< N m, as computed
-  double Stiffness = 0.0;  ///< N m/rad, of the torque's spring; 0 if there is none
+  Vector3 Torque;          ///< computed torque in N m
+  double Stiffness = 0.0;  ///< stiffness of the torque's spring in N m/rad; 0 without a spring
   Quaternion Orientation;  ///< orientation of the stylus, a unit quaternion
   bool IsMeasured = false; ///< whether the orientation was measured for this tick
-  double Period = 1e-3;    ///< s, for the limit of growth
+  double Period = 1e-3;    ///< period in s, for the limit of growth
 };
 
 class TorqueStage
@@ -49,8 +48,8 @@ private:
   void UpdateTurn(const Quaternion& orientation) noexcept;
 
   GrowthLimit Growth;
-  Vector3 Turned;  ///< rad, the sum of all small turns
-  Quaternion Last; ///< the last orientation
+  Vector3 Turned;  ///< sum of all small rotations in rad
+  Quaternion Last; ///< the last measured orientation
 };
 
 } // namespace VolumeHaptics

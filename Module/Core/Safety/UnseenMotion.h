@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Detects motion of a tip that was not seen: the observers of energy begin anew after such a
+ * Recognizes motion of the tip that was not observed. The energy observers begin anew after such a
  * motion.
  */
 #ifndef UnseenMotion_h
@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether the force's work along a motion (m) that took a time (s) is unknown: the tip was
- * not measured for more than 30 ms, or was faster than a hand, 5 m/s.
+ * Returns whether the force's work along a motion is unknown: the tip was not measured for more
+ * than 30 ms, or it moved faster than a hand can (5 m/s). `motion` is in m, `time` in s.
  */
 inline bool IsUnseenMotion(const Vector3& motion, double time) noexcept
 {
