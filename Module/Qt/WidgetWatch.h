@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Ends the touch when a widget of Qt is no longer seen, for programs with VTK's widget for Qt.
+ * Ends the touch when a widget of Qt is no longer visible, for programs with VTK's widget for Qt.
  */
 #ifndef WidgetWatch_h
 #define WidgetWatch_h
@@ -20,13 +20,13 @@ namespace VolumeHaptics
 
 /**
  * VTK sends no event when a widget of Qt is hidden, minimised or closed. This class watches the
- * widget, and then lets the force fade and leaves the touch mode. One call is enough:
+ * widget, and when that happens, lets the force fade and leaves the touch mode. One call is enough:
  *
  *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
  *   VolumeHaptics::WidgetWatch::Watch(view, style);
  *
  * The watch belongs to the widget, and ends with it. The program compiles this header with its own
- * Qt 5 or 6 (Widgets): the library does not depend on Qt.
+ * Qt 5 or 6 (Widgets), so that the library does not depend on Qt.
  */
 class WidgetWatch final : public QObject
 {
@@ -39,8 +39,9 @@ public:
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    // Only the window itself gets an event when it is minimised. The widget may move to another
-    // window, such as that of a floating dock, and is then shown again.
+    // Watch the window, too, because only the window gets an event when it is minimised. Watch the
+    // new window when the widget moves to another one, such as that of a floating dock, and is
+    // shown again.
     const QEvent::Type type = event->type();
     if (type == QEvent::Hide ||
       (type == QEvent::WindowStateChange && this->Window && this->Window->isMinimized()))

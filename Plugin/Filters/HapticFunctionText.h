@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A function as a text that a user types.
+ * Reads functions from texts that a user types.
  */
 #ifndef HapticFunctionText_h
 #define HapticFunctionText_h
@@ -12,9 +12,9 @@
 class vtkPiecewiseFunction;
 
 /**
- * Adds the points of a text to a function: one number, which holds everywhere; or pairs of a
- * position and a number, such as "0 0, 0.5 2". False for any other text. An empty text adds
- * nothing.
+ * Adds the points of a text to a function. The text is one number, which is the value everywhere,
+ * or pairs of a position and a value, such as "0 0, 0.5 2". An empty text adds nothing. Returns
+ * false for any other text.
  */
 bool ReadFunctionText(std::string text, vtkPiecewiseFunction* function);
 

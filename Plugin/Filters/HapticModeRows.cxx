@@ -24,10 +24,10 @@
 namespace
 {
 
-/** A kind of mode with settings other than its defaults. */
+/** A kind of mode with settings that differ from its defaults. */
 struct ModeVariant
 {
-  const char* Name; ///< name in a row
+  const char* Name; ///< the variant's name in a row
   int Kind;
   void (*Adjust)(vtkHapticMode*);
 };
@@ -72,8 +72,9 @@ vtkSmartPointer<vtkHapticMode> MakeModeOfRow(const std::string& name)
 }
 
 /**
- * Makes a field of the distances of an image, which are its active scalars or an array; null if
- * there are none. An image that is not computed yet gives an empty field, which is filled later.
+ * Makes a field of the distances of an image: of its active scalars, or of a named array. Returns
+ * null if there are no distances. An image that is not computed yet makes an empty field, which is
+ * filled later.
  */
 vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& array)
 {
@@ -91,7 +92,7 @@ vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& 
   return field;
 }
 
-/** Gives polygons, lines or distances to a guide; returns the error if that fails. */
+/** Sets polygons, lines or distances in a guide. Returns the error if that fails. */
 std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGuideMode* guide)
 {
   if (auto* const image = vtkImageData::SafeDownCast(data))
@@ -119,7 +120,7 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   return {};
 }
 
-/** Returns the first data set in data that may be composite; null if there is none. */
+/** Returns the first data set of data that may be composite; null if there is none. */
 vtkDataSet* FindFirstSet(vtkDataObject* data)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(data);
@@ -140,7 +141,10 @@ vtkDataSet* FindFirstSet(vtkDataObject* data)
   return nullptr;
 }
 
-/** Returns the first array that a mode can read; empty if an array is active, or there is none. */
+/**
+ * Returns the name of the first array that a mode can read; empty if an array is active, or if
+ * there is none.
+ */
 std::string FindArray(vtkDataObject* data, vtkHapticMode* mode)
 {
   vtkDataSet* const set = FindFirstSet(data);
@@ -209,7 +213,7 @@ std::string HapticModeRows::Fill(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
-  this->IsDirty = false; // the calls below call this function again
+  this->IsDirty = false; // reset this first, because the calls below call this function again
   std::string error;
   filter->RemoveAllModes();
   if (this->Preset != "None")
@@ -278,7 +282,7 @@ void HapticModeRows::AddRow(
     {
       flaw = FillGuide(this->Guide.Data, array, guide);
     }
-    else // an array of the touched data
+    else // the name belongs to an array of the touched data
     {
       mode->SetArrayName(array.c_str());
     }

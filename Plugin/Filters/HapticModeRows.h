@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The modes of a filter, given as rows of texts and as the name of a preset.
+ * The modes of a filter, from rows of texts and the name of a preset.
  */
 #ifndef HapticModeRows_h
 #define HapticModeRows_h
@@ -20,9 +20,9 @@ class vtkHapticMode;
 class vtkVolumeHapticsFilter;
 
 /**
- * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the shape or the distances
- * on the filter's port 2. A preset without an array searches the data of port 0, so the modes are
- * made again if these data change.
+ * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides use the shape or the distances
+ * on the filter's port 2. A preset without an array searches the data of port 0 for one, so the
+ * modes are made again if these data change.
  */
 class HapticModeRows
 {
@@ -32,12 +32,15 @@ public:
 
   void Add(const Row& row);
   ///@{
-  /** Return whether something has changed. */
+  /** Remove the rows, or set the preset. Return whether something has changed. */
   bool Clear();
   bool SetPreset(const std::string& preset);
   ///@}
 
-  /** Makes the filter's modes if needed; returns the errors of modes that can't be made. */
+  /**
+   * Makes the filter's modes if something has changed. Returns the errors of modes that can't be
+   * made.
+   */
   std::string Fill(vtkVolumeHapticsFilter* filter);
   /** Whether all modes could be made. */
   bool IsGood() const { return this->AreGood; }
@@ -51,7 +54,7 @@ private:
     vtkWeakPointer<vtkDataObject> Data;
     vtkMTimeType Time = 0;
 
-    /** Stores the data and their change time. Returns whether the data have changed. */
+    /** Stores the data and their modification time. Returns whether the data have changed. */
     bool Record(vtkDataObject* data);
   };
 

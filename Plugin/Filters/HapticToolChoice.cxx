@@ -55,7 +55,7 @@ std::string LabelOf(const std::string& setting)
   return label;
 }
 
-/** Returns the name of a setting of a kind; empty for settings of other kinds. */
+/** Returns the name of a setting without its kind; empty for a setting of another kind. */
 std::string NameIn(const std::string& setting, const std::string& kind)
 {
   const bool isOfKind = setting.compare(0, kind.size() + 1, kind + ".") == 0;
@@ -74,7 +74,7 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
-  this->IsDirty = false; // the calls below call this function again
+  this->IsDirty = false; // reset this first, because the calls below call this function again
   this->Shape = shape;
   const std::string error = this->Make(filter);
   this->IsMade = error.empty();

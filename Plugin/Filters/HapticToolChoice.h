@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool of a filter, given as plain settings.
+ * The tool of a filter, from plain settings.
  */
 #ifndef HapticToolChoice_h
 #define HapticToolChoice_h
@@ -24,7 +24,10 @@ class HapticToolChoice
 public:
   std::string Kind = "None";
   ///@{
-  /** Settings of the kinds, by KIND.NAME: numbers, and the texts of functions. */
+  /**
+   * The settings of the kinds, by the name KIND.NAME: numbers. The next member holds functions, as
+   * texts.
+   */
   std::map<std::string, double> Numbers;
   std::map<std::string, std::string> Functions;
   ///@}
@@ -32,7 +35,9 @@ public:
   /** Records that a setting has changed. */
   void Record() { this->IsDirty = true; }
 
-  /** Makes the filter's tool if needed; returns the errors of a tool that can't be made. */
+  /**
+   * Makes the filter's tool if something has changed. Returns the error if the tool can't be made.
+   */
   std::string Fill(vtkVolumeHapticsFilter* filter);
   /** Whether the tool could be made. */
   bool IsGood() const { return this->IsMade; }
@@ -42,7 +47,7 @@ public:
 private:
   std::string Make(vtkVolumeHapticsFilter* filter) const;
 
-  vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell
+  vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell that was made
   bool IsDirty = false;
   bool IsMade = true;
 };

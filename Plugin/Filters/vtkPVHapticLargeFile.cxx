@@ -24,19 +24,19 @@ public:
 
   vtkMTimeType GetMTime() override
   {
-    // The file is not opened when the pipeline requests information, because opening changes this
-    // source.
+    // Open the file here, because opening changes this source, and so must not happen when the
+    // pipeline requests information.
     this->IsOpen = this->Owner && this->Owner->Open();
     return this->Superclass::GetMTime();
   }
 
-  vtkPVHapticLargeFile* Owner = nullptr; ///< null: the file is no longer in the pipeline
+  vtkPVHapticLargeFile* Owner = nullptr; ///< null if the file is no longer in the pipeline
 
 protected:
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    // The owner has reported the reason.
+    // Fail without an error, because the owner has reported the reason.
     return this->IsOpen ? this->Superclass::RequestInformation(request, inputs, outputs) : 0;
   }
 
@@ -102,7 +102,7 @@ bool vtkPVHapticLargeFile::Open()
 {
   if (this->GetMTime() > this->Opened)
   {
-    this->Opened.Modified(); // the calls below call this function again
+    this->Opened.Modified(); // set this first, because the calls below call this function again
     this->IsOpen = false;
     if (!this->FileName || !*this->FileName)
     {
@@ -150,7 +150,7 @@ int vtkPVHapticLargeFile::RequestData(
   vtkInformation* const info = outputs->GetInformationObject(0);
   vtkImageData* const output = vtkImageData::GetData(info);
   output->ShallowCopy(this->Volume->GetCoarseImage());
-  // Each process of a server outputs its piece.
+  // Each process of a server outputs only its piece.
   output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   return 1;
 }

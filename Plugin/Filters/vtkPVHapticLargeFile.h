@@ -5,8 +5,8 @@
  * @brief   a volume in a file that is larger than memory, as ParaView sees it
  *
  * The output is an image of the whole volume with coarse voxels, which ParaView shows and filters
- * like any image. A Volume Haptics filter with this Input feels the file itself: the filter is
- * connected to a vtkHapticRegionSource, for paths and for a hand. Only late samples are felt
+ * like any image. A Volume Haptics filter with this Input feels the file itself, because for paths
+ * and for a hand it is connected to a vtkHapticRegionSource. Only samples that are late are felt
  * coarsely.
  *
  * @sa vtkHapticRegionSource
@@ -35,8 +35,8 @@ public:
   ///@}
 
   /**
-   * Returns the large file that a connection comes from, also through ParaView's own filters; or
-   * null.
+   * Returns the large file from which a connection comes, also through ParaView's own filters; null
+   * if there is none.
    */
   static vtkPVHapticLargeFile* Find(vtkAlgorithmOutput* output);
 
@@ -44,14 +44,17 @@ public:
   vtkHapticRegionSource* GetRegions();
 
   /**
-   * Returns a second source of the volume in the file, for the hand; null, with an error, if the
-   * file can't be opened.
+   * Returns a second source of the volume in the file, for the hand. If the file can't be opened,
+   * returns null and reports an error.
    */
   vtkSmartPointer<vtkHapticRegionSource> MakeRegions();
 
-  /** Opens the file, unless this was tried since the last change of a setting. False on failure. */
+  /**
+   * Opens the file, unless that was tried since the last change of a setting. Returns whether the
+   * file is open.
+   */
   bool Open();
-  /** Returns when the file was opened last. */
+  /** Returns the time of the last try to open the file. */
   vtkMTimeType GetOpenTime() const { return this->Opened; }
 
 protected:
@@ -66,7 +69,7 @@ private:
 
   char* FileName = nullptr;
   vtkSmartPointer<Regions> Volume;
-  vtkTimeStamp Opened; // when opening was tried last
+  vtkTimeStamp Opened; // time of the last try to open the file
   bool IsOpen = false;
 
   vtkPVHapticLargeFile(const vtkPVHapticLargeFile&) = delete;

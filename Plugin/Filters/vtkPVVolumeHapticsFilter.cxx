@@ -37,7 +37,8 @@ vtkPVVolumeHapticsFilter::~vtkPVVolumeHapticsFilter() = default;
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::Curve::CopyTo(vtkPiecewiseFunction* function) const
 {
-  // vtkPiecewiseFunction's DeepCopy() loses one of two nodes at one position.
+  // Copy by hand, because vtkPiecewiseFunction's DeepCopy() loses one of two nodes at the same
+  // position.
   function->SetAllowDuplicateScalars(1);
   function->RemoveAllPoints();
   for (int i = 0; this->Shape && i < this->Shape->GetSize(); ++i)
@@ -503,7 +504,8 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
   this->FillTool();
   if (this->IsTableDirty)
   {
-    this->IsTableDirty = false; // the calls below call this function again
+    // reset this first, because the calls below call this function again
+    this->IsTableDirty = false;
     this->FillTable();
   }
   this->UpdateProperty();
@@ -525,11 +527,11 @@ int vtkPVVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation*
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->FillModes(); // only now it is known whether polygons or lines guide
+  this->FillModes(); // only now is it known whether the guides are polygons or lines
   this->FillTool();
-  this->UpdateProperty(); // only now the image is there, to whose grey levels a preset is fitted
-  // The property has reported a wrong name; label table, modes and tool have reported unreadable
-  // texts.
+  this->UpdateProperty(); // only now is the image available to which a preset is fitted
+  // Report no error: FillProperty() has reported an unknown preset, and the label table, the modes
+  // and the tool have reported texts that can't be read.
   return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->Tools.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;

@@ -5,9 +5,10 @@
  * @brief   vtkVolumeHapticsFilter with its material as plain settings
  *
  * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this
- * filter stores the user's choices (a preset, or five functions and the newtons of their value 1),
- * and fills its vtkHapticProperty from them after each change. This happens before the property
- * is used: the pipeline and vtkHapticDevice::Publish both begin with GetMTime().
+ * filter stores the user's choices (a preset, or five functions and the quantity for which their
+ * value 1 stands), and fills its vtkHapticProperty from them after each change. That happens in
+ * GetMTime(), with which the pipeline and vtkHapticDevice::Publish begin, so before the property is
+ * used.
  */
 #ifndef vtkPVVolumeHapticsFilter_h
 #define vtkPVVolumeHapticsFilter_h
@@ -34,26 +35,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
-   * the functions, DistinctnessFromNoise, ScalarsAreLabels, SolidFromImage, ShiftFromImage and
-   * SurfaceSide are then unused until it is "Custom" again. Any other name is an error that lists
-   * these, and the output is empty. A preset for values without a unit is fitted to the image on
-   * port 0, as vtkHapticProperty::ApplyPreset(name, image) does it, and again after the image has
-   * changed; data other than images are felt as in the preset's table.
+   * The preset. "Custom" (default) uses the functions below. Any other preset is one of
+   * vtkHapticProperty::GetPresetNames(); then the functions, DistinctnessFromNoise,
+   * ScalarsAreLabels, SolidFromImage, ShiftFromImage and SurfaceSide are not used. For an unknown
+   * name, the output is empty, and an error lists the known names. A preset for values without a
+   * unit is fitted to the image on port 0, like vtkHapticProperty::ApplyPreset(name, image), and
+   * again whenever the image has changed. Data other than images are felt by the preset's table.
    */
   void SetPreset(const char* preset);
 
   /**
-   * Get the two factors by which the preset's values and gradients were multiplied. (1, 0): the
-   * preset's own table is used, with gradients per millimetre; a fitted preset has gradients per
-   * world unit.
+   * Get the two factors by which the preset's values and gradients were multiplied. (1, 0) means
+   * that the preset's own table is used, with gradients per millimetre. A fitted preset has
+   * gradients per world unit.
    */
   double* GetPresetScale() VTK_SIZEHINT(2);
 
   ///@{
   /**
-   * The five functions of vtkHapticProperty, each divided by its scale below. nullptr (default) or
-   * a function without points: the default of the property.
+   * The five functions of vtkHapticProperty, each divided by its scale below. For nullptr (default)
+   * or a function without points, the property's default is used.
    */
   void SetStiffnessFunction(vtkPiecewiseFunction* function);
   void SetFrictionFunction(vtkPiecewiseFunction* function);
@@ -63,8 +64,8 @@ public:
 
   ///@{
   /**
-   * The value of a function at 1: stiffness (N/m, default 1000), friction (no unit, 1), viscosity
-   * (N, 1) and surface strength (N, 4).
+   * The quantity for which a function's value 1 stands: stiffness (N/m, default 1000), friction (no
+   * unit, 1), viscosity (N, 1) and surface strength (N, 4).
    */
   void SetStiffnessScale(double scale);
   void SetFrictionScale(double scale);
@@ -74,9 +75,9 @@ public:
 
   ///@{
   /**
-   * Set DistinctnessFromNoise: on (default), distinctness keeps noise from being felt, and the
-   * function of distinctness is not used. PerMillimeter, as in vtkHapticProperty, is for that
-   * function.
+   * Settings of distinctness. If DistinctnessFromNoise is on (default), distinctness hides noise
+   * from the hand, and the function of distinctness is not used. PerMillimeter, as in
+   * vtkHapticProperty, applies to that function.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessPerMillimeter(bool perMillimeter);
@@ -85,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Whether the scalars are labels, whether the image tells what is solid, and whether it tells how
-   * Hounsfield units are stored: see vtkHapticProperty.
+   * Set whether the scalars are labels, whether the image determines what is solid, or whether the
+   * image determines how Hounsfield units are stored: see vtkHapticProperty.
    */
   void SetScalarsAreLabels(bool areLabels);
   void SetSolidFromImage(bool fromImage);
@@ -94,7 +95,7 @@ public:
   ///@}
 
   ///@{
-  /** Set side, component, shift, scale and ramp: see vtkHapticProperty. */
+  /** Settings of vtkHapticProperty with the same names. */
   void SetSurfaceSide(int side);
   void SetComponent(int component);
   void SetScalarShift(double shift);
@@ -104,10 +105,11 @@ public:
 
   ///@{
   /**
-   * What the labels of port 3 feel like: files for vtkHapticLabelTable::ReadFile, which add up;
-   * then rows of a label, stiffness (N/m), friction, viscosity (N) and surface strength (N), -1
-   * where the functions hold; and the stand-off from forbidden labels (world units). A file or a
-   * row that can't be read is an error, and the output is empty.
+   * The feel of the labels on port 3. It comes from files for vtkHapticLabelTable::ReadFile, which
+   * are merged; then from rows of a label, stiffness (N/m), friction, viscosity (N) and surface
+   * strength (N), in which -1 means that the functions hold; and from the stand-off from forbidden
+   * labels (world units). If a file or a row can't be read, an error is reported and the output is
+   * empty.
    */
   void AddLabelFile(const char* file);
   void RemoveAllLabelFiles();
@@ -119,12 +121,13 @@ public:
 
   ///@{
   /**
-   * Rows of four texts, each for a vtkHapticMode. Kind: one of vtkHapticMode::GetKindNames(), or
-   * VectorFrontTwoSided or RidgeDark; or Guide, GuideOutside or GuideInside for the polygons or the
-   * image of distances on port 2 (Guide for lines, too). Point array: empty for the active vectors,
-   * tensors or distances. Strength, and SecondStrength of kinds that have one: a number of newtons;
-   * pairs such as "0 0, 0.5 2" of the quantity and newtons; or empty for the mode's default. A row
-   * that can't be read is an error, and the output is empty.
+   * The modes, as rows of four texts, one for each vtkHapticMode. Kind: one of
+   * vtkHapticMode::GetKindNames(), or VectorFrontTwoSided or RidgeDark; or Guide, GuideOutside or
+   * GuideInside for the polygons or the image of distances on port 2 (Guide also for lines). Point
+   * array: its name, or empty for the active vectors, tensors or distances. Strength, and for some
+   * kinds SecondStrength: a number of newtons; pairs of the quantity and newtons, such as "0 0, 0.5
+   * 2"; or empty for the mode's default. If a row can't be read, an error is reported and the
+   * output is empty.
    */
   void AddModeRow(
     const char* kind, const char* array, const char* strength, const char* secondStrength);
@@ -132,17 +135,17 @@ public:
   ///@}
 
   /**
-   * "None" (default), or one of GetModePresetNames(): its modes come before those of the rows.
-   * These modes read the active vectors or tensors or, if there are none, the first ones.
+   * "None" (default), or one of GetModePresetNames(). The preset's modes come before the modes of
+   * the rows. They read the active vectors or tensors, or if none are active, the first ones.
    */
   void SetModePreset(const char* preset);
 
   ///@{
   /**
-   * What the hand holds: "None" (default), or the kind of a vtkHapticTool, such as "Needle" or
-   * "Point shell", whose shape is the polygons on port 2. Settings of every kind, such as
-   * "Burr.Radius", are numbers, or functions of the scalar as texts as in AddModeRow. What can't be
-   * read is an error, and the output is empty.
+   * The tool in the hand: "None" (default), or the kind of a vtkHapticTool, such as "Needle" or
+   * "Point shell". The shape of a point shell is the polygons on port 2. The settings of every kind
+   * have names such as "Burr.Radius"; they are numbers, or functions of the scalar as texts, as in
+   * AddModeRow. If a setting can't be read, an error is reported and the output is empty.
    */
   void SetToolKind(const char* kind);
   void SetToolNumber(const char* setting, double value);
@@ -151,7 +154,8 @@ public:
 
   ///@{
   /**
-   * Undo the last stroke of a burr in the hand, redo it, and restore all tissue that it removed.
+   * Undo the last stroke of a burr in the hand, redo the last undone one, or restore all tissue
+   * that the burr removed.
    */
   void UndoRemoval();
   void RedoRemoval();
@@ -160,14 +164,15 @@ public:
 
   using vtkVolumeHapticsFilter::SetInputConnection;
   /**
-   * Whether a vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it
-   * shows.
+   * Connect an input. If a vtkPVHapticLargeFile is connected to port 0, the file itself is felt,
+   * instead of its coarse image.
    */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
 
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
-   * An empty name, as in batch jobs that have not set one, means the active scalars.
+   * Choose an array. An empty name, which batch jobs have that set no name, means the active
+   * scalars.
    */
   void SetInputArrayToProcess(
     int index, int port, int connection, int association, const char* name) override;
@@ -178,12 +183,12 @@ protected:
   vtkPVVolumeHapticsFilter();
   ~vtkPVVolumeHapticsFilter() override;
 
-  /** Accepts an image on port 2, too, whose distances guide the hand: see AddModeRow. */
+  /** Also accepts an image on port 2, whose distances guide the hand: see AddModeRow. */
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /** A function from 0 to 1, and the quantity that its value 1 stands for. */
+  /** A function with values from 0 to 1, and the quantity for which its value 1 stands. */
   struct Curve
   {
     vtkSmartPointer<vtkPiecewiseFunction> Shape;
@@ -195,18 +200,19 @@ private:
   template <typename T>
   void Choose(T& setting, const T& value);
   /**
-   * Returns the image on port 0, with its felt array as scalars; null if no preset is fitted to it.
+   * Returns the image on port 0 with the felt array as its scalars; null if no preset has to be
+   * fitted.
    */
   vtkSmartPointer<vtkImageData> FindGreyLevels();
   void FillProperty(vtkImageData* levels);
-  /** Fills the property if a choice, or the image that the preset is fitted to, has changed. */
+  /** Fills the property if a choice has changed, or the image to which the preset is fitted. */
   void UpdateProperty();
   vtkMTimeType GetMaterialTime() const;
   /** Makes the label table. */
   void FillTable();
   /** Makes the modes. */
   void FillModes();
-  /** Makes the tool, if its settings or its polygons have changed. */
+  /** Makes the tool if its settings or its polygons have changed. */
   void FillTool();
   template <typename T>
   void ChooseTool(T& setting, const T& value);
@@ -223,7 +229,10 @@ private:
   bool SolidFromImage = false;
   bool ShiftFromImage = false;
   int SurfaceSide = 0;
-  /** the image, array and settings that the preset was fitted to, with their times */
+  /**
+   * The image, the array and the settings to which the preset was fitted, with their modification
+   * times.
+   */
   using GreyLevels = std::tuple<vtkMTimeType, void*, vtkMTimeType, int, double, double>;
   GreyLevels Fitted{};
   std::array<double, 2> PresetScale{ { 1.0, 0.0 } };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMHapticFunctionDomain
- * @brief   a piecewise function that begins flat, over the range of the data
+ * @brief   a piecewise function over the range of the data that is constant at first
  *
  * For a proxy property whose value is an edited function of the data:
  *
@@ -11,7 +11,7 @@
  *   </HapticFunctionDomain>
  *
  * The function (a PiecewiseFunction of ParaView's) has the value `initial` (0 to 1, default 0)
- * everywhere until the user edits it. ParaView's own domain would begin with a ramp.
+ * everywhere until the user edits it. With ParaView's own domain, it would be a ramp at first.
  */
 #ifndef vtkSMHapticFunctionDomain_h
 #define vtkSMHapticFunctionDomain_h

@@ -16,12 +16,10 @@
 
 namespace
 {
-/** Newtons above which a surface is impenetrable; scales need not show more. */
+/** Surface strengths (N) of at least this are impenetrable, so scales need not include them. */
 constexpr double Impenetrable = 1e4;
 
-/**
- * Returns the smallest value of 1, 2 or 5 times a power of ten that the function does not exceed.
- */
+/** Returns the smallest of 1, 2 or 5 times a power of ten that the function does not exceed. */
 double ChooseScale(vtkPiecewiseFunction* function)
 {
   double most = 0.0;
@@ -77,7 +75,7 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   {
     return;
   }
-  // The image to whose grey levels the preset is fitted is on the server.
+  // Ask the server for the scale, because the image to which the preset is fitted is there.
   this->UpdatePropertyInformation(this->GetProperty("PresetScale"));
   const std::vector<double> fitted = vtkSMPropertyHelper(this, "PresetScale").GetDoubleArray();
   const bool isFitted = fitted.size() == 2 && fitted[1] > 0.0;
@@ -108,7 +106,7 @@ void vtkSMVolumeHapticsProxy::CopyFunction(
   {
     return;
   }
-  // Distinctness is already between 0 and 1.
+  // Distinctness has no scale property, because its values are already between 0 and 1.
   const std::string scaleName = std::string(name) + "Scale";
   const bool isScaled = this->GetProperty(scaleName.c_str()) != nullptr;
   const double scale = isScaled ? ChooseScale(function) : 1.0;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMVolumeHapticsProxy
- * @brief   the client's end of a Volume Haptics filter
+ * @brief   the client's proxy of a Volume Haptics filter
  *
  * Adds the command CopyPreset, for the panel's button and for scripts:
- * `filter.InvokeCommand("CopyPreset")`. It copies the chosen preset into the filter's own
- * functions, scales and surface side, as it is fitted to the image, and sets the preset to
- * "Custom", so that the functions can be edited from there. With "Custom" it does nothing.
+ * `filter.InvokeCommand("CopyPreset")`. It copies the chosen preset, fitted to the image, into the
+ * filter's own functions, scales and surface side, and sets the preset to "Custom", so that the
+ * user can edit these functions. If the preset is "Custom" already, it does nothing.
  */
 #ifndef vtkSMVolumeHapticsProxy_h
 #define vtkSMVolumeHapticsProxy_h
@@ -30,7 +30,7 @@ protected:
 private:
   void OnPropertyUpdated(vtkObject*, unsigned long, void* name);
   void CopyPreset();
-  /** @param stretch the factor of the positions of the function's points */
+  /** @param stretch factor by which the positions of the function's points are multiplied */
   void CopyFunction(const char* name, vtkPiecewiseFunction* function, double stretch);
 
   vtkSMVolumeHapticsProxy(const vtkSMVolumeHapticsProxy&) = delete;

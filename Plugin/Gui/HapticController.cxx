@@ -42,7 +42,7 @@
 namespace
 {
 
-/** Sets a property of a filter as its panel would: with undo, and in the trace. */
+/** Sets a property of a filter as the filter's panel would: with undo, and in the trace. */
 template <typename ValueType>
 void SetOfFilter(pqPipelineSource* filter, const char* property, const ValueType& value)
 {
@@ -201,8 +201,8 @@ void HapticController::change(const char* property, int value)
   }
   BEGIN_UNDO_EXCLUDE();
   {
-    // Not traced: a user who replays a trace may not have a hand on a device. The changes that Poll
-    // shows are not traced either.
+    // Neither this change nor the changes by Poll() are traced, because a user who replays a trace
+    // may not have a hand on the device.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();
     this->Device->Poll();
@@ -234,8 +234,8 @@ void HapticController::setTouchMode(bool on)
   pqView* const view = on && this->View ? this->findView() : nullptr;
   if (QWidget* const widget = view ? view->widget() : nullptr)
   {
-    // The next keys belong to the touch mode, but the button has the keyboard: give it to the view.
-    // A part of the view's widget may be the one that takes keys.
+    // Move the keyboard focus from the button to the view, because the next keys are for the touch
+    // mode. The view's widget or a part of it takes keys.
     const QList<QWidget*> parts = widget->findChildren<QWidget*>();
     const auto takesKeys = [](QWidget* part) { return part->focusPolicy() != Qt::NoFocus; };
     const auto part = std::find_if(parts.begin(), parts.end(), takesKeys);
@@ -246,7 +246,8 @@ void HapticController::setTouchMode(bool on)
 //------------------------------------------------------------------------------
 bool HapticController::eventFilter(QObject* watched, QEvent* event)
 {
-  // Qt first offers a key to widgets that override shortcuts; in a menu, Qt presses it at once.
+  // Qt sends ShortcutOverride first, to widgets that override shortcuts; in a menu it sends
+  // KeyPress at once.
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Device &&
     this->Device->GetDevice()->IsArmOrdered())
@@ -330,8 +331,8 @@ void HapticController::loadPreset(const QString& file)
     Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
     return;
   }
-  // The client reads the file; the filter gets functions, which go to any server and into state
-  // files.
+  // The client reads the file and sets functions in the filter, because these also reach a remote
+  // server and state files.
   vtkNew<vtkHapticProperty> read;
   VolumeHapticsLive::HapticErrorCatcher errors;
   errors.Catch(read);
@@ -427,7 +428,7 @@ void HapticController::openRecorded()
   controller->ShowInPreferredView(vtkSMSourceProxy::SafeDownCast(reader->getProxy()), 0,
     view ? vtkSMViewProxy::SafeDownCast(view->getProxy()) : nullptr);
   pqApplicationCore::instance()->render();
-  // The hand continues with the volume that it touches.
+  // Make the touched volume active again, so that the hand continues with it.
   if (this->View)
   {
     pqActiveObjects::instance().setActiveSource(touched);

@@ -5,9 +5,9 @@
  * @brief   the actions of the dock window's buttons
  *
  * All actions set properties of a `HapticDevice` and a `HapticView`, so that scripts can do the
- * same. The Python trace contains the setup, but not Running, Armed and Recording: a user who
- * replays it may not have a hand on the device. No action can be undone: "undo" must not arm a
- * device.
+ * same. The Python trace contains the setup, but not Running, Armed and Recording, because a user
+ * who replays it may not have a hand on the device. No action can be undone, because "undo" must
+ * not arm a device.
  *
  * Before ParaView quits, and before the server, the view, the device, its filter or the volume is
  * removed, the device is detached, with zero force. Escape ends the touch mode and disarms,
@@ -44,7 +44,7 @@ public:
     QString Name;  ///< maker, product, and where it is plugged in
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
-  /** Searches for devices again. "virtual" is first. */
+  /** Searches for devices again. The first one is always "virtual". */
   static QList<DeviceChoice> listDevices();
 
   /** The state that the dock shows. */
@@ -56,13 +56,13 @@ public:
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
-    bool HasTouch = false; ///< whether there is a filter, attached or for the active source
+    bool HasTouch = false; ///< whether a filter is attached, or exists for the active source
     QString Preset;        ///< preset of that filter
     int Method = 0;        ///< method of that filter
     bool CanShow = false;  ///< whether there is a volume, and a render view
     bool IsVolume = false; ///< whether the view renders the volume as a volume
-    QString Recorded;      ///< file of the last recording, if it was written
-    QString Felt;          ///< names of the volume and of the filter; empty if nothing is attached
+    QString Recorded;      ///< file of the last recording if it was written, otherwise empty
+    QString Felt; ///< names of the felt volume and its filter; empty if nothing is attached
     QString Status;
     double Force = 0.0;        ///< N, on the hand
     double MaximumForce = 0.0; ///< N
@@ -73,27 +73,27 @@ public:
   /** Polls the device and returns its state. */
   Figures look();
 
-  /** Filters events of the application: detects Escape. */
+  /** Detects the key Escape among the events of the application. */
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
   /**
-   * Attaches to the active render view. The active source selects the device: it is a HapticDevice,
-   * a VolumeHaptics filter, or image data; missing objects are made. A filter that is made gets the
-   * preset and the method. If that fails, told() has the cure.
+   * Attaches a device to the active render view. The active source determines what is felt: it is a
+   * HapticDevice, a VolumeHaptics filter, or image data. Missing objects are made; a new filter
+   * gets the preset and the method. If this fails, told() is emitted with the cure.
    */
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
   void setArmed(bool on);
-  /** Sets the touch mode. On also gives the view the keyboard. */
+  /** Sets the touch mode. Switching it on also gives the view the keyboard focus. */
   void setTouchMode(bool on);
   void home();
-  /** Records into a .vtp or .csv; an empty name ends and writes the recording. */
+  /** Records into a .vtp or .csv. An empty name ends the recording and writes it. */
   void record(const QString& file);
   ///@{
   /**
-   * Set preset and method of the attached filter, or of the filter of the active source; do nothing
-   * without a filter.
+   * Set the preset or the method of the attached filter, or if nothing is attached, of the active
+   * source's filter. Do nothing without a filter.
    */
   void setPreset(const QString& name);
   void setMethod(int method);
@@ -104,16 +104,20 @@ public Q_SLOTS:
   void loadPreset(const QString& file);
   void savePreset(const QString& file);
   ///@}
-  /** Renders the felt volume, or the active source, as a CT volume in the active view. */
+  /**
+   * Shows the felt volume, or if there is none, the active source, as a CT volume in the active
+   * view.
+   */
   void showAsCT();
   /** Opens the last recording in ParaView, and shows it. */
   void openRecorded();
-  /** Detaches, stops and forgets the device. */
+  /** Detaches and stops the device, and forgets it. */
   void release();
 
 Q_SIGNALS:
   /**
-   * Emitted with a message for the user, such as a failure and its cure; empty if there is none.
+   * Emitted with a message for the user, such as a failure and its cure; an empty message removes
+   * the last one.
    */
   void told(const QString& message);
 

@@ -27,11 +27,12 @@
 
 namespace
 {
-constexpr int Period = 100;    ///< ms between looks at the device
+constexpr int Period = 100;    ///< ms between two updates from the device
 constexpr int BarSteps = 1000; ///< steps of the bar, from 0 to the largest force
 
 /**
- * Polls the pointer from the window system, which knows of motions whose events are still to come.
+ * Gets the pointer's position from the window system, which knows it before the events of its
+ * motion arrive.
  */
 void PollPointer(int position[2])
 {
@@ -215,12 +216,12 @@ void HapticDock::showChoices(const HapticController::Figures& now)
   const QSignalBlocker presets(this->Preset);
   const QSignalBlocker methods(this->Method);
   int at = this->Preset->findText(now.Preset);
-  if (at < 0) // a preset from a script or a file
+  if (at < 0) // the preset comes from a script or a file, so it is not in the list yet
   {
     this->Preset->addItem(now.Preset);
     at = this->Preset->count() - 1;
   }
-  // Do not change a list that is open under the mouse.
+  // Do not change a list that the user has opened.
   if (!this->Preset->view()->isVisible())
   {
     this->Preset->setCurrentIndex(at);
@@ -235,7 +236,8 @@ void HapticDock::showChoices(const HapticController::Figures& now)
 QString HapticDock::askFile(
   const char* name, const QString& title, const QString& kinds, bool isNew)
 {
-  // The client reads and writes the file, even if the data are on a server.
+  // Use a dialog for the client's files, because the client reads and writes the file even if the
+  // data are on a server.
   pqFileDialog dialog(nullptr, this, title, QString(), kinds);
   dialog.setObjectName(name);
   dialog.setFileMode(isNew ? pqFileDialog::AnyFile : pqFileDialog::ExistingFile);
@@ -272,7 +274,8 @@ void HapticDock::listDevices()
   this->Device->clear();
   for (const HapticController::DeviceChoice& choice : HapticController::listDevices())
   {
-    // A state may be a sentence with the cure: the tool tip shows the whole text.
+    // Show only the first sentence of the state, which may include the cure. The tool tip has the
+    // whole text.
     const QString state = choice.State.section(". ", 0, 0);
     this->Device->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
     this->Device->setItemData(

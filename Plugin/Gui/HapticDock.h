@@ -4,9 +4,9 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and
- * record; the preset and the method of what is felt, and how it is seen; and figures for the felt
- * forces. Like every dock window, it is in ParaView's menu View.
+ * It has buttons to choose the device, attach it to the active view and volume, arm, stop, home and
+ * record. It also has the preset and the method of what is felt, a button for the look of the
+ * volume, and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
  */
 #ifndef HapticDock_h
 #define HapticDock_h
@@ -44,14 +44,17 @@ private:
   QPushButton* addButton(QGridLayout* grid, int row, int column, const char* name,
     const QString& text, const QString& tip);
   void addChoices(QGridLayout* grid, int row);
-  /** Shows preset and method of a filter; without a filter, the choice for the next one stays. */
+  /**
+   * Shows the preset and the method of a filter. Without a filter, the user's choice for the next
+   * one stays.
+   */
   void showChoices(const HapticController::Figures& now);
-  /** Asks the user for the name of a file; empty if none was chosen. */
+  /** Asks the user for a file. Returns its name; empty if the user chose none. */
   QString askFile(const char* name, const QString& title, const QString& kinds, bool isNew);
 
   HapticController* Controller;
   QTimer Timer;
-  QString Told; ///< message of the controller, shown until the next action
+  QString Told; ///< last message of the controller, shown until the next action
   QComboBox* Device;
   QPushButton* Attach;
   QPushButton* Arm;

@@ -94,8 +94,8 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
 }
 
 /**
- * Disarms the device, because a hand must not suddenly feel something to which it was not led.
- * Can't be undone, and is not traced.
+ * Disarms the device, so that a hand does not suddenly feel something to which it was not led. This
+ * can't be undone, and is not traced.
  */
 void Disarm(vtkSMProxy* device)
 {
@@ -191,8 +191,8 @@ pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
 }
 
 /**
- * Returns the given name, if the source has it, or the first point array's name; empty if there is
- * none.
+ * Returns the wanted name if the source has such a point array, otherwise the name of the first
+ * array; empty if there is none.
  */
 std::string FindArray(pqPipelineSource* volume, const QString& wanted)
 {
@@ -209,8 +209,8 @@ std::string FindArray(pqPipelineSource* volume, const QString& wanted)
 }
 
 /**
- * Returns the shortest edge of an image's voxel; for other data, a fraction of the longest edge of
- * all data.
+ * Returns the shortest edge of an image's voxel. For other data, returns a fraction of the longest
+ * edge of the data's bounds.
  */
 double ComputeVoxel(pqPipelineSource* volume)
 {
@@ -285,7 +285,7 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
       opacities.insert(opacities.end(), { stop.Value, stop.Opacity, 0.5, 0.0 });
     }
     vtkSMProxy* const table = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy();
-    constexpr int never = -1; // rescaled to the range of the data
+    constexpr int never = -1; // never rescale to the range of the data
     SetTraced(table, "AutomaticRescaleRangeMode", std::vector<int>{ never });
     SetTraced(table, "RGBPoints", colors);
     SetTraced(

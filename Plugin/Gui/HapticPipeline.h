@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds or makes the device that feels the active object of the pipeline browser, and sets the look
+ * Finds or makes the device that feels the active source of the pipeline browser, and sets the look
  * of the felt data in a view.
  */
 #ifndef HapticPipeline_h
@@ -17,7 +17,7 @@ namespace HapticPipeline
 {
 
 ///@{
-/** Tell the kind of a pipeline object: a device, a VolumeHaptics filter, or a volume. */
+/** Return whether a pipeline source is a device, a VolumeHaptics filter, or a volume. */
 bool IsDevice(pqPipelineSource* source);
 bool IsTouch(pqPipelineSource* source);
 bool IsVolume(pqPipelineSource* source);
@@ -25,24 +25,24 @@ bool IsVolume(pqPipelineSource* source);
 
 /**
  * Returns the HapticDevice for a source: the source itself, or the device that feels it through a
- * VolumeHaptics filter. Missing objects are made. There is one hand, so a device that feels
- * something else is disarmed, and used for this source from now on. nullptr if the source can't be
- * felt.
+ * VolumeHaptics filter. Missing objects are made. Because there is only one hand, a device that
+ * feels another source is disarmed and then used for this source. Returns nullptr if the source
+ * can't be felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 
 ///@{
 /**
- * Return the objects upstream: the filter of a device, and the input of the filter. nullptr if
- * there is none.
+ * Return the source upstream: the filter of a device, or the input of a filter; nullptr if there is
+ * none.
  */
 pqPipelineSource* GetTouch(pqPipelineSource* device);
 pqPipelineSource* GetVolume(pqPipelineSource* touch);
 ///@}
 
 /**
- * Returns the VolumeHaptics filter: the source itself, or the filter of its device or of a volume;
- * or nullptr.
+ * Returns the VolumeHaptics filter of a source: the source itself, or the filter of a device or of
+ * a volume; nullptr if there is none.
  */
 pqPipelineSource* FindTouch(pqPipelineSource* source);
 
@@ -55,9 +55,9 @@ namespace HapticVolumeLook
 bool IsShown(pqPipelineSource* volume, pqView* view);
 
 /**
- * Renders a source as a volume that is opaque from the skin on, where a hand meets it. Colours are
- * those of skin and bone by Hounsfield units (CTLook), as in the explorer. `array` is the point
- * array; if it is empty, the first one. False if there is none.
+ * Shows a source as a volume that is opaque from the skin inwards, where a hand meets it. The
+ * colours are those of skin and bone by Hounsfield units (CTLook), as in the explorer. `array` is
+ * the point array; if it is empty, the first array is used. Returns false if there is no array.
  */
 bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array);
 

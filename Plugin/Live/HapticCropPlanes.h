@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The planes between which a representation of ParaView shows a volume.
+ * The planes to which a representation of ParaView crops a volume.
  */
 #ifndef HapticCropPlanes_h
 #define HapticCropPlanes_h
@@ -10,22 +10,22 @@
 namespace VolumeHapticsLive
 {
 
-/** The reference for a representation's scale and shift. */
+/** What a representation's scale and shift refer to. */
 enum class CropBase
 {
-  Bounds,     ///< up to ParaView 5.12
-  WholeExtent ///< from 5.13 on, whatever the image's origin and spacing are
+  Bounds,     ///< the bounds: up to ParaView 5.12
+  WholeExtent ///< the whole extent, whatever the image's origin and spacing are: from 5.13 on
 };
 
-/** The reference in a version of ParaView. */
+/** Returns what they refer to in a version of ParaView. */
 constexpr CropBase ChooseCropBase(int major, int minor)
 {
   return major > 5 || (major == 5 && minor >= 13) ? CropBase::WholeExtent : CropBase::Bounds;
 }
 
 /**
- * Computes the planes in the coordinates of the data, as
- * vtkImageVolumeRepresentation::UpdateMapperParameters() sets them on its mapper.
+ * Computes the planes in the coordinates of the data, like
+ * vtkImageVolumeRepresentation::UpdateMapperParameters(), which sets them in its mapper.
  */
 inline void ComputeCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
   const double origin[3], const double scale[3], double planes[6])

@@ -79,7 +79,8 @@ void HapticTouchLink::Watch(vtkSMProxy* touch)
 void HapticTouchLink::CopySettings()
 {
   this->Twin->Copy(this->Touch, "vtkSMProxyProperty");
-  // Properties copy only proxies in their domains, and the twin's domains are empty.
+  // Copy proxies by hand, because vtkSMProxyProperty copies only proxies in its domains, and the
+  // twin's domains are empty.
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(this->Twin->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
@@ -230,7 +231,8 @@ void HapticDataLink::Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
 
 void HapticDataLink::UpdateTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
-  // The name differs between versions of ParaView; exactly one of these names exists.
+  // Try both names of the time, because versions of ParaView differ; exactly one of these names
+  // exists.
   vtkNew<vtkCollection> keepers;
   proxy->GetSessionProxyManager()->GetProxies("timekeeper", keepers);
   vtkSMProxy* const keeper = vtkSMProxy::SafeDownCast(keepers->GetItemAsObject(0));
@@ -248,7 +250,7 @@ void HapticDataLink::UpdateImage(
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   if (volume)
   {
-    volume->UpdatePipeline(); // also reports whether the volume has times
+    volume->UpdatePipeline(); // this also reports whether the volume has times
   }
   if (HapticTimeStepLink::IsMoving(volume, port, filter))
   {
@@ -256,7 +258,7 @@ void HapticDataLink::UpdateImage(
     {
       this->Image.PollTimeSteps(volume, port, this->ViewTime, filter, device, this->TimeSteps);
     }
-    catch (const std::bad_alloc&) // tried again later
+    catch (const std::bad_alloc&) // try again in the next update
     {
       report.SetProblem("This computer has no memory for a copy of the volume at this time, so it "
                         "is felt as it was before. Close other programs that need memory.");
@@ -281,7 +283,7 @@ void HapticDataLink::PollRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, uns
 {
   this->Region.SetMaximumVoxels(vtkSMPropertyHelper(proxy, "MaximumRegionVoxels").GetAsIdType());
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
-  filter->SetDisplacementArrayName(""); // regions have the touched array only
+  filter->SetDisplacementArrayName(""); // regions contain only the touched array
   switch (this->Region.Poll(volume, port, this->ViewTime, filter, device, this->TimeSteps))
   {
     case HapticRegionLink::Answer::Lost:

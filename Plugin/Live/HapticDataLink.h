@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Connects a filter in the client with the touched data, on this process or on a server.
+ * Connects a filter in the client with the touched data, in this process or on a server.
  */
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
@@ -31,13 +31,13 @@ class HapticReport;
 /**
  * Makes a filter in the client with the settings of a filter proxy whose data may be elsewhere.
  *
- * The tissue that a burr in the hand has removed belongs to the followed filter, if that filter is
- * in this process: its paths begin with what the hand has left. Otherwise the second filter stores
- * removed tissue itself, and also gets the commands to undo, redo and restore.
+ * If the followed filter is in this process, the tissue that a burr in the hand has removed belongs
+ * to it, so that its paths begin with what the hand has left. Otherwise the second filter stores
+ * the removed tissue itself, and also gets the commands to undo, redo and restore.
  *
- * The settings are in a second proxy of the same kind, whose objects exist in the client only. It
- * copies every property of the first proxy, except the inputs; functions are shared, because
- * ParaView's piecewise functions are on the client, too.
+ * The settings are in a second proxy of the same kind, whose objects exist only in the client.
+ * Every property of the first proxy is copied to it, except the inputs. Functions are shared,
+ * because ParaView's piecewise functions also exist in the client.
  */
 class HapticTouchLink
 {
@@ -47,17 +47,19 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Watch the changes of the proxy's settings; nullptr ends the watch. */
+  /** Watch the changes of a proxy's settings; nullptr ends the watch. */
   void Watch(vtkSMProxy* touch);
 
   /**
-   * Returns the filter in the client; null without a proxy, or if it is no vtkVolumeHapticsFilter.
+   * Returns the filter in the client; null without a proxy, or if its object is no
+   * vtkVolumeHapticsFilter.
    */
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 
   /**
-   * Returns the source to which an input of the followed proxy is connected, and its port; or null.
+   * Returns the source to which an input of the followed proxy is connected, and writes its port;
+   * null if there is none.
    */
   vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
 
@@ -69,7 +71,7 @@ private:
    */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
   void ShareRemoval();
-  /** Returns the followed filter, if it is in this process; else null. */
+  /** Returns the followed filter if it is in this process; otherwise null. */
   vtkVolumeHapticsFilter* GetTouched() const;
   void LetGo();
   void CopySettings();
@@ -84,12 +86,12 @@ private:
 class HapticDataLink
 {
 public:
-  /** `lost` is called as soon as the server does not answer. */
+  /** `lost` is called when the server turns out not to answer. */
   explicit HapticDataLink(std::function<void()> lost);
 
   /**
-   * Follow changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of the
-   * pipeline, and of its time. Problems go to the report.
+   * Applies changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of the
+   * pipeline, and of its time. Reports problems to `report`.
    */
   void Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
@@ -102,13 +104,13 @@ public:
   /** See vtkSMHapticDeviceProxy::SetVisibility. */
   void SetVisibility(vtkVolumeProperty* property) { this->Visibility = property; }
 
-  /** Returns the time (s) of fetching a region; 0 before the first. */
+  /** Returns the time (s) that it takes to fetch a region; 0 before the first. */
   double GetLatency() const { return this->Region.GetLatency(); }
 
-  /** Drops the region that was fetched last. */
+  /** Discards the region that was fetched last. */
   void ClearRegion() { this->Region.Clear(); }
 
-  /** Whether the data are on this process. */
+  /** Whether the data of a proxy are in this process. */
   static bool IsLocal(vtkSMProxy* proxy);
 
 private:
@@ -128,8 +130,8 @@ private:
   HapticRegionLink Region; // for data on a server
   HapticOpacityLink Opacity;
   HapticCropLink Crop;
-  vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the opacity that Opacity finds
-  double ViewTime = 0.0;                         // s, time of the data
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // if set, replaces the opacity that Opacity finds
+  double ViewTime = 0.0;                         // time of the data (s)
 };
 
 } // namespace VolumeHapticsLive

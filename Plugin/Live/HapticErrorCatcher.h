@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Turns errors of VTK objects into text, so that a timer that meets the same error sixty times a
+ * Collects errors of VTK objects as text, so that a timer that causes the same error sixty times a
  * second reports it once.
  */
 #ifndef HapticErrorCatcher_h
@@ -27,11 +27,12 @@ public:
   void operator=(const HapticErrorCatcher&) = delete;
 
   /**
-   * Collects errors of this object from now on, instead of showing them. Call it once per object.
+   * Collects the errors of this object from now on, so that they are not shown. Call it once for
+   * each object.
    */
   void Catch(vtkObject* object);
   /**
-   * Returns the errors since the last call, without files and addresses; empty if there were none.
+   * Returns the errors since the last call, without files and addresses; empty if there are none.
    */
   std::string Drain();
 

@@ -48,7 +48,10 @@ vtkDataObject* DataOf(vtkAlgorithmOutput* output)
   return output ? output->GetProducer()->GetOutputDataObject(output->GetIndex()) : nullptr;
 }
 
-/** Returns the time of the last change in the pipeline up to an output; executing is no change. */
+/**
+ * Returns the time of the last change in the pipeline up to an output. Executing a filter is no
+ * change.
+ */
 vtkMTimeType PipelineTimeOf(vtkAlgorithmOutput* output)
 {
   auto* const pipeline =
@@ -78,7 +81,7 @@ bool SharesArrays(vtkImageData* a, vtkImageData* b)
   return false;
 }
 
-/** Whether a time step of an output is next to another one, in either direction. */
+/** Whether two times are consecutive time steps of an output, in either order. */
 bool AreNeighbours(vtkAlgorithmOutput* output, double a, double b)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -112,7 +115,7 @@ std::string TextOf(vtkSMProxy* proxy, const char* name)
   return text ? text : "";
 }
 
-/** Whether the opacity of an array of several components depends on one of them. */
+/** Whether the opacity of an array with several components depends on this component. */
 bool ShowsComponent(vtkSMProxy* representation, int component)
 {
   vtkSMProxy* const colors = representation->GetProperty("LookupTable")
@@ -238,7 +241,7 @@ void HapticImageLink::PollTimeSteps(vtkSMSourceProxy* source, unsigned int port,
     HasGeometryOf(image, timeSteps.GetImage());
   if (isBegun && (this->IsSeen(image, filter) || !timeSteps.IsThere(device)))
   {
-    return; // the new image comes when the servo is ready for it
+    return; // pass the new image later, when the servo is ready for it
   }
   const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, timeSteps.GetImage()));
   vtkNew<vtkImageData> copy;
@@ -246,7 +249,7 @@ void HapticImageLink::PollTimeSteps(vtkSMSourceProxy* source, unsigned int port,
   this->See(image, filter);
   this->PipelineTime = pipelineTime;
   this->IsInPlace = isInPlace;
-  // Displacements lead only to the next step.
+  // Displacements are known only to the next step.
   const bool isStep =
     filter->GetDisplacementArrayName().empty() || AreNeighbours(output, timeSteps.GetTime(), time);
   if (isBegun && time != timeSteps.GetTime() && isStep)
@@ -340,7 +343,7 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
     {
       this->View = view;
       this->Representation = representation;
-      // Use one function for any touched component.
+      // Use this function for any touched component.
       this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);
       return this->Property;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gives data of this process' own pipeline to a filter in the client: shared, not copied. Also
- * gives it large files, the part to which ParaView crops a volume, and the opacity with which
+ * Passes data of this process' own pipeline to a filter in the client, without copying them. Also
+ * passes large files, the part to which ParaView crops a volume, and the opacity with which
  * ParaView shows the volume.
  */
 #ifndef HapticImageLink_h
@@ -31,53 +31,51 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink;
 
 /**
- * The filter is not connected to the pipeline, because a view must not execute a filter whose data
- * the servo reads. It gets a shallow copy whenever the pipeline has new data. A pipeline that
- * allocates a new array then does not change the touched array.
+ * Passes images to a filter without connecting it to the pipeline, because a view must not execute
+ * a filter whose data the servo reads. The filter gets a shallow copy whenever the pipeline has new
+ * data. If the pipeline allocates a new array for them, the touched array does not change.
  */
 class HapticImageLink
 {
 public:
-  /**
-   * Update the source, and give its output to an input port of the filter if it is new.
-   */
+  /** Updates the source. If its output is new, passes it to an input port of the filter. */
   void Update(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
-   * Gives an image that has times to the filter, as time steps of input port 0. Its source was
-   * updated at `time`. A new pipeline, or new settings in it, begin a new volume. Throws
-   * std::bad_alloc if there is no memory for a time step that has to be copied.
+   * Passes an image with times to the filter, as time steps of input port 0. The source was updated
+   * at `time`. If the pipeline or its settings are new, a new volume begins. Throws std::bad_alloc
+   * if a time step has to be copied and there is no memory.
    */
   void PollTimeSteps(vtkSMSourceProxy* source, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
-  /** Makes the next Update give the output, even if it has not changed. */
+  /** Makes the next Update() pass the output even if it has not changed. */
   void Forget();
 
-  /** Returns the updated output of a source of this process; null without a source. */
+  /** Returns the output of a source in this process after an update; null without a source. */
   static vtkAlgorithmOutput* GetUpdatedOutput(vtkSMSourceProxy* source, unsigned int port);
 
 private:
   bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;
   void See(vtkDataObject* data, vtkAlgorithm* filter);
 
-  // A weak pointer: a new object may have the address of a deleted one.
+  // These are weak pointers, because a new object may have the address of a deleted one.
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
-  vtkMTimeType PipelineTime = 0; // time steps: last change of the pipeline
-  bool IsInPlace = false;        // time steps: the pipeline writes each one to the same arrays
+  vtkMTimeType PipelineTime = 0; // for time steps: last change of the pipeline
+  bool IsInPlace = false; // for time steps: whether the pipeline writes each one to the same arrays
 };
 
 /**
  * Connects a filter in the client with a large file of this process' own pipeline.
  *
- * The hand has a vtkHapticRegionSource of its own, which the device follows.
+ * The hand has a separate vtkHapticRegionSource, which the device updates.
  */
 class HapticLargeLink
 {
 public:
   /**
-   * Connects the filter with the samples of a large file, if an output comes from one and the
-   * filter is not connected yet. False for other outputs.
+   * Connects the filter with the samples of a large file, unless it is connected already. Returns
+   * false if the output does not come from a large file.
    */
   bool Update(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
 
@@ -93,8 +91,8 @@ class HapticCropLink
 {
 public:
   /**
-   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, as far as
-   * it has them. Without a representation, or without its cropping, all is felt.
+   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, if it has
+   * them. Without a representation, or if it does not crop, the whole volume is felt.
    */
   void Update(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
 
@@ -107,14 +105,14 @@ class HapticOpacityLink
 {
 public:
   /**
-   * Finds the opacity function of a source's volume rendering, in the active view, or else in any
-   * view, as a volume property with ParaView's own function. Null if the source is not
-   * volume-rendered, if the shown array or component is not the touched one, or if opacity does not
-   * depend on that array's value alone.
+   * Finds the opacity function with which a source is volume-rendered, in the active view, or if it
+   * is not shown there, in any view. Returns it in a volume property, which shares ParaView's
+   * function. Returns null if the source is not volume-rendered, if the shown array or component is
+   * not the touched one, or if opacity does not depend only on that array's value.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 
-  /** Returns the view where the opacity was found; null if there is none. */
+  /** Returns the view in which the opacity was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
   /** Returns the representation with the opacity; null if there is none. */

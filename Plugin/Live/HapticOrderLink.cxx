@@ -27,7 +27,7 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<HapticOrderLink*>(self)->ApplyDisarm(); });
-  // Observe after the other observers, which may disarm the device during a clutch.
+  // Be called after other observers, which may disarm the device because of a clutch.
   device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
 }
 
@@ -38,7 +38,7 @@ void HapticOrderLink::Leave()
 
 void HapticOrderLink::ApplyDisarm()
 {
-  // While the device does not run, Armed may be an order for its start: keep it.
+  // Keep Armed while the device does not run, because it may be an order for the next start.
   if (this->Device->IsRunning() && !this->Device->IsArmOrdered())
   {
     this->Reset("Armed");
@@ -109,7 +109,7 @@ void HapticOrderLink::Apply()
   {
     this->Device->Arm();
   }
-  if (!this->Device->IsArmOrdered()) // refused
+  if (!this->Device->IsArmOrdered()) // the device has refused
   {
     this->Reset("Armed");
   }
@@ -145,7 +145,7 @@ void HapticOrderLink::HandleFault(bool isServerLost)
   const bool isFault = status == vtkHapticDevice::FAULT;
   if (isServerLost && this->Device->IsRunning() && (isFault || status <= vtkHapticDevice::READY))
   {
-    this->Stop(this->Report.GetNotice()); // the force has faded, or was cut off earlier
+    this->Stop(this->Report.GetNotice()); // the force has already faded or was cut off
     return;
   }
   if (this->Device->IsArmOrdered() && (isFault || status < vtkHapticDevice::READY))
@@ -168,7 +168,8 @@ void HapticOrderLink::ApplyRunning(vtkVolumeHapticsFilter* filter)
   this->Report.SetNotice("");
   if (filter && !filter->GetInputDataObject(0, 0) && this->Report.HasProblem())
   {
-    // A server that refuses its volume leaves nothing to start with, and has reported the reason.
+    // There is nothing to start with, because the server refuses its volume and has reported the
+    // reason.
     this->Stop("");
     this->Report.SetNotice(this->Report.GetProblem());
     return;
@@ -218,12 +219,12 @@ void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
     }
     if (this->Device->IsArmOrdered())
     {
-      this->Device->FadeOut(); // otherwise the previous data would be felt
+      this->Device->FadeOut(); // because otherwise the hand would feel the previous data
     }
     return;
   }
   this->Device->SetVolumeHaptics(filter);
-  if (!this->Device->IsPublished()) // published by a view, or by Start
+  if (!this->Device->IsPublished()) // unless a view or Start() has published it
   {
     this->Device->Publish();
   }
@@ -235,7 +236,7 @@ void HapticOrderLink::Stop(const std::string& why)
   {
     this->EndForce();
     this->Recording.Continue(this->Device);
-    this->Device->Stop(); // also writes a recording
+    this->Device->Stop(); // this also writes a recording
     this->Report.SetNotice(why);
   }
   std::string error;
@@ -256,7 +257,7 @@ void HapticOrderLink::Stop(const std::string& why)
 void HapticOrderLink::EndForce()
 {
   this->Device->Disarm();
-  // Waits, so that a recording includes the last orders.
+  // Wait until the force is zero, so that a recording includes the last orders.
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Records the touch: as the device's recording, or as a log if a server's region is touched.
+ * Records the touch, by the device's recording, or by a log if a server's region is touched.
  */
 #ifndef HapticRecordingLink_h
 #define HapticRecordingLink_h
@@ -20,17 +20,19 @@ class HapticRecordingLink
 {
 public:
   /**
-   * Begins a recording or, if the device does not touch the whole volume (isWhole), a log. IsOn
-   * returns whether this succeeded.
+   * Begins a recording, or if the device does not touch the whole volume (isWhole), a log. IsOn()
+   * then returns whether this succeeded.
    */
   void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
   void Stop(vtkHapticDevice* device, std::string& error);
   bool IsOn() const { return this->IsRecording; }
 
-  /** Record the device's new states. */
+  /** Write the device's new states to the log, if it is open. */
   void Continue(vtkHapticDevice* device) { this->Log.Continue(device); }
 
-  /** Closes the log, after vtkHapticDevice::Stop has ended the device's own recording. */
+  /**
+   * Closes the log. Call this after vtkHapticDevice::Stop(), which ends the device's own recording.
+   */
   void Close(vtkHapticDevice* device, std::string& error);
 
 private:

@@ -22,11 +22,11 @@ namespace
 {
 
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
-/** The shortest time (s) for measuring the tip's velocity. */
+/** The shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
 /**
- * Longest delay that counts (s): a longer delay, by a busy user interface, does not predict the
- * next delay.
+ * The longest delay that counts (s). A longer delay comes from a busy user interface, and does not
+ * predict the next delay.
  */
 constexpr double LongestInterval = 0.5;
 
@@ -100,7 +100,7 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   return Answer::Region;
 }
 
-/** Fetches a corner for the survey, or the first region after it. */
+/** Fetches a corner to learn where the volume is, or the first region after that. */
 HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], double time,
   vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
@@ -121,7 +121,8 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
     this->RecordLatency(start);
     image->GetExtent(this->Resident.data());
   }
-  // While a previous region is felt, a corner would interrupt it.
+  // Do not pass the corner on while a previous region is felt, because it would interrupt the
+  // touch.
   if (this->Resident != Empty || !this->HasImage)
   {
     this->IsMoving ? timeSteps.Begin(image, time, filter, device)
@@ -132,7 +133,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   return Answer::Region;
 }
 
-/** Fetches a region at the time, and at the previous time if the servo is moving from there. */
+/** Fetches a region at `time`, and also at the previous time if the servo is moving from there. */
 HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
   const int region[6], double time, vtkHapticDevice* device, HapticTimeStepLink& timeSteps)
 {
@@ -149,7 +150,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
     const Answer answer = this->Fetch(region, before, last);
     if (answer == Answer::Refused)
     {
-      // The server has lost the previous time: begin anew with its present one.
+      // The server no longer has the previous time, so begin again with its present one.
       this->IsRefused = false;
       this->Proxy->SetStale(true);
       return Answer::Nothing;
@@ -173,7 +174,10 @@ HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
   return Answer::Region;
 }
 
-/** The region may have been wanted ever since the last look. */
+/**
+ * Records how long a region took. Include the interval between polls, because the region may have
+ * been wanted since the last poll.
+ */
 void HapticRegionLink::RecordLatency(double start)
 {
   this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
@@ -206,7 +210,7 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   this->PollTime = now;
   if (volume)
   {
-    volume->UpdatePipeline(); // otherwise the filter's next change would not be reported
+    volume->UpdatePipeline(); // otherwise, the next change of the filter would not be reported
   }
   const bool wasMoving =
     std::exchange(this->IsMoving, HapticTimeStepLink::IsMoving(volume, port, filter));

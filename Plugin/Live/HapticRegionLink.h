@@ -26,39 +26,45 @@ namespace VolumeHapticsLive
 class HapticTimeStepLink;
 
 /**
- * First requests the position of the volume. The answer is a corner of the volume, with which the
- * servo can start, because a tip outside the corner feels nothing. From then on, requests the
- * regions that vtkHapticRegionPlanner plans.
+ * Fetches regions. It first requests where the volume is. The answer is a corner of the volume,
+ * with which the servo can start, because a tip outside the corner feels nothing. From then on, it
+ * requests the regions that vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
 {
 public:
   enum class Answer
   {
-    Nothing, ///< all needed samples are here
+    Nothing, ///< nothing was fetched, because all needed samples are here
     Region,  ///< a region was fetched
-    Refused, ///< the problem has the reason; no new request until something changes
-    Lost     ///< the server does not answer
+    /**
+     * the server refused; GetProblem() returns the reason, and there is no new request until
+     * something changes
+     */
+    Refused,
+    Lost ///< the server does not answer
   };
 
   /**
-   * Fetch one region at most, if the planner wants it for the device's latest state. The volume was
-   * updated at a time. If the volume has several times, the region of the next time is fetched as
-   * soon as the servo has reached the last one; while the servo moves between two times, regions of
-   * both are fetched.
+   * Fetch at most one region, if the planner wants it for the device's latest state. `time` is the
+   * time at which the volume was updated. If the volume has several times, the region of the next
+   * time is fetched as soon as the servo has reached the last one. While the servo moves between
+   * two times, regions of both are fetched.
    */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
 
-  /** Returns the time (s) from wanting a region to having it; 0 before the first. */
+  /** Returns the time (s) from wanting a region until it is here; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
   /** Returns the reason why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
-  /** Sets the most voxels of a region. A new number makes a refused region be requested again. */
+  /**
+   * Sets the most voxels of a region. If the number is new, a refused region is requested again.
+   */
   void SetMaximumVoxels(vtkIdType voxels)
   {
-    const vtkIdType before = this->Planner->GetMaximumVoxels(); // the planner limits it
+    const vtkIdType before = this->Planner->GetMaximumVoxels(); // after the planner's own limit
     this->Planner->SetMaximumVoxels(voxels);
     this->IsRefused = this->IsRefused && this->Planner->GetMaximumVoxels() == before;
   }
@@ -85,16 +91,16 @@ private:
   std::array<double, 3> Tip = {};
   std::array<double, 3> Velocity = {};
   double Time = 0.0;
-  double PollTime = 0.0; // s, last call of Poll, by this computer's clock
-  double Interval = 0.0; // s, from one call of Poll to the next
+  double PollTime = 0.0; // time of the last call of Poll (s), by this computer's clock
+  double Interval = 0.0; // time between the last two calls of Poll (s)
   vtkMTimeType SettingsTime = 0;
   bool IsSurveyed = false;
   bool HasImage = false;
   bool HasLatency = false;
   bool IsRefused = false;
-  bool IsMoving = false;     // the volume has times
+  bool IsMoving = false;     // whether the volume has times
   bool HasTimeSteps = false; // whether time steps have begun since the last survey
-  double ViewTime = 0.0;     // the view's time of the volume on the server
+  double ViewTime = 0.0;     // time of the view for which the server has the volume
 };
 
 } // namespace VolumeHapticsLive

@@ -21,9 +21,12 @@ namespace VolumeHapticsLive
 class HapticReport
 {
 public:
-  /** Turns errors of this object into problems, instead of showing them. */
+  /** Collects the errors of this object as problems, so that they are not shown. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
-  /** Makes the errors since the last call the problem; returns the text if it is new, else "". */
+  /**
+   * Makes the errors since the last call the present problem. Returns their text if it is new,
+   * otherwise "".
+   */
   std::string DrainNewError();
 
   ///@{
@@ -34,14 +37,14 @@ public:
   ///@}
   ///@{
   /**
-   * Set the reason why the device was stopped, which is shown until it is started again. A problem
-   * hides it.
+   * Set the reason why the device was stopped. It is shown until the device is started again, but
+   * not while there is a problem.
    */
   void SetNotice(const std::string& notice) { this->Notice = notice; }
   const std::string& GetNotice() const { return this->Notice; }
   ///@}
 
-  /** Set the proxy's information properties to the device's latest state; the latency is in s. */
+  /** Set the proxy's information properties to the device's latest state. `latency` is in s. */
   void ReportInformation(vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const;
 
   /**
@@ -54,7 +57,7 @@ private:
   HapticErrorCatcher Errors;
   std::string Problem;
   std::string Notice;
-  std::string Reported; // the last reported error
+  std::string Reported; // the error that was reported last
 };
 
 } // namespace VolumeHapticsLive

@@ -16,7 +16,10 @@ namespace VolumeHapticsLive
 
 namespace
 {
-/** The log's number as a reader of the device's states; a view may read them, too. */
+/**
+ * The log's number as a reader of the device's states. Readers are numbered, because a view may
+ * read the states, too.
+ */
 constexpr int Reader = 1;
 } // namespace
 
@@ -92,7 +95,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
     return true;
   }
   device->GetState()->Drain(nullptr, Reader);
-  this->File.close(); // also reports whether the end of the file could be written
+  this->File.close(); // this also detects whether the end of the file could be written
   if (!this->File)
   {
     error = "The file \"" + this->Name +

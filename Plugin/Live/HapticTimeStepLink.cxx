@@ -25,27 +25,30 @@ namespace
 
 ///@{
 /**
- * The shortest and the longest duration (s) of a step of the animation, and the duration of a
- * single step.
+ * The shortest and the longest duration (s) of a step of the animation, and the duration of a step
+ * without a previous one.
  */
 constexpr double ShortestStep = 0.02;
 constexpr double LongestStep = 0.3;
 constexpr double SingleStep = 0.1;
 ///@}
 /**
- * A step is felt within this fraction of the last step's time, so that it ends before the next
- * step.
+ * The servo makes a step in this fraction of the previous step's duration, so that it ends before
+ * the next step.
  */
 constexpr double StepFraction = 0.9;
 /**
- * If the data time stands still for longer than this (s, by the time of the servo's states),
- * IsThere() stops waiting for the servo to get to the next image.
+ * The time (s, of the servo's states) for which the data time may stand still. After that,
+ * IsThere() no longer waits for the servo to reach the next image.
  */
 constexpr double Patience = 0.5;
-/** The time (s) in which the servo gets to the first image. */
+/** The time (s) in which the servo reaches the first image. */
 constexpr double BeginTime = 0.005;
 
-/** Makes an image whose material is at rest: no motion is known on the way to the image itself. */
+/**
+ * Returns an image with zero displacements. It is the start of the way to the image itself, on
+ * which no motion is known.
+ */
 vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::string& displacements)
 {
   if (displacements.empty())
@@ -79,7 +82,7 @@ bool HapticTimeStepLink::IsMoving(
     return false;
   }
   vtkPVDataInformation* const data = output->GetDataInformation();
-  // Data of other kinds are resampled, each time step separately.
+  // Data of other kinds are resampled, each time step separately, so they do not move.
   if (data->IsCompositeDataSet() || !data->DataSetTypeIsA("vtkImageData"))
   {
     return false;
@@ -91,7 +94,8 @@ bool HapticTimeStepLink::IsMoving(
 void HapticTimeStepLink::Begin(
   vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
 {
-  // From any position of the servo's clock, this leads to the end.
+  // Begin with a step that ends at this image, so that the servo gets there from any position of
+  // its clock.
   this->From = WithoutMotion(image, filter->GetDisplacementArrayName());
   this->To = image;
   this->FromTime = time - (1.0 + 0.1 * std::abs(time));
@@ -133,7 +137,7 @@ void HapticTimeStepLink::Send()
   this->Source->RemoveAllTimeSteps();
   this->Source->AddTimeStep(this->From, this->FromTime);
   this->Source->AddTimeStep(this->To, this->ToTime);
-  this->Source->Update(); // other links compare its image
+  this->Source->Update(); // update now, because other links compare the source's image
 }
 
 void HapticTimeStepLink::SetDuration(double seconds, vtkHapticDevice* device)
@@ -153,7 +157,8 @@ void HapticTimeStepLink::Clear()
 
 bool HapticTimeStepLink::IsThere(vtkHapticDevice* device)
 {
-  // Use the time in the servo's states: after a busy user interface, the clock means nothing.
+  // Use the time of the servo's states, because the computer's clock says nothing after a busy user
+  // interface.
   if (device->GetPlayback()->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
   {
     this->SeenTime = device->GetPlayback()->GetDataTime();

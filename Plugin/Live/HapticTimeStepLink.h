@@ -21,11 +21,12 @@ namespace VolumeHapticsLive
 {
 
 /**
- * ParaView has the data of one time: the animation's time, which a view shows. When this time
- * changes, the servo moves from the last image to the new one in the duration of the animation's
- * last step. So the hand feels the previous step of the view, but the volume does not jump,
- * whatever the VCR buttons do, forward or backward. Nothing is read twice. If the animation is
- * faster than the servo, images are left out; if it stands still, the volume does, too.
+ * Moves the servo between the times of ParaView's animation. ParaView has the data of one time
+ * only, the animation's time, which a view shows. When that time changes, the servo moves from the
+ * last image to the new one, in the duration of the animation's last step. So the hand feels the
+ * previous step of the view, but the volume does not jump, whether the VCR buttons go forward or
+ * backward. No data are read twice. If the animation is faster than the servo, images are left out.
+ * If it stands still, so does the volume.
  */
 class HapticTimeStepLink
 {
@@ -33,29 +34,29 @@ public:
   /** Whether the data of a port have times, and the filter feels the motion between them. */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
-  /** Starts a new volume with an image at a time. */
+  /** Begins a new volume with an image at a time. */
   void Begin(
     vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device);
-  /** Moves from one image to another image at another time. */
+  /** Moves the servo from one image to another image, which has another time. */
   void Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device);
-  /** Replaces the regions of the two images between which the servo moves. */
+  /** Replaces the two images between which the servo moves by other regions. */
   void Replace(vtkImageData* from, vtkImageData* to);
   /** Makes the next image the first one. */
   void Clear();
 
-  /** Whether Begin() was called for this filter. */
+  /** Whether Begin() was called for this filter, and Clear() was not called since. */
   bool HasBegun(vtkVolumeHapticsFilter* filter) const
   {
     return this->Source && this->Filter == filter;
   }
-  /** Whether the last image is the first one. */
+  /** Whether the last image is the first one of the volume. */
   bool IsFirst() const { return this->IsBeginning; }
   /**
-   * Whether the next image may be sent: the servo has reached the last image, the device does not
-   * run, or the data time has stood still for longer than Patience.
+   * Whether the next image may be sent: because the servo has reached the last image, because the
+   * device does not run, or because the data time has stood still for longer than Patience.
    */
   bool IsThere(vtkHapticDevice* device);
-  /** Return the last image and its time, and the previous time. */
+  /** Return the last image, its time, or the previous image's time. */
   vtkImageData* GetImage() const { return this->To; }
   double GetTime() const { return this->ToTime; }
   double GetTimeBefore() const { return this->FromTime; }
@@ -70,9 +71,10 @@ private:
   vtkSmartPointer<vtkImageData> To;
   double FromTime = 0.0; // time of the data
   double ToTime = 0.0;
-  double SentAt = 0.0;   // s, when a step was sent, by this computer's clock
+  double SentAt = 0.0;   // time when the last step was sent (s), by this computer's clock
   double SeenTime = 0.0; // data time in the servo's latest states
-  double SeenAt = 0.0;   // s, servo time since SeenTime stands; 0: not seen since the last step
+  // servo time since which SeenTime has not changed (s); 0 if not known since the last step
+  double SeenAt = 0.0;
   bool IsBeginning = false;
 };
 

@@ -15,9 +15,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * While this object exists, changes can't be undone. For changes that follow from the device or
- * from the user's changes: an entry of their own would be undone instead of the user's change, and
- * would delete the entries for redo.
+ * While this object exists, changes can't be undone. It is for changes that follow from the device
+ * or from the user's changes. If they had their own entries on the undo stack, these would be
+ * undone instead of the user's change, and would delete the entries for redo.
  */
 class HapticUndoExclusion
 {
@@ -42,7 +42,7 @@ public:
   void operator=(const HapticUndoExclusion&) = delete;
 
 private:
-  const vtkSmartPointer<vtkSMUndoStackBuilder> Builder; ///< null without an undo stack
+  const vtkSmartPointer<vtkSMUndoStackBuilder> Builder; ///< null if there is no undo stack
   bool IgnoredBefore = false;
 };
 

@@ -4,8 +4,8 @@
  * @class   vtkPVHapticStateSource
  * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
- * The output is the same as vtkHapticStateSource's; the state comes from the client, through
- * vtkSMHapticDeviceProxy. Of several processes, the first one has the output.
+ * The output is the same as that of vtkHapticStateSource. The state comes from the client, through
+ * vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
@@ -20,20 +20,22 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The touched filter; this connection only shows in ParaView that the two belong together. */
+  /**
+   * Set the touched filter. This does nothing but show in ParaView that the two belong together.
+   */
   void SetTouch(vtkObject*) {}
 
   /** The number of values in a state. */
   static constexpr int Length = 30;
 
   /**
-   * The values of a state: 1 (0: there is no state); tip, proxy, x_s, x_v (world units); commanded
-   * and computed force (N); normal; force of the surface and of friction (N); contact; value in the
-   * surface; orientation of the stylus (w, x, y, z; all 0: none).
+   * Set the values of a state: 1 (0 if there is no state); tip, proxy, x_s, x_v (world units);
+   * commanded and computed force (N); normal; force of the surface and of friction (N); contact;
+   * value at the surface; orientation of the stylus (w, x, y, z; all 0 if there is none).
    */
   void SetState(const double state[30]);
 
-  /** Whether the state is newer than the output; ParaView asks every live source. */
+  /** Get whether the state is newer than the output. ParaView calls this for every live source. */
   bool GetNeedsUpdate();
 
 protected:

@@ -40,15 +40,15 @@ namespace
  * Reports that a proxy has to release the hand: an object that it needs is removed from the
  * pipeline, the session is closed, or the server is lost.
  *
- * A proxy that is no longer registered counts as deleted: a variable in a script keeps it alive,
- * so destructors come too late.
+ * A proxy that is no longer registered counts as deleted. Its destructor may be called too late,
+ * because a variable in a script can keep it alive.
  */
 class HapticSessionWatch
 {
 public:
   struct Calls
   {
-    std::function<void(vtkSMProxy*)> Unregistered; ///< called with each proxy of the session
+    std::function<void(vtkSMProxy*)> Unregistered; ///< called with each unregistered proxy
     std::function<void()> Closed;                  ///< called before the session ends
     std::function<void()> Lost;                    ///< called if the server no longer answers
   };
@@ -58,7 +58,7 @@ public:
   HapticSessionWatch(const HapticSessionWatch&) = delete;
   void operator=(const HapticSessionWatch&) = delete;
 
-  /** Watch this session only. */
+  /** Watch this session, and no other. */
   void Watch(vtkSMSession* session);
 
 private:
@@ -153,9 +153,9 @@ namespace
 {
 
 /**
- * The longest pause (s) between calls of Poll while the device is armed. A user interface that
- * stands still for longer, for example while a server does not answer, can't be used to stop the
- * hand.
+ * The longest pause (s) between calls of Poll while the device is armed. After a longer pause the
+ * force fades, because a user interface that stands still, for example while a server does not
+ * answer, can't be used to stop the hand.
  */
 constexpr double AttentionTime = 2.0;
 
@@ -179,8 +179,8 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   HapticSessionWatch Watch;
 
   bool IsBusy = false;
-  bool IsClosed = false; // the session is over
-  bool IsLost = false;   // the server no longer answers
+  bool IsClosed = false; // whether the session has ended
+  bool IsLost = false;   // whether the server no longer answers
 };
 
 //------------------------------------------------------------------------------
@@ -266,10 +266,10 @@ void vtkSMHapticDeviceProxy::LoseServer()
 void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
-  // Carry out orders first, because a hand may be waiting for them.
+  // Execute orders before anything else, because a hand may be waiting for them.
   if (this->ObjectsCreated && d.IsBusy)
   {
-    // Do the rest after Poll has ended.
+    // Execute the other orders after Poll has ended.
     d.Orders.ApplyCuts();
   }
   else if (this->ObjectsCreated)
@@ -291,7 +291,8 @@ bool vtkSMHapticDeviceProxy::Poll()
     return false;
   }
   d.IsBusy = true;
-  // No undo: the filter's twin, the hand's state and the orders follow by themselves.
+  // These changes can't be undone: the filter's twin, the hand's state and the orders follow other
+  // changes.
   const VolumeHapticsLive::HapticUndoExclusion exclusion;
   if (this->CanReachServer())
   {
@@ -344,7 +345,7 @@ void vtkSMHapticDeviceProxy::UpdatePipeline(double time)
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
 {
-  // These values belong to the client: no need to ask the server.
+  // Do not ask the server, because these values belong to the client.
   auto& d = *this->Internals;
   if (this->ObjectsCreated && !d.IsBusy)
   {
@@ -375,7 +376,7 @@ vtkPVXMLElement* vtkSMHapticDeviceProxy::SaveXMLState(
 //------------------------------------------------------------------------------
 int vtkSMHapticDeviceProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
-  // Loading a state must not give orders.
+  // Restore the orders afterwards, because loading a state must not give any.
   auto& d = *this->Internals;
   const bool wasBusy = std::exchange(d.IsBusy, true);
   int orders[std::size(HapticOrderLink::Names)];

@@ -6,25 +6,26 @@
  *
  * The servo runs in the client, even if the data are on a server. The proxy owns a vtkHapticDevice
  * and, through the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy.
- * The data server only has a small source that shows the client's state, vtkPVHapticStateSource.
+ * The data server has only a small source that shows the client's state, vtkPVHapticStateSource.
  * Data of the same process are touched without a copy. If the data are on a server, a region around
- * the tip is fetched (vtkHapticRegionPlanner) and given to the servo, without a step of the force.
- * With the round trip and load time t, v_max of a hand, the spring's length T_N/k, the reach r of a
- * tick and the band b over which force fades, its half-width is
+ * the tip is fetched (vtkHapticRegionPlanner) and passed to the servo, without a step of the force.
+ * Its half-width h follows from the time t for the round trip and for loading, the largest speed
+ * v_max of a hand, the spring's length T_N/k, the reach r of a tick, and the width b of the band in
+ * which force fades:
  *
  *   h = v_max t + T_N/k + r + b
  *
- * If the hand is faster than the data, force fades, and comes back when the data arrive. Nothing
- * here has a clock: the timer of a user interface calls Poll, and so does UpdatePipeline, which
- * scripts call.
+ * If the hand is faster than the data, force fades, and comes back when the data arrive. This class
+ * has no timer: the timer of a user interface calls Poll, or a script calls UpdatePipeline, which
+ * calls Poll.
  *
  * Safety: force flows only while Running and Armed are 1, and only through the safety stage of
- * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0,
- * with zero force, if this proxy, the touched filter or its view is deleted, if the session is
- * closed, and after a fault. If the server is lost, force fades within 50 ms. Force also fades if
- * Poll is not called for 2 s, as in a client that waits for a server that hangs
- * (vtkHapticDevice::SetAttentionTime). Setting one of them to 0 takes effect at once, without a
- * Poll.
+ * vtkHapticDevice. Running, Armed and Recording are neither saved in a state nor traced. They
+ * become 0, with zero force, if this proxy, the touched filter or its view is deleted, if the
+ * session is closed, and after a fault. If the server is lost, force fades within 50 ms. Force also
+ * fades if Poll is not called for 2 s, for example because the client waits for a server that hangs
+ * (vtkHapticDevice::SetAttentionTime). Setting Running or Armed to 0 takes effect at once, without
+ * a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -45,36 +46,36 @@ public:
   vtkTypeMacro(vtkSMHapticDeviceProxy, vtkSMSourceProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Get the device. Set the properties of this proxy to open, start and arm it. */
+  /** Get the device. To open, start and arm it, set the properties of this proxy. */
   vtkHapticDevice* GetDevice();
 
   /** Get the filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter();
 
   /**
-   * Take over changes of properties, pipeline and opacity, give them to the servo, and get its
-   * latest state. True if the state is new. A call during a call does nothing.
+   * Apply changes of properties, pipeline and opacity, pass them to the servo, and get its latest
+   * state. Returns true if the state is new. Does nothing if it is called during another call.
    */
   bool Poll();
 
   /**
-   * The property whose visible voxels are felt, instead of the voxels that ParaView shows
-   * (FollowOpacity). nullptr (default) returns to FollowOpacity.
+   * The volume property whose visible voxels are felt, instead of the voxels that ParaView shows
+   * (FollowOpacity). nullptr (default): FollowOpacity decides.
    */
   void SetVisibility(vtkVolumeProperty* property);
 
-  /** Remove the force and release the device, until Running is set again. */
+  /** Remove the force, and release the device until Running is set again. */
   void Shutdown();
 
   void UpdateVTKObjects() override;
   ///@{
-  /** Poll, and update the source on the server. */
+  /** Call Poll, and update the source on the server. */
   void UpdatePipeline() override;
   void UpdatePipeline(double time) override;
   ///@}
 
   ///@{
-  /** Saves and loads the state, except Running, Armed and Recording, which stay unchanged. */
+  /** Save or load the state, except Running, Armed and Recording, which stay unchanged. */
   using Superclass::SaveXMLState;
   vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* properties) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;

@@ -34,10 +34,14 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestMotion = 0.03; // s; Qt, events and haptics need the rest of 1/20 s
-constexpr double LongestRest = 0.5;    // s, because a device without news lets go
-constexpr double LeastRate = 1.0;      // Hz; below it, vtkSmartVolumeMapper casts all rays
-constexpr double HighestRate = 60.0;   // Hz; above it, blocks of pixels save little time
+// s: longest frame in motion; Qt, events and haptics need the rest of 1/20 s
+constexpr double LongestMotion = 0.03;
+// s: longest frame at rest while armed, because the force fades if the device is not polled
+constexpr double LongestRest = 0.5;
+// Hz: least desired rate; below it, vtkSmartVolumeMapper casts all rays
+constexpr double LeastRate = 1.0;
+// Hz: highest desired rate; above it, larger distances between rays save little time
+constexpr double HighestRate = 60.0;
 constexpr const char* Mode = "VolumeRenderingMode";
 
 HapticVolumeFrames::PointerQuery AskPointer = nullptr;
@@ -47,7 +51,7 @@ int NumberOf(vtkSMProxy* proxy, const char* name)
   return proxy->GetProperty(name) ? vtkSMPropertyHelper(proxy, name, true).GetAsInt() : 0;
 }
 
-/** Returns the part of a representation that now draws it as a volume, if any. */
+/** Returns the part of a representation that now draws it as a volume; null if there is none. */
 vtkSMProxy* FindVolume(vtkSMProxy* representation)
 {
   if (!representation || !representation->GetProperty(Mode) ||
@@ -56,12 +60,14 @@ vtkSMProxy* FindVolume(vtkSMProxy* representation)
     return nullptr;
   }
   const char* const type = vtkSMPropertyHelper(representation, "Representation").GetAsString();
-  // A representation shows the properties of its parts.
+  // A representation exposes the properties of its parts, so the property's parent is the part.
   return type && std::strcmp(type, "Volume") == 0 ? representation->GetProperty(Mode)->GetParent()
                                                   : nullptr;
 }
 
-/** Whether vtkFixedPointVolumeRayCastMapper can draw it as ParaView's choice does. */
+/**
+ * Whether vtkFixedPointVolumeRayCastMapper can draw a volume in the same way as ParaView's choice.
+ */
 bool CanBeCast(vtkSMProxy* representation)
 {
   constexpr int blends[] = { vtkVolumeMapper::COMPOSITE_BLEND,
@@ -82,9 +88,7 @@ bool CanBeCast(vtkSMProxy* representation)
     NumberOf(representation, "UseTransfer2D") == 0;
 }
 
-/**
- * Sends the mode to the objects of the client and of the servers, without changing the property.
- */
+/** Sets the mode in the objects of the client and of the servers, without changing the property. */
 void SendMode(vtkSMProxy* volume, int mode)
 {
   vtkClientServerStream stream;
@@ -165,7 +169,7 @@ void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
   this->WindowOnProcessor.reset();
   if (this->Window)
   {
-    // Observe after FrameQuality, which tells motion from rest by the rate that ParaView has set.
+    // Be called after FrameQuality, which recognizes motion by the rate that ParaView has set.
     constexpr float priority = -1.0F;
     for (const auto event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::AbortCheckEvent })
@@ -268,7 +272,7 @@ void HapticVolumeFrames::Begin()
   {
     AskPointer(this->Pointer);
   }
-  // ParaView sets its own rate before each frame.
+  // Set the rate here, because ParaView sets its own rate before each frame.
   if (this->SetsRate())
   {
     this->Window->SetDesiredUpdateRate(this->IsQuick ? this->InMotion.Hz : this->AtRest.Hz);
@@ -331,7 +335,7 @@ void HapticVolumeFrames::Interrupt()
   if (!std::equal(pointer, pointer + 2, this->Pointer))
   {
     this->Window->SetAbortRender(1);
-    // A window that draws for Qt shows its unfinished frame unless told not to.
+    // Do not swap buffers, because a window that draws for Qt would show its unfinished frame.
     this->KeepsPicture = this->KeepsPicture || this->Window->GetSwapBuffers() != 0;
     this->Window->SwapBuffersOff();
   }

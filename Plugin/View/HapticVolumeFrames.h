@@ -25,20 +25,20 @@ namespace VolumeHaptics
 {
 
 /**
- * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which hides its ray casters. On
- * software OpenGL its frames in motion are speckled and slow. So this class does what FrameQuality
- * does with VTK's own mappers:
+ * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which hides its ray casters.
+ * With OpenGL on the processor, its frames in motion are speckled and slow. So this class does for
+ * ParaView what FrameQuality does for VTK's own mappers:
  *
- * - While a scene is touched and OpenGL runs on the processor of the client or server that draws,
- *   volumes whose mode is Smart are drawn by VTK's ray caster for processors if it can: one
- *   component, at points, of an image. The property VolumeRenderingMode stays as it is.
- * - Frames in motion that the client draws with that ray caster take 30 ms: it gets the time that
- *   the rest of the frame leaves, and casts as many rays as fit. Qt draws its window meanwhile,
- *   so that 20 frames a second are left. ParaView itself asks for 5.
+ * - While a scene is touched, and OpenGL runs on the processor of the client or server that draws,
+ *   volumes whose mode is Smart are drawn by VTK's ray caster for processors. It can draw images
+ *   with one component at points. The property VolumeRenderingMode stays unchanged.
+ * - Frames in motion that the client draws with that ray caster take 30 ms: the ray caster casts as
+ *   many rays as the rest of the frame leaves time for. With the time that Qt needs to draw its
+ *   window, that makes 20 frames a second. ParaView itself wants 5.
  * - These frames are drawn without FXAA, which would take more time there than everything else.
- * - Frames at rest take half a second at most while a device is armed. While the scene is touched,
- *   they are given up within 0.2 s of a motion of the pointer, if its position is known; VTK asks
- *   no more often.
+ * - Frames at rest take at most half a second while a device is armed. While the scene is touched,
+ *   they are given up within 0.2 s after a motion of the pointer, if its position is known; VTK
+ *   does not ask more often.
  */
 class HapticVolumeFrames
 {
@@ -56,33 +56,31 @@ public:
   HapticVolumeFrames& operator=(const HapticVolumeFrames&) = delete;
 
   /**
-   * Restores the own mode of the last view's volumes, and adjusts those of another view. nullptr
-   * for none.
+   * Restores the mode of the last view's volumes, and adjusts the volumes of another view. nullptr
+   * stands for no view.
    */
   void SetView(vtkSMRenderViewProxy* view);
-  /** Leaves the volumes as they are: nothing may be sent to a lost server. */
+  /** Leaves the volumes as they are, because nothing may be sent to a lost server. */
   void Forget() { this->Volumes.clear(); }
-  /** Draws the view with InteractiveRender or StillRender. */
+  /** Draws the view by InteractiveRender or StillRender. */
   void Draw(bool quickly, Touch touch);
 
   /**
-   * Sets a function that returns the pointer's position on the screen, even if its events wait in a
-   * queue that is not VTK's; nullptr: the position is not known.
+   * Sets a function that returns the pointer's position on the screen, even if the events of its
+   * motion still wait in a queue that is not VTK's. nullptr means that the position is not known.
    */
   using PointerQuery = void (*)(int position[2]);
   static void SetPointerQuery(PointerQuery query);
 
 private:
-  /** A volume that is drawn by a ray caster other than ParaView's choice. */
+  /** A volume that is not drawn by the ray caster of ParaView's choice. */
   struct Volume
   {
     vtkWeakPointer<vtkSMProxy> Representation;
-    vtkWeakPointer<vtkSMProxy> Drawn; ///< the part that draws the volume
-    unsigned long long SetTime;       ///< time of the property VolumeRenderingMode
+    vtkWeakPointer<vtkSMProxy> Drawn; ///< the part of the representation that draws the volume
+    unsigned long long SetTime;       ///< modification time of the property VolumeRenderingMode
   };
-  /**
-   * The rate (Hz) at which the ray caster is asked to draw, so that a frame takes its allowed time.
-   */
+  /** The frame rate (Hz) that is set for the ray caster so that a frame takes its allowed time. */
   struct Rate
   {
     double Hz;
@@ -91,11 +89,12 @@ private:
 
   void ChooseRayCasters(Touch touch);
   /**
-   * Whether the process that has the data, and so draws the volumes, has OpenGL on the processor.
+   * Whether OpenGL runs on the processor in the process that has the data, and so draws the
+   * volumes.
    */
   bool IsOnProcessor();
   bool IsWindowOnProcessor();
-  /** Whether this object chooses the rate of the frame. */
+  /** Whether this object sets the desired rate of the frame. */
   bool SetsRate() const { return this->CastsOnProcessor && (this->IsQuick || this->IsArmed); }
   void Begin();
   /** Restore FXAA, and the swap of buffers. */
@@ -107,22 +106,28 @@ private:
   vtkWeakPointer<vtkRenderWindow> Window;
   vtkNew<vtkCallbackCommand> Observer;
   std::vector<Volume> Volumes;
-  std::vector<vtkWeakPointer<vtkRenderer>> Smoothed; ///< renderers whose FXAA is off for now
+  /** renderers whose FXAA is off during the frame */
+  std::vector<vtkWeakPointer<vtkRenderer>> Smoothed;
   ///@{
-  /** Empty: not known yet. */
+  /**
+   * Whether OpenGL runs on the processor: where the data are, and in the client's window. Empty if
+   * not known yet.
+   */
   std::optional<bool> OnProcessor;
   std::optional<bool> WindowOnProcessor;
   ///@}
-  bool CastsOnProcessor = false; ///< some volume is drawn by another ray caster
+  /** whether a volume is drawn by another ray caster than ParaView's choice */
+  bool CastsOnProcessor = false;
   bool IsDrawing = false;
   bool IsQuick = false;
   bool IsTouched = false;
   bool IsArmed = false;
-  bool KeepsPicture = false; ///< the frame is not shown
+  /** whether the frame is not shown, so that the window keeps the last one */
+  bool KeepsPicture = false;
   Rate InMotion{ 20.0 };
   Rate AtRest{ 2.0 };
   std::chrono::steady_clock::time_point Start;
-  int Pointer[2] = { 0, 0 }; ///< pointer at the frame's beginning
+  int Pointer[2] = { 0, 0 }; ///< position of the pointer when the frame began
 };
 
 } // namespace VolumeHaptics

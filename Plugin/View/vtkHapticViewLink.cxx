@@ -31,14 +31,14 @@ namespace
 {
 
 /**
- * The props of a touch in a view: the hand with its forces, and the figures.
+ * The props of a touch in a view: the hand with its forces, and the head-up display.
  *
  * Adds props to a renderer, and removes them when this object is destroyed.
  */
 class HapticViewProps
 {
 public:
-  /** The size of the hand follows the filter's image, if there is one. */
+  /** If the filter has an image, the size of the hand is fitted to it. */
   HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
   ~HapticViewProps();
   HapticViewProps(const HapticViewProps&) = delete;
@@ -52,11 +52,11 @@ private:
   vtkNew<vtkHapticHeadUpDisplay> Display;
 };
 
-/// The proxy's radius and the arrow of one newton, as fractions of the volume's diagonal.
+/// The proxy's radius, and the length of the arrow for 1 N, as fractions of the volume's diagonal.
 constexpr double RadiusPart = 0.006;
 constexpr double NewtonPart = 0.05;
 
-/// Returns the largest of 1, 2 or 5 times a power of ten that is not above a length.
+/// Returns the largest of 1, 2 or 5 times a power of ten that does not exceed a length.
 double RoundLength(double length)
 {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -104,15 +104,16 @@ constexpr const char* DeviceDeleted =
 
 struct vtkHapticViewLink::vtkInternals
 {
-  // Keep no object alive that ParaView or the user may delete, except the objects that restore the
-  // view.
+  // These are weak pointers to objects that ParaView or the user may delete. Only the objects that
+  // restore the view are kept alive.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorObserver> StyleBefore;
   vtkSmartPointer<vtkHapticViewStyle> Style;
-  vtkSmartPointer<vtkHapticViewStyle> LastStyle; // the style may have requested its own end
+  // keeps the style alive while it causes the end of the link
+  vtkSmartPointer<vtkHapticViewStyle> LastStyle;
   std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
   std::string Reason;
@@ -210,7 +211,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
   switch (event)
   {
     case vtkCommand::ModifiedEvent:
-      this->Modified(); // a key may have changed the touch mode
+      this->Modified(); // because a key may have changed the touch mode
       break;
     case vtkCommand::DisableEvent:
       this->End("ParaView gave the view another way of interaction. Attach again when it is done.");
@@ -239,7 +240,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     default:
       d.DeviceProxy = nullptr;
       d.Style->ForgetVolumes();
-      this->End(ViewClosed); // closed with the connection
+      this->End(ViewClosed); // the view was closed with the connection
   }
 }
 
@@ -251,7 +252,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Disarms first, because the hand is no longer shown after this.
+  // Disarm first, because the hand is not shown after this.
   d.Device->Disarm();
   for (auto& [object, tag] : d.Observers)
   {
@@ -328,7 +329,8 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // A user who pressed a button has no pointer in the view yet, so the touch begins in its middle.
+  // If a user has pressed a button, the pointer is not in the view, so begin the touch in the
+  // view's middle.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

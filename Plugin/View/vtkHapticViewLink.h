@@ -4,15 +4,15 @@
  * @class   vtkHapticViewLink
  * @brief   a haptic device in a render view of ParaView
  *
- * Attach() gives the view's interactor a vtkHapticViewStyle, and shows the hand and the forces in
- * the view's non-composited renderer, which the client draws itself: so they are visible with local
- * and with remote rendering. Detach() disarms the device, removes both, and restores the previous
- * style.
+ * Attach() sets a vtkHapticViewStyle in the view's interactor, and shows the hand and the forces in
+ * the view's non-composited renderer. The client always draws that renderer itself, so they are
+ * visible with local and with remote rendering. Detach() disarms the device, removes the hand and
+ * the forces, and restores the previous style.
  *
- * The link ends by itself, and disarms first, if the view or the device is closed or unregistered,
- * if the connection closes, and if ParaView gives the view another style, for example for a 2D view
- * or a selection; that style then stays. GetReason() returns why, and vtkCommand::EndEvent is
- * invoked.
+ * The link disarms the device and ends by itself if the view or the device is closed or
+ * unregistered, if the connection closes, or if ParaView sets another style in the view, for
+ * example for a 2D view or a selection; that style then stays. Then GetReason() returns the reason,
+ * and vtkCommand::EndEvent is invoked.
  *
  * The device stays open and started.
  *
@@ -39,15 +39,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Attaches. False, with an error that names the cure, if the view has no interactor (as in
-   * pvbatch), or already has a device. Detaches from another view first.
+   * Attaches a device to a view. Detaches from another view first. Returns false and reports an
+   * error with the cure if the view has no interactor (as in pvbatch), or if it already has a
+   * device.
    */
   bool Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device);
   /** Detaches from the view, if attached. */
   void Detach();
   bool IsAttached() const;
 
-  /** Returns why the link has ended by itself; empty while attached, and after Detach(). */
+  /**
+   * Returns the reason why the link has ended by itself; empty while attached, and after Detach().
+   */
   std::string GetReason() const;
 
   ///@{
@@ -59,17 +62,17 @@ public:
 
   ///@{
   /**
-   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. It begins in front
-   * of the first surface in the middle of the view. Default off. A change, for example by a key,
-   * invokes vtkCommand::ModifiedEvent.
+   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. The touch begins
+   * in front of the first surface in the middle of the view. Default off. A change, for example by
+   * a key, invokes vtkCommand::ModifiedEvent.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode() const;
   ///@}
 
   /**
-   * Returns the keys of the view: lines of an action, a tabulator, and its keys in the format of
-   * vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
+   * Returns the keys of the view. Each line has an action, a tabulator, and the action's keys in
+   * the format of vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
    */
   std::string GetKeys() const;
 

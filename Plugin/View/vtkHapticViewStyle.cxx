@@ -33,30 +33,30 @@ namespace VolumeHaptics
 /**
  * Makes the slices of ParaView's Orthographic Slice Views follow the tip of a device.
  *
- * Sets the property SlicePosition of all such views of a session when the tip has moved, and draws
- * the views: in a fifth of the time at most, so that they never delay the view with the hand.
- * While the tip rests, the user may move the slices.
+ * When the tip has moved, sets the property SlicePosition of all such views in a session, and draws
+ * the views. That takes at most a fifth of the time, so that it never delays the view with the
+ * hand. While the tip rests, the user may move the slices.
  */
 class HapticSlices
 {
 public:
   /**
-   * Moves the slices to the tip; call this often. Positions outside the filter's image become the
-   * nearest positions in it.
+   * Moves the slices to the tip. Call this often. A tip outside the filter's image is replaced by
+   * the nearest position in the image.
    */
   void Update(vtkSMSession* session, vtkVolumeHapticsFilter* filter, const double tip[3]);
 
 private:
-  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the tip that the slices have followed
+  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the tip to which the slices were moved last
   bool IsKnown = false;
-  double NextTime = 0.0; ///< s
+  double NextTime = 0.0; ///< earliest time of the next move (s)
 };
 
 namespace
 {
 
-constexpr double ShortestPause = 0.05; // s
-constexpr double PauseFraction = 4.0;  // multiples of the time that drawing took
+constexpr double ShortestPause = 0.05; // s: shortest pause between two moves
+constexpr double PauseFraction = 4.0;  // pause as a multiple of the time that drawing took
 
 std::vector<vtkSMViewProxy*> CollectSliceViews(vtkSMSession* session)
 {
@@ -90,7 +90,7 @@ void HapticSlices::Update(
   this->IsKnown = true;
   if (isFirst)
   {
-    return; // a device's first position is no motion
+    return; // the first position of a device is no motion
   }
   double position[3];
   std::copy(tip, tip + 3, position);
@@ -124,18 +124,19 @@ vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
   , Frames(std::make_unique<VolumeHaptics::HapticVolumeFrames>())
 {
-  // No key compares settings: the properties of the filter Volume Haptics say what is felt, and
-  // ParaView's undo and redo compare.
+  // There is no key that compares settings, because the properties of the filter Volume Haptics say
+  // what is felt, and ParaView's undo and redo can compare them.
   this->SetKey("Compare", "");
-  // This view has nothing to slice, to measure or to edit.
+  // These actions have no keys, because there is nothing to slice, to measure or to edit in this
+  // view.
   for (const char* const action : { "Slices", "Point", "Distance", "Angle", "Path", "Area", "Undo",
          "Redo", "RemoveLast", "Measurements", "FunctionEditor", "NextFunction", "Propose",
          "DropProposal", "DockEditor", "ResetFunctions", "Labels" })
   {
     this->SetKey(action, "");
   }
-  // ParaView's main window takes its own keys first; s, d, f, g and b begin a selection, which ends
-  // the touch.
+  // Avoid keys that ParaView's main window takes first: s, d, f, g and b begin a selection, which
+  // ends the touch.
   this->SetKey("Help", "question");
   this->SetKey("Graph", "G");
   this->SetKey("Details", "D");
@@ -152,7 +153,7 @@ void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
   this->Frames->SetView(view);
-  // This renderer takes precedence over the renderer under the pointer.
+  // Use this renderer, whichever renderer is under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);
@@ -194,7 +195,7 @@ void vtkHapticViewStyle::OnTimer()
     return;
   }
   this->IsBusy = true;
-  // A poll or a frame may close the view, and delete this.
+  // Keep this alive, because a poll or a frame may close the view and delete this.
   const vtkSmartPointer<vtkHapticViewStyle> self(this);
   if (this->DeviceProxy)
   {
@@ -225,7 +226,7 @@ void vtkHapticViewStyle::SetArmed(bool on)
 {
   if (this->DeviceProxy)
   {
-    const VolumeHapticsLive::HapticUndoExclusion exclusion; // undo must not arm a device
+    const VolumeHapticsLive::HapticUndoExclusion exclusion; // because undo must not arm a device
     vtkSMPropertyHelper(this->DeviceProxy, "Armed").Set(on ? 1 : 0);
     this->DeviceProxy->UpdateVTKObjects();
   }

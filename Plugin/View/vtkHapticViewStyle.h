@@ -7,12 +7,12 @@
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
  * data on servers are rendered, too. Picks in the renderer that shows the data, whichever of the
  * view's renderers is under the pointer. Of VTK's keys, only "r" remains, which resets the view's
- * camera: the others would change actors that belong to ParaView. Keys arm through the device's
- * property Armed, which follows the device when something disarms it; the key for the next method
- * sets Method and Solver of the touched filter.
+ * camera, because the others would change actors that belong to ParaView. Keys arm the device by
+ * its property Armed, which becomes 0 when something else disarms the device. The key for the next
+ * method sets Method and Solver of the touched filter.
  *
- * While the scene is touched, ParaView's volumes are drawn by VTK's ray caster for processors where
- * OpenGL runs on the processor, too, without speckles and as quickly as 20 frames a second allow.
+ * If OpenGL runs on the processor, ParaView's volumes are drawn by VTK's ray caster for processors
+ * while the scene is touched: without speckles, and at 20 frames a second.
  * AutoAdjustVolumeQualityOff() leaves them to ParaView.
  *
  * @sa vtkHapticViewLink
@@ -43,23 +43,23 @@ public:
 
   ///@{
   /**
-   * The view and the device. They are not kept alive: a deleted view is not drawn, a deleted device
-   * not polled.
+   * The view and the device. They are not kept alive: a view that was deleted is not drawn, a
+   * device that was deleted is not polled.
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
   /**
-   * Forgets the volumes, before the end of a session whose server may be lost: nothing is sent to
-   * it.
+   * Forgets the volumes. Call this before the end of a session, because its server may be lost, and
+   * nothing may be sent to it.
    */
   void ForgetVolumes();
 
   ///@{
   /**
-   * Whether the slices of Orthographic Slice Views of the view's session follow the tip when it
-   * moves. Default on.
+   * Whether the slices of the Orthographic Slice Views in the view's session move with the tip.
+   * Default on.
    */
   vtkSetMacro(SlicesFollowTip, bool);
   vtkGetMacro(SlicesFollowTip, bool);
@@ -68,16 +68,19 @@ public:
 
   /**
    * Sets a function that returns the pointer's position on the screen, in pixels. It is called
-   * while a fine picture is drawn, and the picture is given up if the pointer has moved: for a
-   * program whose mouse events wait in a queue that is not VTK's. The dock window passes Qt's
-   * position. Null (default): pictures are always completed.
+   * while a fine frame is drawn, and if the pointer has moved, the frame is given up. This is for
+   * programs whose mouse events wait in a queue that is not VTK's. The dock window sets a function
+   * that returns Qt's position. Null (default): frames are always completed.
    */
   static void SetPointerQuery(void (*query)(int position[2]));
 
   /** Sets the property Armed of the device's proxy. */
   void SetArmed(bool on);
 
-  /** Invokes vtkCommand::DisableEvent afterwards if the interactor has released this style. */
+  /**
+   * Sets the interactor. If it has released this style, invokes vtkCommand::DisableEvent
+   * afterwards.
+   */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
   void OnKeyPress() override;
@@ -101,7 +104,11 @@ private:
   bool SlicesFollowTip = true;
   std::unique_ptr<VolumeHaptics::HapticSlices> Slices;
   std::unique_ptr<VolumeHaptics::HapticVolumeFrames> Frames;
-  bool IsBusy = false; ///< a timer may fire while a view that renders waits for its server
+  /**
+   * whether a timer event is being handled; another one may come while a view that renders waits
+   * for its server
+   */
+  bool IsBusy = false;
 };
 
 #endif

@@ -34,7 +34,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
-  // All objects are in the client: nothing has to be sent.
+  // Nothing has to be sent, because all objects are in the client.
   this->Link->SetSlicesFollowTip(vtkSMPropertyHelper(this, "SlicesFollowTip").GetAsInt() != 0);
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {
@@ -62,7 +62,7 @@ void vtkSMHapticViewProxy::OnEnd()
 {
   vtkSMPropertyHelper(this, "Attached").Set(0);
   vtkSMPropertyHelper(this, "TouchMode").Set(0);
-  // Do not keep a closed view alive.
+  // Remove the view, because the property would keep a closed view alive.
   vtkSMPropertyHelper(this, "View").RemoveAllValues();
   vtkSMPropertyHelper(this, "Device").RemoveAllValues();
 }

@@ -4,7 +4,7 @@
  * @class   vtkSMHapticViewProxy
  * @brief   a vtkHapticViewLink for scripts and for the dock window
  *
- * Lives in the client. Its properties act with UpdateVTKObjects:
+ * Exists only in the client. Its properties take effect with UpdateVTKObjects:
  *
  *   View        the render view
  *   Device      a `HapticDevice`
@@ -14,8 +14,8 @@
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
  *
- * Attached and TouchMode become 0 by themselves if the link ends: see vtkHapticViewLink. Neither a
- * state nor a trace contains them: a user who loads it may not have a hand on the device.
+ * Attached and TouchMode become 0 if the link ends by itself: see vtkHapticViewLink. Neither a
+ * state nor a trace contains them, because a user who loads it may not have a hand on the device.
  */
 #ifndef vtkSMHapticViewProxy_h
 #define vtkSMHapticViewProxy_h

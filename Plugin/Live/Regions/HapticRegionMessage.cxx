@@ -26,13 +26,13 @@ namespace
 
 constexpr int MessageTag = 78231;
 /**
- * The size (bytes) of a message's parts. A message that does not fit into memory can be skipped
- * part by part.
+ * The size (bytes) of the parts in which a message is sent. A message that does not fit into memory
+ * can so be skipped part by part.
  */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
 /** The most bytes of a region. */
 constexpr std::int64_t MostBytes = std::int64_t{ 1 } << 36;
-/** Marks the byte order: a computer with another one reads a different number. */
+/** A number that marks the byte order: a computer with another byte order reads another number. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
 {
@@ -64,7 +64,10 @@ void PutText(std::vector<char>& message, const char* text)
   Put(message, text, static_cast<std::size_t>(size));
 }
 
-/** Whether a type has whole bytes: bits have no size of their own, and no address. */
+/**
+ * Whether an array can be sent: its values must have whole bytes, because bits have no size or
+ * address of their own.
+ */
 bool CanSend(vtkDataArray* array)
 {
   return array && array->GetDataTypeSize() > 0;
@@ -133,7 +136,7 @@ public:
     const auto tuples = this->Parse<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
-    // Avoid a division by zero: bits have no size.
+    // Check for size 0, which bits have, before dividing by it.
     const std::int64_t size = array ? array->GetDataTypeSize() : 0;
     const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
     this->IsGood = this->IsGood && size > 0 && components > 0 && tuples >= 0 &&

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A region of a volume as bytes, on its way from the data server to the client.
+ * Converts a region of a volume to a message from the data server to the client, and back.
  *
- * ParaView's own way of sending images loses their direction, and does not report that the other
- * side has ended.
+ * ParaView's own messages of images lose their direction, and do not report that the other side has
+ * ended.
  */
 #ifndef HapticRegionMessage_h
 #define HapticRegionMessage_h
@@ -25,14 +25,15 @@ std::vector<char> PackRegion(vtkImageData* image);
 std::vector<char> PackError(const std::string& error);
 
 /**
- * Unpacks the image of a message. False, with an error, if the message is an error, or no image.
+ * Unpacks the image of a message. Returns false and writes `error` if the message is an error or
+ * holds no image.
  */
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
 /**
- * Receives a message. False if the other side has ended. A message that does not fit into memory
- * becomes an error.
+ * Receives a message. Returns false if the other side has ended. A message that does not fit into
+ * memory is replaced by an error.
  */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 

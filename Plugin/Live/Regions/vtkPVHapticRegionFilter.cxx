@@ -45,10 +45,12 @@ public:
   HapticPieceGather(
     vtkMultiProcessController* controller, int arrayType, int components, std::string arrayName);
 
-  /** See vtkHapticRegionFilter::GatherSamples. There is an entry per component. */
+  /** See vtkHapticRegionFilter::GatherSamples. `samples` has an entry for each component. */
   void GatherSamples(const int whole[6], std::vector<VolumeHaptics::NoiseSamples>& samples) const;
 
-  /** See vtkHapticRegionFilter::GatherRegion. On other processes, the output is empty. */
+  /**
+   * See vtkHapticRegionFilter::GatherRegion. The output is empty on all processes but the first.
+   */
   bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     SampleCopier copySamples, vtkImageData* output, std::string& error) const;
 
@@ -63,7 +65,7 @@ private:
 
 constexpr int PieceTag = 78232;
 
-/** Computes the intersection of two boxes; false if it is empty. */
+/** Computes the intersection of two boxes. Returns false if it is empty. */
 bool Intersect(const int a[6], const int b[6], int both[6])
 {
   bool isThere = true;
@@ -185,7 +187,8 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
   int both[6] = { 0, -1, 0, -1, 0, -1 };
   const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  // A process without memory must report this before others wait for its part.
+  // Allocate before sending, so that a process without memory can report it before others wait for
+  // its part.
   std::vector<std::vector<int>> parts;
   vtkSmartPointer<vtkDataArray> whole;
   vtkSmartPointer<vtkDataArray> part;
@@ -305,13 +308,13 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* const array = piece ? this->GetInputArrayToProcess(0, piece, association) : nullptr;
   const bool isEmpty = !piece || piece->GetNumberOfPoints() == 0;
-  // Bits have no size of their own, and can't be sent.
+  // Arrays of bits can't be sent, because bits have no size of their own.
   const bool hasArray = array && association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // Maxima over all processes: whether something is wrong here, the kind of the array, and the
-  // number of a process with a part of it.
+  // Find the maxima over all processes of: whether something is wrong, the kind of the array, and
+  // the number of a process with a part of it.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,
     isPart && !this->IsAlone() ? this->Controller->GetLocalProcessId() : -1 };
@@ -367,7 +370,7 @@ void vtkPVHapticRegionFilter::ShareName(int from)
 int vtkPVHapticRegionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Request only the piece of this process: nothing has to be read again.
+  // Request only the piece that this process already has, so that nothing is read again.
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
   if (auto* const piece = vtkImageData::GetData(info))
   {

@@ -4,10 +4,10 @@
  * @class   vtkPVHapticRegionFilter
  * @brief   a region of a volume whose pieces are on several processes
  *
- * Runs as a vtkHapticRegionFilter on every process of a controller, each with its own piece and the
- * whole's extent; the first process gets the output. The noise equals the whole volume's to the
- * bit, for any division into pieces. All processes have to execute the filter together, after they
- * have agreed by CanExecute that they can.
+ * Runs as a vtkHapticRegionFilter on every process of a controller. Each process has its own piece
+ * and the whole's extent; the first process gets the output. The estimated noise is the whole
+ * volume's to the bit, for any division into pieces. All processes have to execute the filter
+ * together, after CanExecute has returned true on all of them.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -33,16 +33,23 @@ public:
   /** The controller of the processes. nullptr (default) means this process alone. */
   void SetController(vtkMultiProcessController* controller);
 
-  /** Set the piece of this process (null or empty if it has none) and the extent of the whole. */
+  /**
+   * Set the piece of this process (null or empty if it has none), and the extent of the whole
+   * volume.
+   */
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
-   * Whether all processes can execute: each tells whether it has its piece, and checks the array.
-   * Collective. On the first process the error names a fault on any of them.
+   * Whether all processes can execute: whether each has its piece, and the array is usable. All
+   * processes have to call this together. On the first process, `error` names a fault on any of
+   * them.
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
-  /** Get why gathering the last region failed; empty if gathering was not tried. */
+  /**
+   * Get the reason why gathering the last region failed; empty if it did not fail, or was not
+   * tried.
+   */
   std::string GetProblem() const;
 
 protected:
@@ -70,7 +77,7 @@ private:
   vtkSmartPointer<vtkTrivialProducer> Producer;
   vtkWeakPointer<vtkImageData> Seen;
   vtkMTimeType SeenTime = 0;
-  int ArrayType = 0; // agreed on by all processes
+  int ArrayType = 0; // the same on all processes
   int Components = 0;
   std::string ArrayName;
   std::string Problem;

@@ -31,7 +31,7 @@
 vtkStandardNewMacro(vtkPVHapticRegionSender);
 
 //------------------------------------------------------------------------------
-/** The volume at a sent time. */
+/** The volume at a time that was sent. */
 struct vtkPVHapticRegionSender::Instant
 {
   vtkNew<vtkPVHapticRegionFilter> Filter;
@@ -41,15 +41,16 @@ struct vtkPVHapticRegionSender::Instant
   std::string Array;
   ///@{
   /**
-   * For data that are no image: the piece of this process, and the source that resamples all of
-   * them.
+   * The next five members are for data that are no image: the piece of this process, and the source
+   * that resamples all pieces.
    */
   vtkSmartPointer<vtkDataObject> Piece; ///< a shallow copy
   vtkWeakPointer<vtkDataObject> Seen;
   vtkMTimeType SeenTime = 0;
-  bool IsNew = false;                             ///< new since Regions was opened
-  vtkSmartPointer<vtkHapticRegionSource> Regions; ///< on the first process; null if it failed
-  std::string Problem;                            ///< why Regions is null
+  bool IsNew = false; ///< whether the piece is new since Regions was opened
+  /** on the first process; null if it could not be opened */
+  vtkSmartPointer<vtkHapticRegionSource> Regions;
+  std::string Problem; ///< why Regions is null
   ///@}
 
   void CopyGrid(vtkDataObject* data)
@@ -68,10 +69,10 @@ struct vtkPVHapticRegionSender::Instant
 namespace
 {
 
-/** A corner with room for the largest kernel. */
+/** The size of a volume's corner (steps), with room for the largest kernel. */
 constexpr int CornerSteps = 39;
 
-/** The requested region, or the corner of a volume. */
+/** Returns in `wanted` the requested region, or the corner of a volume if the region is empty. */
 void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
 {
   std::copy_n(region, 6, wanted);
@@ -85,7 +86,7 @@ void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
   }
 }
 
-/** Gathers the pieces of all processes on the first process; each process has one. */
+/** Gathers the pieces of all processes on the first process. Each process has a piece. */
 vtkSmartPointer<vtkDataObject> GatherPieces(
   vtkDataObject* piece, vtkMultiProcessController* controller)
 {
@@ -137,7 +138,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   {
     return false;
   }
-  // Makes the same request as ParaView's own views, so that nothing is read a second time.
+  // Make the same request as ParaView's own views, so that nothing is read a second time.
   vtkAlgorithm* const source = input->GetProducer();
   const int port = input->GetIndex();
   auto* const pipeline = Pipeline::SafeDownCast(source->GetExecutive());
@@ -148,7 +149,8 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   vtkInformation* const info = source->GetOutputInformation(port);
   if (info->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // A filter with a path requests nothing from the other processes, and an empty extent stays.
+    // Set the whole extent, because a filter with a path requests nothing on the other processes,
+    // and an empty extent would stay.
     int whole[6];
     info->Get(Pipeline::WHOLE_EXTENT(), whole);
     info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
@@ -181,7 +183,7 @@ vtkPVHapticRegionSender::Instant* vtkPVHapticRegionSender::Find(double time, boo
   const Instant& latest = *this->Instants[this->Latest];
   if (isPresent && latest.IsThere && latest.Time != time)
   {
-    this->Latest = 1 - this->Latest; // the older time is no longer needed
+    this->Latest = 1 - this->Latest; // overwrite the older time, which is no longer needed
   }
   if (isPresent)
   {
@@ -261,7 +263,7 @@ bool vtkPVHapticRegionSender::Resample(Instant& instant, bool hasPiece, const ch
   vtkPointData* const points = image->GetPointData();
   if (vtkDataArray* const found = name.empty() ? nullptr : points->GetArray(name.c_str()))
   {
-    points->SetScalars(found); // the data to send
+    points->SetScalars(found); // these are the data to send
   }
   return true;
 }
@@ -287,7 +289,7 @@ bool vtkPVHapticRegionSender::Assemble(
   int wanted[6];
   ChooseRegion(instant.Whole, region, wanted);
   filter->SetRegion(wanted);
-  filter->Modified(); // on every process, or on none
+  filter->Modified(); // do this on every process or on none
   if (!filter->UpdateExtent(filter->GetRegion()))
   {
     error = filter->GetProblem();

@@ -4,10 +4,10 @@
  * @class   vtkPVHapticRegionSender
  * @brief   sends regions of a volume from the data server to the client
  *
- * Every process of the server requests the piece from its input that it already has, so that
- * nothing is read again. The first process sends the region that they assemble. If the data have
- * several times, the pieces of the last two sent times are kept, so that regions of both can be
- * requested. See vtkSMHapticRegionProxy for the other side.
+ * Every process of the server requests from its input the piece that it already has, so that
+ * nothing is read again. Together they assemble the region, and the first process sends it. If the
+ * data have several times, the pieces of the last two sent times are kept, so that regions of both
+ * can be requested. See vtkSMHapticRegionProxy for the client's side.
  *
  * Data that are no image, and composite data, are gathered on the first process, which resamples
  * the regions (vtkHapticRegionSource::OpenDataSet).
@@ -33,10 +33,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Send a region (an extent) of a point array by name. An empty name means the active scalars. A
-   * region without indices means a corner of the volume, from which the client learns the position
-   * of the whole. The time is that of the input's present volume, or one of the last two times that
-   * were sent; the answer to any other time is an error. Call it on all processes together. The
+   * Send a region (an extent) of a point array by name. An empty name means the active scalars. An
+   * empty region means a corner of the volume, from which the client learns the position of the
+   * whole. `time` is the time of the input's present volume, or one of the last two times that were
+   * sent; for any other time, the answer is an error. All processes have to call this together. The
    * client gets exactly one answer: the region, or an error.
    */
   void Send(
@@ -57,20 +57,20 @@ private:
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
-  /** Whether any process has data that are no image. Call it on all processes together. */
+  /** Whether any process has data that are no image. All processes have to call this together. */
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);
   /**
-   * Resamples a region of data that are no image; the first process gets the image. Call it on all
-   * processes together.
+   * Resamples a region of data that are no image. The first process gets the image. All processes
+   * have to call this together.
    */
   static bool Resample(Instant& instant, bool hasPiece, const char* array, const int region[6],
     vtkImageData* image, std::string& error);
 #endif
 
   std::unique_ptr<Instant> Instants[2];
-  int Latest = 0; ///< index of the latest instant in Instants
+  int Latest = 0; ///< index of the latest time in Instants
 };
 
 #endif

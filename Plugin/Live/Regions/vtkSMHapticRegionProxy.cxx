@@ -31,7 +31,8 @@ void vtkSMHapticRegionProxy::MarkDirty(vtkSMProxy* modified)
 //------------------------------------------------------------------------------
 bool vtkSMHapticRegionProxy::HasSender()
 {
-  // A server that does not know the request sends no answer, and the client would wait.
+  // Ask for the class first, because a server that does not know the request would send no answer,
+  // and the client would wait.
   if (!this->IsKnown)
   {
     vtkClientServerStream stream;
@@ -83,7 +84,9 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(const std::string& 
   }
   catch (const std::bad_alloc&)
   {
-    return LOST; // an answer left unread would look like the next answer
+    // after an unread answer, the connection can't be used: the answer would be taken for the next
+    // one
+    return LOST;
   }
   try
   {

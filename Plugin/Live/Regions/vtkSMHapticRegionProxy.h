@@ -4,9 +4,9 @@
  * @class   vtkSMHapticRegionProxy
  * @brief   the client's side of vtkPVHapticRegionSender
  *
- * A fetch sends one message and gets one answer, so it takes one round trip plus the time for
- * cutting out and sending the region. The client waits: ParaView's connection can't do anything
- * else meanwhile.
+ * A fetch sends one message and gets one answer, so it takes one round trip plus the time to cut
+ * out and send the region. The client waits, because ParaView's connection can't do anything else
+ * meanwhile.
  */
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h
@@ -28,16 +28,19 @@ public:
   enum Answer
   {
     FETCHED,
-    REFUSED, ///< the error has the server's reason
+    REFUSED, ///< the error contains the server's reason
     LOST     ///< the server does not answer
   };
 
-  /** Fetches a region of the Input at a time into an image: see vtkPVHapticRegionSender::Send. */
+  /**
+   * Fetches a region of the Input at a time and writes it to an image: see
+   * vtkPVHapticRegionSender::Send.
+   */
   Answer Fetch(const std::string& array, const int region[6], double time, bool isPresent,
     vtkImageData* image, std::string& error);
 
   ///@{
-  /** Whether the Input has changed since the last survey. */
+  /** Whether the Input has changed since its volume's position was last requested. */
   vtkGetMacro(Stale, bool);
   vtkSetMacro(Stale, bool);
   ///@}
@@ -55,7 +58,7 @@ private:
   bool HasSender();
 
   bool Stale = true;
-  bool IsKnown = false; // the server is known to have a sender
+  bool IsKnown = false; // whether the server is known to have a sender
 };
 
 #endif
