@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Meets the interactors of a program that was not built for it. VTK loads the libraries in the
- * folders that the environment variable VTK_AUTOLOAD_PATH names.
+ * Attaches to the interactors of a program that was not built for it. VTK loads the libraries in
+ * the folders that the environment variable VTK_AUTOLOAD_PATH names.
  */
 #ifndef InteractorFactory_h
 #define InteractorFactory_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Hands each vtkRenderWindowInteractor to Attach() when it is made. VTK makes it as it would
- * without this factory, such as for X11.
+ * Calls Attach() for each new vtkRenderWindowInteractor. VTK still chooses the interactor's class
+ * as it would without this factory, for example that for X11.
  */
 class InteractorFactory : public vtkObjectFactory
 {
@@ -28,7 +28,8 @@ public:
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
 
 protected:
-  // The factories of VTK's modules come first in the list, since this library needs them.
+  // The factories of VTK's modules are registered earlier, because this library depends on these
+  // modules.
   InteractorFactory() { vtkObjectFactory::SetAllEnableFlags(0, Name); }
 
   vtkObject* CreateObject(const char* name) override
@@ -39,7 +40,8 @@ protected:
     }
     this->IsBusy = true;
     vtkRenderWindowInteractor* made = vtkRenderWindowInteractor::New();
-    if (std::string(made->GetClassName()) == Name) // no other library like this one has made it
+    // no other factory has made an interactor of a subclass
+    if (std::string(made->GetClassName()) == Name)
     {
       made->Delete();
       vtkObjectFactory::SetAllEnableFlags(1, Name);

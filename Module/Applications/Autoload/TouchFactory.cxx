@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gives the windows of a program that was not built for it a vtkHapticWidget. VOLUMEHAPTICS_PRESET
- * names its preset, such as "CT contrast".
+ * Adds a vtkHapticWidget to the windows of a program that was not built for it. The environment
+ * variable VOLUMEHAPTICS_PRESET names the widget's preset, such as "CT contrast".
  */
 #include "Applications/Autoload/InteractorFactory.h"
 
@@ -11,7 +11,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkHapticWidget.h"
 #include "vtkNew.h"
-#include "vtkRenderingContext2DModule.h" // registers what draws the plot
+#include "vtkRenderingContext2DModule.h" // registers the class that draws the plot
 #include "vtkWeakPointer.h"
 
 #include <cstdlib>
@@ -19,19 +19,19 @@
 namespace
 {
 
-/** The widget of an interactor, and the observer that switches it on. */
+/** An interactor's widget, and the observer that enables it. */
 struct Touch
 {
   vtkNew<vtkHapticWidget> Widget;
   vtkWeakPointer<vtkCallbackCommand> Observer;
 };
 
-/** Switches the widget on once the interactor has a window. */
+/** Enables the widget once the interactor has a window. */
 void Begin(vtkObject* caller, unsigned long event, void* data, void*)
 {
   auto* const interactor = static_cast<vtkRenderWindowInteractor*>(caller);
   auto* const touch = static_cast<Touch*>(data);
-  // f3d removes all observers of timers when its loop begins, ours among them.
+  // f3d removes all observers of timers when its loop begins, this library's as well.
   const bool isWhole = interactor->HasObserver(vtkCommand::TimerEvent, touch->Observer) != 0;
   if (event == vtkCommand::TimerEvent || !interactor->GetRenderWindow() ||
     (touch->Widget->GetEnabled() && (isWhole || touch->Widget->GetTouchMode())))
@@ -60,7 +60,8 @@ protected:
     auto* const touch = new Touch;
     if (const char* const preset = std::getenv("VOLUMEHAPTICS_PRESET"))
     {
-      touch->Widget->GetProperty()->ApplyPreset(preset); // names the presets if it is none of them
+      // for a wrong name, the error lists the presets
+      touch->Widget->GetProperty()->ApplyPreset(preset);
     }
     vtkNew<vtkCallbackCommand> begin;
     touch->Observer = begin;

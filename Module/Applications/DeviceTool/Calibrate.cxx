@@ -24,13 +24,14 @@ class vtkVolumeHapticsFilter;
 namespace
 {
 
-constexpr double Strength = 1000.0;    // N, much more than any device has
+constexpr double Strength = 1000.0;    // N, much more than any device can give
 constexpr double MediumSpacing = 40.0; // mm
-constexpr int MediumSteps = 6;         // reaches farther than every device's workspace
+// so many that the medium is larger than every device's workspace
+constexpr int MediumSteps = 6;
 
 /**
- * Makes the filter a medium in which the proxy never moves: a spring of this stiffness (N/m) in all
- * directions. One world unit is a millimetre of the device.
+ * Makes the filter a medium in which the proxy never moves, so that a spring of this stiffness
+ * (N/m) holds the hand in all directions. One world unit is a millimetre of the device.
  */
 void MakeHoldingMedium(vtkVolumeHapticsFilter* filter, double stiffness)
 {
@@ -51,18 +52,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double Millimetre = 1e-3; // m
 constexpr auto LookPeriod = std::chrono::milliseconds(10);
-/// The spring pulls with the largest force after this way (m).
+/// Way (m) after which the spring pulls with the largest force.
 constexpr double FullWay = 0.015;
-/// A device is armed, and a fade is over, after this time (s).
+/// Time (s) that is enough for a device to become armed, and for a fade.
 constexpr double OrderTime = 2.0;
-/// The force rises over half a second after Arm.
+/// Time (s) that is enough for the rise of the force after Arm, which takes half a second.
 constexpr double RiseTime = 1.0;  // s
 constexpr double Patience = 60.0; // s, without --seconds
-/// The fraction of the largest force that suitable weights use, if the device's newtons are true.
+/// Range of suitable weights, as fractions of the largest force, if the device's newtons are true.
 constexpr double LightFraction = 0.1;
 constexpr double HeavyFraction = 0.6;
-/// Fractions of the largest force at which the scale is pressed. The first has to exceed twice the
-/// friction, which may be in the wrong direction before the force rises.
+/// Fractions of the largest force with which the scale is pressed. The first one has to exceed
+/// twice the friction, which may have the wrong direction before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
 constexpr int Tries = 3;
 constexpr double MostGrams = 20000.0;
@@ -72,7 +73,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A handle that a spring holds.
+/// A handle that is held by a spring.
 class HeldHandle
 {
 public:
@@ -88,7 +89,7 @@ public:
   HeldHandle(const HeldHandle&) = delete;
   HeldHandle& operator=(const HeldHandle&) = delete;
 
-  /// Arms the device: from now on the spring holds the handle where it is.
+  /// Arms the device. The spring then holds the handle where it is now.
   void Arm()
   {
     this->MoveTo(0.0);
@@ -96,7 +97,7 @@ public:
     this->Device->Arm();
     this->Armed = this->Last = Clock::now();
   }
-  /// Waits until the whole force may flow: a spring that is stretched earlier stays soft.
+  /// Waits until all of the force may flow, because a spring that is stretched earlier stays soft.
   bool WaitForForce()
   {
     HeldSample sample;
@@ -127,7 +128,7 @@ public:
     this->Last = Clock::now();
     return true;
   }
-  /// Moves the spring's fixed end along the axis, relative to its place at Arm (m).
+  /// Moves the spring's fixed end along the axis (m), relative to its position at Arm.
   void ShiftTo(double shift)
   {
     if (shift != this->Shift)
@@ -136,7 +137,7 @@ public:
       this->Device->Publish();
     }
   }
-  /// Brings the force to zero.
+  /// Fades the force to zero.
   void LetGo()
   {
     this->Device->FadeOut();
@@ -172,7 +173,7 @@ private:
   Clock::time_point Last;
 };
 
-/// Steps a measurement until it is over, then releases the handle; false after an error.
+/// Steps a measurement until it is over, then releases the handle. Returns false after an error.
 template <typename T>
 bool Measure(T& measurement, HeldHandle& handle, ToolStreams streams)
 {
@@ -240,7 +241,7 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
 }
 
 /// Reads the number of grams that the user types. Returns 1 if there is one, 0 for an empty line,
-/// which asks for another push, and -1 after an error.
+/// by which the user asks for another push, and -1 after an error.
 int AskForGrams(ToolStreams streams, double& grams)
 {
   for (int i = 0; i < Tries; ++i)
@@ -358,7 +359,7 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   {
     return false;
   }
-  // The forces so far used the old factor.
+  // The factor was measured with the old scale in effect.
   const double scale = factor * device->GetForceScale();
   const int complaints = device.CountComplaints();
   if (!device->CalibrateForce(scale) || device.CountComplaints() > complaints)

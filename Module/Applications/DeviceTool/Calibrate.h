@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device calibrate: measures how many newtons a device gives for each newton asked
- * for.
+ * @file
+ * The command "volumehaptics-device calibrate": measures how many newtons a device gives for each
+ * newton asked for.
  */
 #ifndef Calibrate_h
 #define Calibrate_h
@@ -12,10 +13,10 @@
 #include "Applications/DeviceTool/ToolOptions.h"
 
 /**
- * Uses a weight that the user hangs on the handle (HungWeight.h), or a kitchen scale under it
- * (ScalePress.h, ScaleFit.h). Confirms the device's signs first, if they never were.
- * vtkHapticDevice::CalibrateForce stores the factor. Returns false after an error; the first and
- * the last force are zero.
+ * Calibrates a device with a weight that the user hangs on the handle (HungWeight.h), or with a
+ * kitchen scale under the handle (ScalePress.h, ScaleFit.h). Confirms the device's signs first,
+ * unless they have been confirmed. vtkHapticDevice::CalibrateForce stores the factor. Returns false
+ * after an error. The force begins and ends at zero.
  */
 bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams streams);
 

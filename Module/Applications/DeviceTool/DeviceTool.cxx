@@ -23,22 +23,24 @@ class vtkVolumeHapticsFilter;
 namespace
 {
 
-/// The largest force on the hand, in newtons.
+/// Largest force on the hand (N).
 constexpr double GentleForce = 1.0;
 
-constexpr double Stiffness = 200.0;       // N/m: the whole force after 5 mm
-constexpr double SurfaceStrength = 100.0; // N, much more than the hand gets: it never falls through
-constexpr double WallSpacing = 4.0;       // mm
-constexpr int WallSteps = 50;             // reaches farther than every device's workspace
+constexpr double Stiffness = 200.0; // N/m: the largest force is reached after 5 mm
+// N, much more than the force on the hand, so that it never falls through
+constexpr double SurfaceStrength = 100.0;
+constexpr double WallSpacing = 4.0; // mm
+// so many that the wall is larger than every device's workspace
+constexpr int WallSteps = 50;
 
 /**
- * Makes the filter a wall across an axis (0 to 2): free on the positive side of the device's
- * middle, a smooth solid of 200 N/m on the negative side. One world unit is a millimetre of the
- * device.
+ * Makes the filter a wall perpendicular to an axis (0 to 2): free on the positive side of the
+ * device's middle, and on the negative side a smooth solid of 200 N/m. One world unit is a
+ * millimetre of the device.
  */
 void MakeGentleWall(vtkVolumeHapticsFilter* filter, int axis)
 {
-  // The values are mm into the wall.
+  // The value is the depth in the wall (mm).
   TouchField(
     filter, WallSpacing, WallSteps, [axis](const double* position) { return -position[axis]; });
   vtkHapticProperty* const property = filter->GetProperty();
@@ -89,10 +91,11 @@ int List(std::ostream& out)
   return 0;
 }
 
-/// Shows the requests to the hand until the device is ready. Returns false if it won't be.
+/// Shows the device's requests to the user until the device is ready. Returns false if it can't
+/// become ready.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // These kinds ask for their rest pose whenever they are opened.
+  // These kinds ask for their rest pose whenever they are opened, so Home() is not needed.
   const std::string kind = options.Id.substr(0, options.Id.find(':'));
   const bool asksByItself = kind == "wooden" || kind == "hfab";
   if (options.What == Command::Home && !asksByItself)
@@ -216,7 +219,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 
 bool Record(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // A recording needs a volume: make a wall to touch, though the device is not armed.
+  // A recording needs a volume: use the wall, although the device is not armed.
   MakeGentleWall(device.GetVolume(), 2);
   device->SetVolumeHaptics(device.GetVolume());
   if (!device->Start() || !device->GetRecorder()->Start(options.File.c_str()))

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Moves a handle slowly up and down past a place, and measures the force there, without friction.
+ * @file
+ * Moves a handle slowly up and down past a position, and measures the force there without friction.
  */
 #ifndef HandleSweep_h
 #define HandleSweep_h
@@ -13,8 +14,8 @@
 
 /**
  * A spring holds the handle, and the sweep shifts the spring's fixed end along an axis: up until
- * the handle is Reach above the place, down until it is as far below, and so on. The mean force of
- * a way up, within Window of the place, includes the whole friction; the mean of a way down
+ * the handle is Reach above the position, down until it is as far below, and so on. The mean force
+ * of a way up, within Window of the position, includes all of the friction; the mean of a way down
  * includes it with the opposite sign. Their mean has no friction, neither Coulomb's nor viscous,
  * since both ways are equally fast. Half of the difference is the friction.
  */
@@ -22,17 +23,17 @@ class HandleSweep
 {
 public:
   static constexpr double Speed = 4e-3;   ///< speed of the spring's fixed end (m/s)
-  static constexpr double Reach = 1.5e-3; ///< m
-  static constexpr double Window = 1e-3;  ///< m
+  static constexpr double Reach = 1.5e-3; ///< turning points above and below the position (m)
+  static constexpr double Window = 1e-3;  ///< half of the range in which the force is averaged (m)
 
-  /// The mean of a way up and of the way down before it.
+  /// Mean of the forces on a way up and on the way down before it.
   struct Reading
   {
     std::array<double, 3> Force{}; ///< N, without friction
     double Friction = 0.0;         ///< friction along the axis (N)
   };
 
-  /// Begins `pairs` sweeps up and down past a place (m), with the spring's fixed end at `shift`
+  /// Begins `pairs` sweeps up and down past a position (m). The spring's fixed end is at `shift`
   /// (m).
   void Begin(int axis, double place, double shift, int pairs);
   void Step(const HeldSample& sample);
@@ -40,12 +41,12 @@ public:
   /// Returns the shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
-  /// Whether the handle does not follow: the present way takes longer than MostTime.
+  /// Whether the handle does not move: the current way takes longer than MostTime.
   bool IsStuck() const { return this->WayTime > MostTime; }
   const std::vector<Reading>& GetReadings() const { return this->Readings; }
 
 private:
-  static constexpr double MostTime = 10.0; ///< s, for one way
+  static constexpr double MostTime = 10.0; ///< longest time for one way (s)
 
   void EndWay();
 
@@ -56,9 +57,9 @@ private:
   double Direction = 1.0;
   double WayTime = 0.0;
   int Ways = 0;
-  std::array<double, 3> Sum{}; ///< force times time in the window, on this way (N s)
+  std::array<double, 3> Sum{}; ///< integral of the force over time in the window, on this way (N s)
   double SumTime = 0.0;
-  std::array<double, 3> Down{}; ///< mean force on the last way (N)
+  std::array<double, 3> Down{}; ///< mean force on the last way down (N)
   std::vector<Reading> Readings;
 };
 

@@ -9,9 +9,9 @@
 
 struct HeldSample
 {
-  std::array<double, 3> Tip{};   ///< m, the device's axes
+  std::array<double, 3> Tip{};   ///< m, along the device's axes
   std::array<double, 3> Force{}; ///< N that the device was asked for
-  double Elapsed = 0.0;          ///< s since the sample before
+  double Elapsed = 0.0;          ///< s since the last sample
 };
 
 #endif

@@ -9,24 +9,26 @@
 namespace
 {
 
-/// Ranges within which place (m) and force (fraction of the largest) stay at rest, and for how long
-/// (s).
+/// The handle is at rest if its position stays within RestPlace (m) and the force within
+/// RestFraction of the largest force, for RestTime (s).
 constexpr double RestPlace = 0.3e-3;
 constexpr double RestFraction = 0.02;
 constexpr double RestTime = 2.0;
-/// The force is at its limit from this fraction on; after this time (s) it counts as staying there.
+/// SaturatedFraction: fraction of the largest force above which the force counts as limited.
+/// MostSaturation: longest time (s) at the limit before the measurement is refused.
 constexpr double SaturatedFraction = 0.97;
 constexpr double MostSaturation = 1.0;
-/// A released handle comes to rest within this time (s).
+/// Longest time (s) in which a released handle comes to rest.
 constexpr double SettleTime = 20.0;
-/// A weight is noticed if it changes the force by more than this fraction of the largest force and
-/// this multiple of the friction, which may hold in either direction without a weight.
+/// A weight is noticed if it changes the force by more than NoticedFraction of the largest force
+/// and by more than NoticedFriction times the friction, which can hold the handle in either
+/// direction without a weight.
 constexpr double NoticedFraction = 0.01;
 constexpr double NoticedFriction = 1.2;
-/// Without friction, the weight has to change the force by this fraction of the largest.
+/// Smallest change of the force by a weight, without friction, as a fraction of the largest force.
 constexpr double LeastFraction = 0.04;
-/// The largest range of the readings, drift of the zero, and pull across the axis, as fractions of
-/// the change.
+/// Limits, as fractions of the change of the force, on the range of the readings, on the drift of
+/// the zero, and on the pull perpendicular to the axis.
 constexpr double MostRange = 0.1;
 constexpr double MostDrift = 0.1;
 constexpr double MostAcross = 0.35;

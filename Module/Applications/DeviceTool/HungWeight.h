@@ -19,12 +19,14 @@
  *
  *   factor * force asked for = weight of the handle + pull of the arm + friction (+ m g).
  *
- * The difference between the forces with and without the weight, at the same place, cancels handle
- * and arm, and forces that are measured on ways up and down (HandleSweep.h) have no friction. So
+ * The difference between the forces with and without the weight, at the same position, does not
+ * contain handle and arm, and forces that are measured on ways up and down (HandleSweep.h) do not
+ * contain friction. So
  *
  *   factor = m g / (force asked for with the weight - force asked for without it).
  *
- * The forces without the weight are measured before and after, which shows a drifting zero.
+ * The forces without the weight are measured before and after it hangs, which reveals a drifting
+ * zero.
  *
  *   every 10 ms:  Step(sample), and the spring to GetShift();  until IsOver().
  */
@@ -38,7 +40,7 @@ public:
     double Weight = 0.0;    ///< N
     int Axis = 1;           ///< the vertical axis
     double MostForce = 0.0; ///< N, the largest force that the device may be asked for
-    double Patience = 60.0; ///< how long the user may take to hang or to remove the weight (s)
+    double Patience = 60.0; ///< time that the user may take to hang or to remove the weight (s)
   };
 
   explicit HungWeight(const Settings& settings);
@@ -46,17 +48,17 @@ public:
   void Step(const HeldSample& sample);
   /// Returns the shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Shift; }
-  /// Returns the instruction for the user in this phase.
+  /// Returns the user's instruction for this phase.
   const char* GetRequest() const;
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
 
-  /// Return the result once IsOver(): the fault and the cure, or else the factor and half of the
-  /// range of the single readings.
+  /// Return the result once IsOver() is true: GetFault the fault and the cure, empty if there is
+  /// none; GetFactor the factor; GetDoubt half of the range of the single readings.
   const std::string& GetFault() const { return this->Fault; }
   double GetFactor() const { return this->Factor; }
   double GetDoubt() const { return this->Doubt; }
   ///@}
-  /// Returns the friction, in newtons that the device was asked for.
+  /// Returns the friction, in those newtons that the device was asked for.
   double GetFriction() const { return this->Friction; }
 
 private:
@@ -84,13 +86,14 @@ private:
   double PhaseTime = 0.0;
   double SaturatedTime = 0.0;
   double Shift = 0.0;
-  double Place = 0.0; ///< m, where all forces are measured
+  double Place = 0.0; ///< position at which all forces are measured (m)
   bool IsChanged = false;
   RestWatch Rest;
   HandleSweep Sweep;
   std::vector<HandleSweep::Reading> Without;
   std::vector<HandleSweep::Reading> With;
-  std::size_t CountBefore = 0; ///< number of readings in Without from before the weight
+  std::size_t CountBefore = 0; ///< number of readings in Without that were taken before the weight
+                               ///< was hung
   double Friction = 0.0;
   double Factor = 0.0;
   double Doubt = 0.0;

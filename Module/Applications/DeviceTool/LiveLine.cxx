@@ -67,7 +67,7 @@ void LiveLine::Show(const std::string& text)
   }
   if (this->IsTerminal)
   {
-    // Clears the rest of a longer line.
+    // The escape sequence clears the rest of a longer line.
     this->Out << "\r" << text << "\033[K";
   }
   else

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The state of a device in one line.
+ * @file
+ * Shows the state of a device in one line.
  */
 #ifndef LiveLine_h
 #define LiveLine_h
@@ -13,12 +14,12 @@
 class vtkHapticDevice;
 
 /// Describes the latest state in one line: tip (mm, the device's axes), force (N), buttons, rate
-/// (Hz), report period and round trip (ms), the cap of the stiffness (N/m) if there is one, and
+/// (Hz), report period and round trip (ms), the cap on the stiffness (N/m) if there is one, and
 /// whether the newtons are uncalibrated.
 std::string DescribeState(vtkHapticDevice* device);
 
-/// Writes a line over and over in the same place of a terminal; elsewhere, writes each changed line
-/// below the last one.
+/// Writes a line again and again at the same place of a terminal. In another stream, writes each
+/// changed line below the last one.
 class LiveLine
 {
 public:
@@ -28,7 +29,7 @@ public:
   LiveLine& operator=(const LiveLine&) = delete;
 
   void Show(const std::string& text);
-  /// Ends the line: the next text begins on a new one.
+  /// Ends the line, so that the next text begins on a new one.
   void End();
 
 private:

@@ -6,8 +6,8 @@
 #define RestWatch_h
 
 /**
- * A handle rests if its place (m) and the force on it (N) each stayed within a range for `time`
- * (s).
+ * Detects rest. A handle is at rest if its position (m) and the force on it (N) have each stayed
+ * within a range for `time` (s).
  */
 class RestWatch
 {
@@ -19,8 +19,8 @@ public:
   {
   }
   void Reset() { this->Time = -1.0; }
-  /// Adds a place (m) and a force (N), measured `elapsed` (s) after the last call. Returns whether
-  /// the handle rests.
+  /// Adds a position (m) and a force (N) that were measured `elapsed` (s) after the last call.
+  /// Returns whether the handle is at rest.
   bool Step(double place, double force, double elapsed)
   {
     const bool isFirst = this->Time < 0.0;
@@ -51,7 +51,7 @@ private:
   const double PlaceRange;
   const double ForceRange;
   const double RestTime;
-  double Time = -1.0; ///< s; negative: before the first sample
+  double Time = -1.0; ///< s at rest; negative before the first sample
   Range Place;
   Range Force;
 };

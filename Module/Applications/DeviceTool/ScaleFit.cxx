@@ -8,7 +8,7 @@
 namespace
 {
 
-/// The largest residual, as a fraction of the scale's change from the first to the last level.
+/// Largest residual, as a fraction of the scale's change from the first to the last level.
 constexpr double MostResidual = 0.05;
 
 } // namespace

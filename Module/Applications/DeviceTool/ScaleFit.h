@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Fits a straight line to the forces that a device was asked for and those that a scale showed. */
+/**
+ * Fits a straight line to the forces that a device was asked for and the forces that a scale
+ * showed.
+ */
 #ifndef ScaleFit_h
 #define ScaleFit_h
 
@@ -28,7 +31,7 @@ struct ScaleFit
 };
 
 /// Fits the line to at least three readings of different forces. Returns false, with the fault and
-/// the cure, if the readings are not on a rising line.
+/// the cure, if the readings do not fit a rising line.
 bool FitScale(const std::vector<ScaleReading>& readings, ScaleFit& fit, std::string& error);
 
 #endif

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Presses a handle on a kitchen scale with a given force, for long enough to read the scale. */
+/**
+ * Presses a handle on a kitchen scale with a given force, long enough for the user to read the
+ * scale.
+ */
 #ifndef ScalePress_h
 #define ScalePress_h
 
@@ -11,18 +14,19 @@
 #include <string>
 
 /**
- * A spring holds the handle, and its fixed end moves slowly towards the scale until the spring
- * pulls with the wanted level. It stays there for HoldTime, and goes back. So the handle never goes
+ * A spring holds the handle. The spring's fixed end moves slowly towards the scale until the spring
+ * pulls with the wanted level, stays there for HoldTime, and goes back. So the handle never goes
  * farther than the spring's end, even if there is no scale.
  *
- * The force always rises to the level, so that friction always holds back the same part of it, as
+ * The force always rises to the level, so that friction always has the same direction and size when
  * the handle settles into the scale.
  */
 class ScalePress
 {
 public:
   static constexpr double HoldTime = 7.0; ///< s
-  static constexpr double ReadTime = 5.0; ///< s, the last part of HoldTime: the scale is read
+  static constexpr double ReadTime = 5.0; ///< s, last part of HoldTime, in which the user reads the
+                                          ///< scale
 
   struct Settings
   {
@@ -38,12 +42,12 @@ public:
   /// Returns the shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Given.Direction * this->Way; }
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
-  /// Returns the instruction for the user in this phase.
+  /// Returns the user's instruction for this phase.
   std::string GetRequest() const;
 
   /// @{
-  /// After the end: the fault and the cure, or else the mean force (N) of ReadTime, towards the
-  /// scale.
+  /// Return the result after the end: GetFault the fault and the cure, empty if there is none;
+  /// GetForce the mean force (N) towards the scale during ReadTime.
   const std::string& GetFault() const { return this->Fault; }
   double GetForce() const { return this->Sum / this->SumTime; }
   ///@}
@@ -66,8 +70,8 @@ private:
   const Settings Given;
   Phase Now = Phase::Settle;
   double PhaseTime = 0.0;
-  double Way = 0.0; ///< m, of the spring's fixed end
-  double Sum = 0.0; ///< N s
+  double Way = 0.0; ///< way of the spring's fixed end (m)
+  double Sum = 0.0; ///< integral of the force over time (N s)
   double SumTime = 0.0;
   RestWatch Rest;
   RestWatch Held;

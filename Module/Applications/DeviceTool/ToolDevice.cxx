@@ -31,7 +31,7 @@ ToolDevice::ToolDevice(std::ostream& errors)
   print->SetCallback(
     [](vtkObject*, unsigned long, void* self, void* text)
     {
-      // VTK puts the object's address before the text, and blank lines after it.
+      // VTK writes the object's address before the text, and blank lines after it.
       const std::string message = static_cast<const char*>(text);
       const std::size_t begin = message.find("): ");
       const std::size_t end = message.find_last_not_of('\n') + 1;

@@ -19,11 +19,12 @@ struct ToolStreams
   std::ostream& Out;
   std::ostream& Errors;
 
-  /// Shows a wish and waits for Enter. Returns false and reports an error if the input ends before.
+  /// Shows what the user has to do, and waits for Enter. Returns false and reports an error if the
+  /// input ends first.
   bool AskForEnter(const char* wish);
 };
 
-/// A device whose errors go to a stream, in readable form.
+/// A device that writes its errors to a stream, in readable form.
 class ToolDevice
 {
 public:
@@ -41,9 +42,9 @@ private:
   vtkNew<vtkHapticDevice> Device;
 };
 
-/// Pushes gently along each axis, until it is known whether the device moves with the force.
+/// Pushes gently along each axis until it is known whether the device moves with the force.
 bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
-/** Says in words whether the user's file stores facts about the open device. */
+/** Describes whether the user's file stores facts about the open device. */
 const char* DescribeMemory(ToolDevice& device);
 
 #endif

@@ -73,8 +73,8 @@ bool ReadAxis(const std::string& text, ToolOptions& options)
 }
 
 /**
- * Reads the value of an option. Returns the values that the option takes if this one is wrong; else
- * nullptr.
+ * Reads the value of an option. If it is wrong, returns a description of the allowed values;
+ * otherwise nullptr.
  */
 const char* ReadOption(const std::string& name, const std::string& value, ToolOptions& options)
 {
@@ -115,7 +115,7 @@ const char* ReadOption(const std::string& name, const std::string& value, ToolOp
   return ReadNumberInRange(value, 0.001, 1e6, options.Seconds) ? nullptr : "seconds, more than 0";
 }
 
-/** Returns the fault and the cure, if the options don't fit the command; else an empty text. */
+/** Returns the fault and the cure if the options don't fit the command; otherwise an empty text. */
 std::string CheckOptions(const ToolOptions& options)
 {
   using Command = ToolOptions::Command;

@@ -26,17 +26,18 @@ struct ToolOptions
   Command What = Command::Help;
   std::string Id;
   std::string File;                 ///< file of the recording
-  std::string Firmware;             ///< file of the firmware; empty: from the environment variable
-  std::string VendorPath;           ///< folder of plug-ins; empty: from the environment variable
-  double Seconds = 0.0;             ///< 0: not given
-  double HomingTime = 120.0;        ///< s, for each step
+  std::string Firmware;             ///< firmware file; empty: the one of the environment variable
+  std::string VendorPath;           ///< folders of plug-ins; empty: those of the environment
+                                    ///< variable
+  double Seconds = 0.0;             ///< s; 0: not given
+  double HomingTime = 120.0;        ///< s for each step
   double ServoRate = 1000.0;        ///< Hz
-  double Newtons[2] = { 100, 100 }; ///< newtons of a stick at full scale, along x and y
+  double Newtons[2] = { 100, 100 }; ///< newtons of a stick that is fully deflected, along x and y
   bool HasNewtons = false;          ///< whether the user has given Newtons
-  int Axis = -1; ///< axis of the wall's normal, or of the calibration; negative: chosen by the kind
-                 ///< of device
-  bool IsAxisNegative = false; ///< whether the axis was given with a minus
-  double Grams = 0.0;          ///< grams of the hung weight; 0: a scale is pressed
+  int Axis = -1; ///< axis of the wall's normal, or of the calibration; negative: the default of the
+                 ///< device's kind
+  bool IsAxisNegative = false; ///< whether the axis was given with a minus sign
+  double Grams = 0.0;          ///< mass of the hung weight (g); 0: a scale is used instead
   bool HasScale = false;
 };
 

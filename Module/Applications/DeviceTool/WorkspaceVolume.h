@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A volume that reaches beyond every device's workspace. One world unit is a millimetre of the
+ * @file
+ * A volume that is larger than every device's workspace. One world unit is a millimetre of the
  * device.
  */
 #ifndef WorkspaceVolume_h
@@ -17,8 +18,9 @@ class vtkVolumeHapticsFilter;
 void SetEverywhere(vtkPiecewiseFunction* function, double value);
 
 /**
- * Makes the filter touch a field with the proxy and solver PRECISE. The field takes a position
- * (mm). It is sampled at this spacing (mm), `steps` times to each side of the middle of the device.
+ * Makes the filter touch a field with the method PROXY and the solver PRECISE. `field` returns the
+ * value at a position (mm). It is sampled with this spacing (mm), `steps` times to each side of the
+ * device's middle.
  */
 void TouchField(vtkVolumeHapticsFilter* filter, double spacing, int steps,
   const std::function<double(const double* position)>& field);

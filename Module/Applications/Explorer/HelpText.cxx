@@ -10,7 +10,8 @@
 
 namespace
 {
-/// Returns ", first, second" for names, with or without quotes.
+/// Returns a list of names such as ", first, second". `quote` is written on both sides of each
+/// name.
 std::string List(vtkStringArray* names, const std::string& quote)
 {
   std::string list;

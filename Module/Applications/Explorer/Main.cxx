@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Explores a volume by touch, without a device: the project's main task from the command line.
+/// Explores a volume by touch, without a device: the project's main task, from the command line.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
@@ -40,8 +40,8 @@ enum ExitCode
   NO_DISPLAY = 3
 };
 
-/// Tests whether a window opens and draws. Without this test, VTK would crash, for example on an X
-/// server without GLX.
+/// Tests whether a window can be opened and drawn. Without this test, VTK would crash, for example
+/// on an X server without GLX.
 int CheckDisplay()
 {
   vtkNew<vtkRenderWindow> window;
@@ -77,7 +77,7 @@ Explore::SceneOptions MakeLook(
   look.Height = HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
-  // If the file does not define its axes, its values decide.
+  // If the file does not define its axes, the kind of its values decides.
   const Explore::VolumeKind kind = exploration.Values.Kind;
   const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
   const Explore::WorldAxes axes = exploration.Input.Axes;
@@ -95,7 +95,7 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-/// Opens a window that shows the progress until the scene is there. Returns null if no scene
+/// Opens a window that shows the progress until the scene is ready. Returns null if no scene
 /// follows.
 vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 {
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   return window;
 }
 
-/// Returns the file to open next; its path is empty if there is none.
+/// Shows the touch window. Returns the file to open next; its path is empty if there is none.
 Explore::FileChoice Touch(
   vtkRenderWindow* window, const Explore::Exploration& exploration, const Explore::Options& options)
 {
@@ -121,7 +121,7 @@ Explore::FileChoice Touch(
   look.Interactive = true;
   look.Cut = options.Cut;
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
-  look.Caption.clear(); // its place belongs to the head-up display
+  look.Caption.clear(); // the head-up display is at the place of the caption
   const Explore::FileChoice now{ options.VolumePath, exploration.Input.SeriesNumber,
     options.AsLabels };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
@@ -184,7 +184,8 @@ int WriteVolume(const Explore::Options& options)
 
 int Inspect(const Explore::Options& options)
 {
-  std::streambuf* const out = std::cout.rdbuf(std::cerr.rdbuf()); // how far reading has got
+  // progress goes to stderr, so that stdout has only the result
+  std::streambuf* const out = std::cout.rdbuf(std::cerr.rdbuf());
   Explore::Volume volume = Load(options);
   std::cout.rdbuf(out);
   if (options.AsLabels || (volume.LabelTable && options.Labels.empty()))
@@ -264,7 +265,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
     const Explore::LiveRun live = Explore::RunLive(exploration, options.Folder + "/live.vtp");
     std::cout << live.Report << std::endl;
     isReproduced = live.IsReproduced;
-    // The pictures show what was felt live.
+    // Show in the pictures what was felt live.
     exploration.Trace = live.Trace;
   }
   WriteSound(exploration, options);
@@ -283,15 +284,15 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   return isReproduced ? DONE : FAILED;
 }
 /// Runs the volume of the options, then each volume that is opened in the window. If a file can't
-/// be opened, the window says so, and goes on with the last volume. Returns the code of the last
-/// run.
+/// be opened, the window reports this, and continues with the last volume. Returns the code of the
+/// last run.
 int RunAll(Explore::Options options)
 {
   Explore::FileChoice next;
   int code = Run(options, next);
   while (!next.Path.empty())
   {
-    // Shown only once, with the first volume.
+    // These options apply only to the first window.
     options.Notice.clear();
     options.BringBack = false;
     options.Script.clear();
@@ -299,7 +300,7 @@ int RunAll(Explore::Options options)
     options.Replay.clear();
     const Explore::Options before = options;
     options.Measurements.clear();
-    // Options that were given for the first volume do not apply to another one.
+    // Options that were given for one volume do not apply to another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;

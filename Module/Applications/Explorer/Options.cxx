@@ -61,7 +61,7 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// Returns all methods, each mapped to itself.
+/// Returns a map of all methods, each to itself.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
@@ -78,7 +78,7 @@ double ParseNumber(const std::string& text)
   return VolumeHaptics::ParseNumber(text).value_or(std::nan(""));
 }
 
-/// Parses newtons along a stick's axes: "2.5" for both, or "2.5,0".
+/// Parses the newtons along a stick's axes: "2.5" for both, or "2.5,0".
 std::array<double, 2> ParseNewtons(const std::string& text)
 {
   const std::size_t comma = text.find(',');
@@ -146,7 +146,7 @@ void CheckMovieFile(const std::string& name)
   }
 }
 
-/// Sends the sound to a file, or with an empty name to the loudspeakers.
+/// Makes the sound go to a file or, if the name is empty, to the loudspeakers.
 void SetSound(Options& options, const std::string& file)
 {
   if (!file.empty())
@@ -257,7 +257,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--script")
   {
-    Explore::ReadDemoScript(value); // throws, if necessary, before anything is computed
+    Explore::ReadDemoScript(value); // throws InputError, if necessary, before anything is computed
     options.Script = value;
   }
   else if (name == "--movie")
@@ -281,7 +281,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--stereo")
   {
-    Explore::FindStereoMode(value); // throws, if necessary, before anything is computed
+    Explore::FindStereoMode(value); // throws InputError, if necessary, before anything is computed
     options.Stereo = value;
   }
   else if (name == "--sound")

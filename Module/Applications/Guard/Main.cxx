@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-guard: the process that talks to devices without a watchdog. See GuardedDevice.h.
+ * @file
+ * The program volumehaptics-guard: the process that talks to devices without a watchdog. See
+ * GuardedDevice.h.
  */
 
 #include "Devices/Guard/GuardMain.h"
@@ -16,7 +18,10 @@
 namespace
 {
 
-/** Makes a driver of the device that the words name. Null, with the reason. */
+/**
+ * Makes a driver of the device that the words describe. Returns null, with the reason in `error`,
+ * on failure.
+ */
 std::unique_ptr<VolumeHaptics::HardwareDriver> MakeDriver(
   const std::vector<std::string>& words, std::string& error)
 {

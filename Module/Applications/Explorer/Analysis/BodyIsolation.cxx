@@ -13,7 +13,8 @@
 
 namespace
 {
-constexpr int EDGE = 3; // voxels that are kept around the region, because they may be partly body
+// number of voxels around the region that are kept, because they may partly be body
+constexpr int EDGE = 3;
 
 using Mask = std::vector<unsigned char>;
 
@@ -34,7 +35,7 @@ Mask LargestRegion(vtkImageData* image, double threshold)
   return mask;
 }
 
-/// Grows the mask by EDGE voxels along one axis, in one pass each way.
+/// Grows the mask by EDGE voxels along one axis, with one pass in each direction.
 void Grow(Mask& mask, const int size[3], int axis)
 {
   const std::size_t stride = axis == 0 ? 1 : axis == 1 ? size[0] : std::size_t(size[0]) * size[1];
@@ -47,11 +48,11 @@ void Grow(Mask& mask, const int size[3], int axis)
     }
     for (const bool forward : { true, false })
     {
-      int reach = 0; // voxels that may still be added
+      int reach = 0; // number of voxels that may still be added
       for (std::size_t step = 0; step < length; ++step)
       {
         unsigned char& voxel = mask[start + stride * (forward ? step : length - 1 - step)];
-        // 1 marks the region before this axis, 2 what this axis adds
+        // 1 marks the region before this axis, 2 the voxels that this axis adds
         reach = voxel == 1 ? EDGE + 1 : std::max(0, reach - 1);
         voxel = voxel == 0 && reach > 0 ? 2 : voxel;
       }

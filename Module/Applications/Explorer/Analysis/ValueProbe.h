@@ -8,11 +8,12 @@
 
 namespace Explore
 {
-/// Trilinear values of an image at world positions, direction matrix included.
+/// Reads trilinear values of an image at world positions. Uses the direction matrix.
 class ValueProbe
 {
 public:
-  /// `outside` is the value for positions outside the volume, and for voxels that are not finite.
+  /// `outside` is returned for positions outside the volume, and replaces voxels that are not
+  /// finite.
   ValueProbe(vtkImageData* image, double outside);
 
   double Value(const double position[3], bool& inside) const;

@@ -22,7 +22,7 @@ constexpr vtkIdType ENOUGH_SAMPLES = 4000000;
 
 using Histogram = std::array<double, BINS>;
 
-/// Returns the finite values among every n-th value; n is odd, so that not all of them are in one
+/// Returns the finite values among every n-th value. n is odd, so that they are not all in one
 /// column.
 std::vector<float> SampleValues(vtkDataArray* scalars)
 {
@@ -48,7 +48,7 @@ double Percentile(std::vector<float>& values, double fraction)
   return *at;
 }
 
-/// Returns the two cuts of Otsu's method for three classes: those with the largest variance between
+/// Returns the two cuts of Otsu's method for three classes, which have the largest variance between
 /// the classes.
 std::array<int, 2> OtsuCuts(const Histogram& histogram)
 {
@@ -59,7 +59,7 @@ std::array<int, 2> OtsuCuts(const Histogram& histogram)
     weight[i] = w += histogram[i];
     moment[i] = m += histogram[i] * i;
   }
-  const auto term = [&](int from, int to) { // bins from+1 .. to
+  const auto term = [&](int from, int to) { // bins from + 1 to `to`
     const double mass = weight[to] - (from < 0 ? 0.0 : weight[from]);
     const double sum = moment[to] - (from < 0 ? 0.0 : moment[from]);
     return mass > 0.0 ? sum * sum / mass : 0.0;
@@ -91,7 +91,7 @@ void SetThresholds(Explore::Analysis& analysis, const std::vector<float>& values
   }
   if (analysis.Kind == Explore::VolumeKind::Labels)
   {
-    analysis.OuterThreshold = 0.5; // 0 is the background
+    analysis.OuterThreshold = 0.5; // between 0, the background, and the first label
     analysis.DeepThreshold = std::max(1.5, 0.5 * analysis.Range[1]);
     return;
   }
@@ -143,8 +143,8 @@ void SetKind(
 
 void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 {
-  // Life-size if the edges have the length in millimetres of something that a hand can hold; else
-  // 20 cm.
+  // Use life-size if the edges, in millimetres, are those of something that a hand can hold;
+  // otherwise 20 cm.
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -13,30 +13,30 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
-  Field,    // values of a simulation: no tissues
-  Labels,   // numbers of labels
+  Field,    // values of a simulation, which has no tissues
+  Labels,   // label numbers
   Other
 };
 
-/// Facts about the values, for planner, materials and picture.
+/// Facts about the values, for the planner, the materials and the look.
 struct Analysis
 {
   VolumeKind Kind = VolumeKind::Other;
   double Range[2] = { 0, 1 };
-  double Low = 0; // robust ends of the histogram (0.5 and 99.5 %)
+  double Low = 0; // ends of the histogram without outliers (0.5 and 99.5 %)
   double High = 1;
-  double OuterThreshold = 0;      // outside | body
-  double DeepThreshold = 0;       // body | the denser structure inside it
+  double OuterThreshold = 0;      // value between outside and body
+  double DeepThreshold = 0;       // value between the body and the denser structure inside it
   double Centre[3] = { 0, 0, 0 }; // centre of the voxels above the outer threshold, world units
-  double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // bounds of the same voxels, world units
+  double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // bounds of these voxels, world units
   double MetersPerWorldUnit = 0.001;
   double Voxel = 1.0;     // shortest edge of a voxel, world units
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Analyses everything except the position of the body. A large volume is sampled sparsely. The
-/// values of a field or of labels are not interpreted, whatever they look like. Without
-/// `mayBeHounsfield` the volume is no CT.
+/// Analyses everything except the position of the body. Samples a large volume sparsely. Does not
+/// interpret the values of a field or of labels, whatever they look like. If mayBeHounsfield is
+/// false, the volume is no CT.
 Analysis AnalyseVolume(
   vtkImageData* image, bool isField = false, bool areLabels = false, bool mayBeHounsfield = true);
 

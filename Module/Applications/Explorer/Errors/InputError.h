@@ -8,7 +8,7 @@
 
 namespace Explore
 {
-/// An error that the user can correct: the fault and the cure, in one message.
+/// An error that the user can correct. Its message has the fault and the cure.
 class InputError : public std::runtime_error
 {
 public:

@@ -22,7 +22,7 @@ public:
   void DisplayWarningText(const char* text) override { this->DisplayGenericWarningText(text); }
   void DisplayGenericWarningText(const char* text) override
   {
-    // vtkImageReader, and the readers of .vtk, only warn when a file is too short.
+    // If a file is too short, vtkImageReader and the readers of .vtk only warn.
     const std::string warning = text;
     if (warning.find("File operation failed") != std::string::npos ||
       warning.find("Error reading binary data") != std::string::npos ||
@@ -72,8 +72,8 @@ MessageCapture::MessageCapture()
   , Cout(std::cout.rdbuf(this->Stream.rdbuf()))
 {
   vtkOutputWindow::SetInstance(this->Window);
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // since VTK 9, stderr also gets a copy
-                                                           // of each message
+  // since VTK 9, stderr gets a copy of each message
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 MessageCapture::~MessageCapture()

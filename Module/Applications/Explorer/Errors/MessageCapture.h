@@ -13,9 +13,9 @@
 
 namespace Explore
 {
-/// While an object of this class lives, it collects the messages of VTK's readers instead of
-/// showing them on the terminal, so that a damaged file gives one message of this program instead
-/// of a page. MetaIO writes to std::cerr and std::cout directly, so both are captured, too.
+/// Collects the messages of VTK's readers as long as it lives, instead of showing them on the
+/// terminal. A damaged file then gives one message of this program instead of a page. MetaIO writes
+/// to std::cerr and std::cout directly, so both are captured, too.
 class MessageCapture
 {
 public:
@@ -24,7 +24,7 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /// True if a reader reported an error, or a warning that means missing data.
+  /// Whether a reader reported an error, or a warning that means missing data.
   bool HasErrors() const;
 
   /// Returns the first error in one line, without VTK's addresses and source positions; empty if

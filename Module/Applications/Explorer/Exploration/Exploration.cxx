@@ -31,15 +31,15 @@
 
 namespace
 {
-constexpr double STRONGEST_PUSH = 1.0; // N, clearly felt, and a fraction of what any device can
-                                       // give
-constexpr double SHARPEST = 0.95;   // the fraction of the surface that is less sharp; the rest may
-                                    // be noise
-constexpr int LOOKS_PER_AXIS = 100; // samples along an axis: some thousand points of a surface are
-                                    // enough
+// N, which is felt clearly, and which any device can give several times
+constexpr double STRONGEST_PUSH = 1.0;
+// fraction of the surface's points that are less sharp; the sharper ones may be noise
+constexpr double SHARPEST = 0.95;
+// number of samples along an axis: some thousand points of a surface suffice
+constexpr int LOOKS_PER_AXIS = 100;
 
-/// Adds the points, between two voxels, at which a line of voxels along an axis crosses the
-/// threshold.
+/// Adds the points at which a line of voxels along an axis crosses the threshold. They are between
+/// two voxels.
 void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* points)
 {
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
@@ -79,8 +79,8 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
   }
 }
 
-/// Returns the magnitudes of the gradient at these points (scalar per world unit), by the filter's
-/// own estimator.
+/// Returns the magnitudes of the gradient at these points (scalar per world unit), as the filter's
+/// estimator computes them.
 std::vector<double> Gradients(vtkVolumeHapticsFilter* filter, vtkPoints* points)
 {
   vtkNew<vtkPolyData> path;
@@ -106,10 +106,10 @@ namespace Explore
 {
 namespace
 {
-/// Prepares every method for this volume, because the user may change the method: SURFACE_PROXY
-/// touches the outer surface (IsoValue), and FORCE_FIELD pushes with 1 N at its sharpest position
-/// (ForceFieldGain, from the gradients along the body's outer surface). The filter needs its
-/// estimator, its scale, and the volume on port 0.
+/// Sets the filter's scales for every method, because the user may change the method. SURFACE_PROXY
+/// touches the outer surface (IsoValue). FORCE_FIELD pushes with 1 N at the sharpest position of
+/// this surface (ForceFieldGain, from the gradients along it). The filter needs its estimator, its
+/// scale, and the volume on port 0.
 
 void ScaleMethods(vtkVolumeHapticsFilter* filter, const Analysis& analysis, vtkImageData* body)
 {
@@ -187,7 +187,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   if (scalars && result.Body != volume.Image)
   {
-    // The picture shows the removal of tissue that a burr removes from the felt image.
+    // The picture then shows the tissue that a burr removes from the felt image.
     result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
       vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
   }

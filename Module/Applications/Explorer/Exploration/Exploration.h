@@ -29,23 +29,24 @@ enum class Estimator
 struct Settings
 {
   std::string Preset = "auto";
-  std::string Front = "-y"; // world axis along which a face looks
-  std::string Up = "+z";    // world axis to the top
+  std::string Front = "-y"; // world axis that the front (such as a face) points along
+  std::string Up = "+z";    // world axis that points to the top
   Estimator Gradient = Estimator::Gaussian;
-  // See vtkVolumeHapticsFilter::GetMethodNames; "auto" is primitives, which follow the vectors, if
-  // the volume is a grid with vectors; else it is proxy.
+  // Name as in vtkVolumeHapticsFilter::GetMethodNames, or "auto": primitives, which follow the
+  // vectors, if the volume is a grid with vectors, and otherwise proxy.
   std::string Method = "auto";
   std::vector<std::string> Modes; // for the method primitives: see ModeChoice.h
   std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
 };
 
-/// The results: everything that the pictures and the summary show.
+/// The results, which the pictures and the summary show.
 struct Exploration
 {
   Volume Input;
-  // The input without parts that are not connected with the body.
+  // Input without the parts that are not connected with the body.
   vtkSmartPointer<vtkImageData> Body;
-  std::string Hidden; // describes such parts, which are felt; empty if there are hardly any
+  // describes those parts, which are felt all the same; empty if there are hardly any
+  std::string Hidden;
   Analysis Values;
   ViewFrame View;
   TipPath Tip;
@@ -59,8 +60,8 @@ struct Exploration
   double FilterSeconds = 0.0;
 };
 
-/// Analyses the values, plans a tip path and feels along it. Throws InputError. `progress`, unless
-/// null, gets each step that begins and the fraction of the work that is done.
+/// Analyses the values, plans a tip path and feels along it. Throws InputError. `progress` may be
+/// null. It is called with each step that begins, and the fraction of the work that is done.
 using Progress = std::function<void(const std::string& step, double fraction)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);

@@ -28,7 +28,8 @@ bool IsOneOf(const std::string& ending, std::initializer_list<const char*> endin
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Returns the paths of measurements, one line each; null for a .vtp without measurements.
+/// Returns the paths of measurements, with one line for each. Returns null for a .vtp without
+/// measurements.
 vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
 {
   vtkNew<vtkHapticMeasurements> list;

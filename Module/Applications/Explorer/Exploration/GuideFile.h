@@ -12,13 +12,13 @@ class vtkImageData;
 
 namespace Explore
 {
-/// Throws InputError if a name does not have the ending of a file that --guide takes: a shape
-/// (.vtp, .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
+/// Throws InputError unless a name has the ending of a file that --guide accepts: a shape (.vtp,
+/// .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
 void CheckGuideFile(const std::string& name);
 
-/// Makes the mode that leads along the lines of a file, or holds on its polygons, in the
-/// coordinates of an image. A file of measurements leads along its paths. Throws InputError, also
-/// if the whole shape lies outside the image.
+/// Makes the mode that leads the hand along the lines of a file, or holds it on the file's
+/// polygons, in the coordinates of an image. A file of measurements leads along its paths. Throws
+/// InputError, also if all of the shape is outside the image.
 vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkImageData* image);
 } // namespace Explore
 

@@ -15,17 +15,17 @@
 
 namespace Explore
 {
-/// Extracts the audible data of ticks. The forces are the device's: none while it is not armed.
-/// Stiffness and strength come from the material: from the filter's functions of SurfaceValue or
-/// from its table of labels. In a trace they are the felt values: capped, equalised by SameShape,
-/// and lowered by distinctness.
+/// Extracts from ticks the data that sound depends on. The forces are those of the device: zero
+/// while it is not armed. Stiffness and strength come from the material, that is, from the filter's
+/// functions of SurfaceValue or from its table of labels, because the values in a trace are the
+/// felt ones: capped, equalised by SameShape, and lowered by distinctness.
 class HeardTicks
 {
 public:
   explicit HeardTicks(vtkVolumeHapticsFilter* filter);
 
-  /// Extracts the ticks of the states since the last call: see vtkHapticState::Drain. The label is
-  /// that of the latest state.
+  /// Extracts the ticks of the states since the last call: see vtkHapticState::Drain. `label` is
+  /// the label of the latest state.
   std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
   /// Extracts the ticks of a trace of the filter, or of a recording.
   std::vector<SoundTick> Read(vtkPolyData* trace);
@@ -36,8 +36,8 @@ private:
   void SetMaterial(SoundTick& tick, double value, std::int64_t label) const;
 
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
-  double Proxy[3] = { 0.0, 0.0, 0.0 }; // world, in the last tick
-  double Time = 0.0;                   // s, at the last tick
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; // proxy of the last tick (world)
+  double Time = 0.0;                   // time of the last tick (s)
   bool HasProxy = false;
 };
 } // namespace Explore

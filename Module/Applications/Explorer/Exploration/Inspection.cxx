@@ -20,13 +20,15 @@
 
 namespace
 {
-constexpr int PARTS = 3;       // parts along each axis, for the local noise
-constexpr int SMALL_PART = 16; // samples; smaller parts have too few flat blocks
+// number of parts along each axis for which the local noise is measured
+constexpr int PARTS = 3;
+constexpr int SMALL_PART = 16; // samples along an axis; smaller parts have too few flat blocks
 
-/// Returns the noise of an image by the filter's own estimate (scalar units).
+/// Returns the noise of an image (scalar units), as the filter estimates it.
 double EstimateImageNoise(vtkImageData* image)
 {
-  vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
+  // computes facts about the whole image; its output is only one sample
+  vtkNew<vtkHapticRegionFilter> whole;
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
   whole->SetInputData(image);
@@ -36,9 +38,9 @@ double EstimateImageNoise(vtkImageData* image)
   return noise ? noise->GetTuple1(0) : 0.0;
 }
 
-/// Returns the largest gradient magnitude (scalar per world unit), as the filter estimates it, over
-/// a sheet of value 1 between values of 0. `layers` is the number of the sheet's voxels along x; 0:
-/// a step from 0 to 1.
+/// Returns the largest gradient magnitude (scalar per world unit), as the filter estimates it, on a
+/// sheet of value 1 between values of 0. `layers` is the number of voxels of the sheet along x; 0
+/// stands for a step from 0 to 1.
 double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int layers)
 {
   const int radius = like->GetKernelRadius();
@@ -56,7 +58,7 @@ double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int 
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  constexpr int steps = 10; // in a voxel
+  constexpr int steps = 10; // number of positions in a voxel
   for (int i = -2 * steps; i <= (layers + 1) * steps; ++i)
   {
     const double middle = 0.5 * spacing * (size - 1);
@@ -80,8 +82,8 @@ double ComputeLargestGradient(vtkVolumeHapticsFilter* like, double spacing, int 
   return range[1];
 }
 
-/// Returns the gradient magnitude (scalar per world unit) at which distinctness from noise is one
-/// half; 0 without noise.
+/// Returns the gradient magnitude (scalar per world unit) at which the distinctness from noise is
+/// one half; 0 if there is no noise.
 double ComputeFeltGradient(vtkImageData* image, vtkVolumeHapticsFilter* like)
 {
   vtkNew<vtkPoints> points;
@@ -236,7 +238,7 @@ void Inspection::MeasureNoise(vtkImageData* image)
     crop->SetVOI(box);
     crop->Update();
     const double noise = EstimateImageNoise(crop->GetOutput());
-    if (noise > 0.0) // parts of padding or saturation have none
+    if (noise > 0.0) // padded or saturated parts have no noise
     {
       const bool isFirst = this->LocalNoise[1] == 0.0;
       this->LocalNoise[0] = isFirst ? noise : std::min(this->LocalNoise[0], noise);
@@ -247,7 +249,8 @@ void Inspection::MeasureNoise(vtkImageData* image)
 
 void Inspection::ComputeSmallestStep(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
-  // Noise and gradients along an axis with another spacing change by the same ratio.
+  // One spacing suffices: along an axis with another spacing, noise and gradients change by the
+  // same ratio.
   const double finest = *std::min_element(image->GetSpacing(), image->GetSpacing() + 3);
   const double felt = ComputeFeltGradient(image, filter);
   const double step = ComputeLargestGradient(filter, finest, 0);

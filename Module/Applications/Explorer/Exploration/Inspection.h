@@ -13,21 +13,21 @@ class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
-/// Finds what a file holds, and what of it can be felt. Lengths are in the volume's world,
-/// millimetres if its file says so.
+/// Describes what a file contains, and what of it can be felt. Lengths are in the volume's world,
+/// which is in millimetres if its file says so.
 class Inspection
 {
 public:
-  /// Inspects a volume with the name of its materials, and the filter that they were applied to.
+  /// Inspects a volume. `materials` is the name of the materials, which were applied to `filter`.
   /// For a volume that is read around the hand, the values are those of its coarse level.
   Inspection(const Volume& volume, const Analysis& values, const std::string& materials,
     vtkVolumeHapticsFilter* filter);
 
-  /// Returns plain sentences, one a line.
+  /// Returns plain sentences, one on each line.
   std::string Describe() const;
-  /// Returns an object of JSON, for programs.
+  /// Returns a JSON object for programs.
   std::string ToJson() const;
-  /// Returns a title, and lines of a word, a tab and its value, for the list of keys.
+  /// Returns a title and lines with a word, a tab and a value, for the list of keys.
   std::string ListFacts() const;
 
 private:
@@ -42,22 +42,25 @@ private:
   std::string Axes;
   std::string Modality;
   std::string ModalityReason;
-  std::string Padding; // what was treated as outside; empty: nothing
+  std::string Padding; // what was treated as outside; empty if nothing was
   std::string Preset;
   std::string PresetReason;
-  std::string Unit; // unit of the values, with a blank before it; empty: none
+  std::string Unit; // unit of the values, after a blank; empty if there is none
   std::vector<std::string> Notes;
   int Size[3] = { 0, 0, 0 };
   double Spacing[3] = { 1, 1, 1 };
   double Origin[3] = { 0, 0, 0 };
   double Direction[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  double MetersPerUnit = 0.001; // metres of hand movement
+  double MetersPerUnit = 0.001; // metres of hand motion for one unit
   double Range[2] = { 0, 1 };
-  double Usual[2] = { 0, 1 };      // values at 0.5 and 99.5 %
-  double Noise = 0.0;              // standard deviation of the noise
-  double LocalNoise[2] = { 0, 0 }; // least and largest noise of parts; zeros: unknown
-  double SmallestStep = 0.0;       // smallest felt step at a plane surface; 0: any
-  double SmallestSheetStep = 0.0;  // smallest felt step of a sheet of one voxel
+  double Usual[2] = { 0, 1 }; // values at 0.5 and 99.5 % of the histogram
+  double Noise = 0.0;         // standard deviation of the noise
+  // smallest and largest noise of parts of the volume; zeros: unknown
+  double LocalNoise[2] = { 0, 0 };
+  // smallest step of the values that is felt at a plane surface; 0: any
+  double SmallestStep = 0.0;
+  // smallest step of the values that is felt at a sheet of one voxel
+  double SmallestSheetStep = 0.0;
 };
 } // namespace Explore
 

@@ -23,8 +23,8 @@ namespace
 using Explore::InputError;
 using ModePointer = vtkSmartPointer<vtkHapticMode>;
 
-/// Returns the names of the kinds by their number, such as "vector-follow"; the name of a guide is
-/// empty.
+/// Returns the names of the kinds in the order of their numbers, such as "vector-follow". The name
+/// of a guide is empty.
 std::vector<std::string> NameKinds()
 {
   std::vector<std::string> names;
@@ -44,8 +44,8 @@ std::vector<std::string> NameKinds()
   return names;
 }
 
-/// Makes a mode by its name, such as "vector-follow". Returns null if there is no such mode. Guides
-/// have a flag of their own.
+/// Makes a mode by its name, such as "vector-follow". Returns null if there is no such mode, or for
+/// a guide, which has an option of its own.
 ModePointer MakeMode(const std::string& name)
 {
   auto mode = ModePointer::New();
@@ -71,7 +71,7 @@ ModePointer MakeMode(const std::string& name)
   return mode;
 }
 
-/// Returns the first array with vectors or tensors; empty if there is none.
+/// Return the name of the first array with vectors, or with tensors; empty if there is none.
 std::string FindVectors(vtkImageData* image)
 {
   return ModePointer::New()->FindArrayName(image);
@@ -129,9 +129,9 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
   filter->AddMode(mode);
 }
 
-/// Adds the modes that the fields of an image allow in addition to a filter's, not active, so that
-/// a window can turn them on. Modes of vectors use the array of the last mode, if that mode has
-/// vectors.
+/// Adds those modes that the fields of an image allow and the filter does not have. They are not
+/// active, so that a window can turn them on. Modes of vectors use the array of the last mode, if
+/// that mode has vectors.
 void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   const std::string known = filter->GetMode(filter->GetNumberOfModes() - 1)->GetArrayName();
@@ -154,7 +154,7 @@ void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
     const bool isFlow = mode->GetKind() != vtkHapticMode::TENSOR_FOLLOW;
     const std::string field = isFlow ? vectors : mode->FindArrayName(image);
     mode->SetArrayName(field.c_str());
-    // A mode with nothing to hold on, such as a flow without a rotation, is not offered.
+    // Do not offer a mode that holds nothing, such as for a flow without rotation.
     const Explore::MessageCapture capture;
     if (!field.empty() && !isThere(mode) && mode->ProposeFromImage(image))
     {

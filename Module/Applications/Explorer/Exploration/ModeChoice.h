@@ -18,20 +18,21 @@ std::string ListModes();
 /// texts.
 std::string ListModePresets();
 
-/// Checks the name of a mode, optionally with an array's name after a colon, or of a preset. Throws
-/// InputError for any other text.
+/// Checks the name of a mode, which an array's name may follow after a colon, or of a preset.
+/// Throws InputError for any other text.
 void CheckMode(const std::string& mode);
 
 /// Adds modes to a filter, with strengths that suit the image. Without names, the hand follows the
-/// vectors of the array `flow` or of the first array with vectors; without vectors it follows the
-/// tensors, and without tensors it feels the surfaces. The other modes of vectors and tensors are
-/// added, but not active. A file that guides the hand (GuideFile.h) is the first mode; without
-/// names it is the only active one. Throws InputError if the image lacks the array of a mode.
+/// vectors of the array `flow` or of the first array with vectors. If there are no vectors, it
+/// follows the tensors, and if there are no tensors, it feels the surfaces. Further modes of
+/// vectors and tensors are added, but not activated. A file that guides the hand (GuideFile.h) is
+/// the first mode; without names it is the only active one. Throws InputError if the image lacks
+/// the array of a mode.
 void AddModes(const std::vector<std::string>& modes, const std::string& flow,
   const std::string& guide, vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
-/// Returns the names of a filter's modes, if its method feels them, made unique; the names of
-/// inactive modes are empty.
+/// Returns unique names of a filter's modes, if its method feels modes. The names of inactive modes
+/// are empty.
 std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter);
 } // namespace Explore
 

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
                           : make(vtkSmartPointer<vtkXMLPolyDataReader>::New());
 }
 
-/// Returns the size (bytes) of a number in a .ply; 0 for an unknown type.
+/// Returns the size (bytes) of a type of numbers in a .ply; 0 if the type is unknown.
 std::size_t GetPlySize(const std::string& type)
 {
   const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
@@ -54,7 +54,8 @@ std::size_t GetPlySize(const std::string& type)
 
 struct PlyProperty
 {
-  std::size_t CountSize = 0; ///< bytes; 0 if it is not a list
+  std::size_t CountSize = 0; ///< size of the number of elements of a list (bytes); 0 if it is not a
+                             ///< list
   std::size_t Size = 0;      ///< bytes of a number
 };
 struct PlyElements
@@ -63,7 +64,7 @@ struct PlyElements
   std::vector<PlyProperty> Properties;
 };
 
-/// Whether a binary element is complete; continues after it.
+/// Whether a binary element is complete. Moves `at` to its end.
 bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, std::size_t& at)
 {
   for (const PlyProperty& property : kind.Properties)
@@ -88,7 +89,7 @@ bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, s
   return true;
 }
 
-/// Whether a line of text has all values of an element; reads the line.
+/// Reads a line of text. Returns whether it has all values of an element.
 bool SkipLine(const PlyElements& kind, std::istream& text)
 {
   std::string line;
@@ -106,9 +107,9 @@ bool SkipLine(const PlyElements& kind, std::istream& text)
   return static_cast<bool>(words);
 }
 
-/// Whether a .ply has all elements that its header promises: VTK's reader goes on without them, and
-/// frees memory that it never had. A header that this function does not support is left to the
-/// reader.
+/// Whether a .ply has all elements that its header promises. Without them, VTK's reader continues,
+/// and frees memory that it never had. Accepts a header that this function does not support, and
+/// leaves it to the reader.
 bool HasAllElements(const std::string& name)
 {
   std::vector<PlyElements> kinds;
@@ -159,7 +160,7 @@ bool HasAllElements(const std::string& name)
   return true;
 }
 
-/// Whether a binary .stl has all triangles that its head promises: VTK's reader goes on without
+/// Whether a binary .stl has all triangles that its head promises. VTK's reader continues without
 /// them.
 bool HasAllTriangles(const std::string& name)
 {
@@ -172,7 +173,7 @@ bool HasAllTriangles(const std::string& name)
     reinterpret_cast<const char*>(start), static_cast<std::size_t>(in.gcount()));
   if (text.find("solid") == 0 && text.find("facet") != std::string::npos)
   {
-    return true; // text, which the reader checks
+    return true; // a text, which the reader checks
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < 4; ++i)

@@ -10,16 +10,16 @@
 
 namespace Explore
 {
-/// Returns the ending of a file's name, in lower case, such as ".stl".
+/// Returns the ending of a file's name in lower case, such as ".stl".
 std::string GetEnding(const std::string& name);
 
 /// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Returns null, with
-/// the reason, if the file can't be read or is shorter than it promises, or if a cell has a point
-/// that does not exist.
+/// the reason in `error`, if the file can't be read, if it is shorter than its header promises, or
+/// if a cell has a point that does not exist.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
 
 /// Reads like ReadPolyData, but throws InputError, whose text begins with the option that names the
-/// file, and has the cure.
+/// file and contains the cure.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure);
 } // namespace Explore

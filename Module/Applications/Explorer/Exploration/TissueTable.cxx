@@ -25,11 +25,11 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
-/// A smaller fraction of the range is not noise, but rounding to 8 bits or the shape of smooth
+/// Smallest noise, as a fraction of the range. Less is rounding to 8 bits, or the shape of smooth
 /// parts.
 constexpr double LEAST_NOISE = 0.002;
 
-/// If nothing is denser than the body, the brighter half of its range counts as dense.
+/// Moves the deep threshold to the middle of the body's range if nothing is denser than the body.
 void PutDeepInside(Analysis& analysis)
 {
   if (analysis.DeepThreshold <= analysis.OuterThreshold)
@@ -44,18 +44,18 @@ double EdgeOf(const Analysis& analysis)
   return 0.02 * (analysis.High - analysis.Low);
 }
 
-/// The brightness of the background, found in the image.
+/// Facts about the background of an image.
 struct Background
 {
   double Noise = 0.0;
-  double Threshold = 0.0; ///< no sample below is solid
-  double Full = 0.0;      ///< all samples from here on are solid; unknown if not above Threshold
+  double Threshold = 0.0; ///< upper limit of values that are not solid
+  double Full = 0.0;      ///< lower limit of values that are solid; unknown if not above Threshold
 };
 
 Background FindBackground(vtkImageData* image)
 {
-  vtkNew<vtkHapticRegionFilter> whole; // computes facts about the whole volume, with one of its
-                                       // samples
+  // computes facts about the whole volume; its output is only one sample
+  vtkNew<vtkHapticRegionFilter> whole;
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
   whole->SetInputData(image);
@@ -68,7 +68,7 @@ Background FindBackground(vtkImageData* image)
     : Background{};
 }
 
-/// Excludes the background's noise from the body, if the image shows how bright the background is.
+/// Excludes the background's noise from the body, if the brightness of the background is known.
 void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
   if (analysis.Kind == VolumeKind::Field)
@@ -84,7 +84,8 @@ void LeaveBackground(Analysis& analysis, vtkImageData* image)
   }
 }
 
-/// Lets the body begin where half of the preset's strength holds, so that the background is hidden.
+/// Moves the outer threshold to the value at which half of the preset's strength holds, so that the
+/// background is hidden.
 void BeginAtSolid(Analysis& analysis, vtkImageData* image)
 {
   const Background found = FindBackground(image);
@@ -96,7 +97,7 @@ void BeginAtSolid(Analysis& analysis, vtkImageData* image)
   }
 }
 
-/// Makes steps at the thresholds, a little smoothed, so that nothing jumps.
+/// Makes steps at the two thresholds. They are a little smoothed, so that nothing jumps.
 void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
 {
   const double edge = EdgeOf(analysis);
@@ -109,8 +110,7 @@ void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const do
 
 void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 {
-  // Nothing is felt below OuterThreshold; the body is soft from there on, and hard from
-  // DeepThreshold on.
+  // Nothing is felt below OuterThreshold. The body is soft above it, and hard above DeepThreshold.
   const double stiffness[3] = { 0.0, 350.0, 800.0 };
   const double friction[3] = { 0.0, 0.25, 0.30 };
   const double viscosity[3] = { 0.0, 0.2, 0.2 };
@@ -129,7 +129,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
     property->AddTissue("body, darker", analysis.OuterThreshold, analysis.DeepThreshold - edge);
     property->AddTissue("body, brighter", analysis.DeepThreshold, ends[1]);
   }
-  // A surface is distinct if the step to the body takes at most about 8 mm.
+  // A surface is distinct if its values change within at most about 8 mm.
   const double step = analysis.OuterThreshold - analysis.Low;
   const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
   property->GetDistinctness()->RemoveAllPoints();
@@ -140,14 +140,14 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->ShiftFromImageOff();
 }
 
-/// Returns the middle of a boundary or, if nothing resists there yet, the value at which the
+/// Returns the middle of a boundary or, if the strength there is still 0, the value at which the
 /// strength begins.
 double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
   for (int i = 1; i < strength->GetSize(); ++i)
   {
-    double from[4]; // value, strength, and the shape between nodes
+    double from[4]; // value, strength, midpoint and sharpness
     double to[4];
     strength->GetNodeValue(i - 1, from);
     strength->GetNodeValue(i, to);
@@ -159,7 +159,7 @@ double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high
   return middle;
 }
 
-/// Proposes functions. Returns why nothing could be proposed; empty if a proposal was made.
+/// Proposes functions from the image. Returns the reason if that is not possible; empty if it is.
 std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   vtkHapticProperty* const property = filter->GetProperty();
@@ -228,8 +228,7 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
       throw InputError("--preset propose", reason, "take another preset");
     }
     name = "histogram";
-    // The steepest place of a surface means nothing here: the surface is felt where the body
-    // begins.
+    // Feel the surface where the body begins: the steepest place of the edge means nothing here.
     filter->SetContactAlignmentToDistinctness();
   }
   if (name == "histogram")
@@ -258,7 +257,7 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
   vtkTable* const boundaries = property->GetProposedBoundaries();
   if (analysis.Kind == VolumeKind::CT || !boundaries)
   {
-    return; // the numbers have their own meaning
+    return; // these values have a meaning of their own
   }
   const auto column = [&](const char* name)
   { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name)); };

@@ -17,10 +17,10 @@
 
 namespace
 {
-/// The friction (N per metre of the shaft) if no label sets it: a value for soft tissue.
+/// Friction (N per metre of the shaft) where no label sets it: a value for soft tissue.
 constexpr double SHAFT_FRICTION = 25.0;
-/// The energy (J/mm^3) for removing the softest and the hardest tissue, with which a press of 2 N
-/// drills soft tissue at once and hard bone within seconds: an example, not a measurement.
+/// Energies (J/mm^3) for removing the softest and the hardest tissue. With them, a press of 2 N
+/// drills soft tissue at once, and hard bone within seconds. They are examples, not measurements.
 constexpr double LEAST_ENERGY = 0.5;
 constexpr double MOST_ENERGY = 10.0;
 /// Radius of the burr (voxels).

@@ -17,15 +17,15 @@
 
 namespace Explore
 {
-/// Changes the tool in the hand of a window: key N goes through needle, burr, the tool of a file if
-/// there is one, and point. Keys U and J undo and redo strokes of the burr. Key T writes the track
-/// of a needle in tissue to track-001.vtp, or what a burr has removed to removal-001.vti, or to the
-/// next free number.
+/// Changes the tool in the hand of a window. Key N switches to the next tool: needle, burr, the
+/// tool of a file if there is one, and point. Keys U and J undo and redo strokes of the burr. Key T
+/// writes the track of a needle in tissue to track-001.vtp, or what a burr has removed to
+/// removal-001.vti, or to the next number that is free.
 ///
-/// Values above the outer surface rub along the needle where the labels have no shaft friction, and
-/// are solid for the other tools. With a preset for CT, vtkHapticNeedle::ApplyPreset() says how the
-/// needle cuts. The burr has a radius of four voxels; it takes the least energy at the outer
-/// surface, and the most at the largest value.
+/// Where the labels have no shaft friction, values above the outer surface rub along the needle.
+/// For the other tools, these values are solid. With a preset for CT,
+/// vtkHapticNeedle::ApplyPreset() sets how the needle cuts. The burr has a radius of four voxels.
+/// Removing tissue takes the least energy at the outer surface, and the most at the largest value.
 class HandTool
 {
 public:
@@ -42,7 +42,7 @@ public:
       "point\nU, J\tundo, redo what the burr removed\nT\tsave the track; what was removed\n";
   }
 
-  /// Whether the burr has removed tissue since the last written file.
+  /// Whether the burr has removed tissue since a file was last written.
   bool HasUnwrittenRemoval() const;
 
 private:
@@ -60,7 +60,7 @@ private:
   vtkNew<vtkHapticNeedle> Needle;
   vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
-  double WrittenVolume = 0.0; ///< removed volume that was written last (mm^3)
+  double WrittenVolume = 0.0; ///< removed volume in the last written file (mm^3)
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore

@@ -22,7 +22,7 @@ namespace
 {
 using Files = vtksys::SystemTools;
 
-// A name in a folder of unsaved work.
+// Names of files in a folder of unsaved work.
 constexpr const char* MEASUREMENTS = "/measurements.mrk.json";
 constexpr const char* SETUP = "/setup.json";
 constexpr const char* REMOVAL = "/removal.vti";
@@ -35,7 +35,8 @@ std::string Variable(const char* name)
   return value;
 }
 
-/// Returns the folder without the number at its end; empty if the user has no folder.
+/// Returns the folder for the work on a file, without the number at its end; empty if the user has
+/// no folder.
 std::string FindFolder(const Explore::FileChoice& shown)
 {
   const std::string home = Variable("HOME");
@@ -134,7 +135,7 @@ void KeptWork::BringBack()
     const auto has = [&](const char* file)
     { return Files::FileExists(this->Offered + file, true); };
     const auto name = [&](const char* file) { return this->Offered + file; };
-    // Newer measurements stay: reading a file would replace them.
+    // Keep newer measurements: reading a file would replace them.
     const bool isFree = this->Touch.Measurements->GetNumberOfMeasurements() == 0;
     const bool isDone = (!has(SETUP) || this->Touch.Setup->Load(name(SETUP).c_str())) &&
       (!has(REMOVAL) || this->Filter->GetRemoval()->ReadFile(name(REMOVAL))) &&
@@ -203,7 +204,7 @@ std::vector<double> KeptWork::ListFunctions() const
       feel->GetDistinctness(), this->Touch.Scene.Look->GetScalarOpacity() })
   {
     Append<vtkPiecewiseFunction, 4>(function, values);
-    values.push_back(-1.0); // marks the end of a function
+    values.push_back(-1.0); // marks the end of a function's nodes
   }
   Append<vtkColorTransferFunction, 6>(this->Touch.Scene.Look->GetRGBTransferFunction(), values);
   return values;

@@ -18,32 +18,32 @@
 namespace Explore
 {
 /// Stores what was not saved when a window closed, for any reason: measurements, edited functions
-/// of the materials and of the picture, and what a burr removed. The folder, one for this volume,
-/// is in $XDG_STATE_HOME/volumehaptics or ~/.local/state/volumehaptics, which only the user can
-/// read. The next window on the volume offers this work, and key F11 restores it.
+/// of the materials and of the look, and what a burr removed. Each volume has a folder, in
+/// $XDG_STATE_HOME/volumehaptics or ~/.local/state/volumehaptics, which only the user can read. The
+/// next window on the volume offers this work, and key F11 restores it.
 class KeptWork
 {
 public:
-  /// `shown` is the window's file. Functions that have not changed since the window's start are not
-  /// stored. The stored functions are those of the outside look.
+  /// `shown` is the file of the window. Functions that have not changed since the window's start
+  /// are not stored. The stored functions are those of the outside look.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
     const FileChoice& shown);
 
   /// Returns the lines for vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to restore.
   std::string ListKeys() const;
-  /// Returns what F11 would restore, as a notice; empty if there is nothing.
+  /// Returns a notice of what F11 would restore; empty if there is nothing.
   std::string GetOffer() const;
   /// Restores the work, as F11 does.
   void BringBack();
 
-  /// Stores unsaved work, and reports it; call this when the window has closed. `isSetUp`: the
-  /// functions were saved to the file of --setup.
+  /// Stores unsaved work, and reports it. Call this when the window has closed. `isSetUp`: whether
+  /// the functions were saved to the file of --setup.
   void KeepAtEnd(bool isSetUp);
 
 private:
   std::vector<double> ListFunctions() const;
-  /// Names the unsaved work in words.
+  /// Lists the unsaved work in words.
   std::string Describe(bool hasMeasurements, bool hasFunctions, bool hasRemoval) const;
 
   TouchScene& Touch;
@@ -52,8 +52,9 @@ private:
   HandTool& Tool;
   LookSwitch& Look;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  std::string Folder;            ///< folder for this volume's work, without its number; empty: none
-  std::string Offered;           ///< folder of the offered work; empty: none, or restored
+  std::string Folder;            ///< folder of this volume's work without its number; empty: none
+  std::string Offered;           ///< folder of the offered work; empty if there is none, or if it
+                                 ///< was restored
   std::string Brought;           ///< folder of the restored work
   std::vector<double> Functions; ///< values of the functions at the beginning
   KeyBinding Key;

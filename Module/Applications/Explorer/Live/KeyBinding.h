@@ -13,8 +13,8 @@
 
 namespace Explore
 {
-/// Calls a function whenever a key, such as "F8" or "O", is pressed in a window, until the binding
-/// is deleted.
+/// Calls a function whenever a key, such as "F8" or "O", is pressed in a window. The binding ends
+/// when the object is deleted.
 class KeyBinding
 {
 public:

@@ -31,7 +31,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// Leads the hand along the path by the clock, at most at the rate of an application's display.
+/// Leads the hand along the path by the clock, at no more than the frame rate of an application.
 void PlayPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ std::string TimeKeeping(vtkHapticDevice* device)
   return text.str();
 }
 
-/// Returns the first tick whose force differs, or -1.
+/// Returns the number of the first tick whose force differs; -1 if there is none.
 vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
 {
   vtkDataArray* const fa = a->GetPointData()->GetArray("Force");
@@ -84,12 +84,13 @@ vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
   }
   return -1;
 }
-/// The servo's trace of the planned path compared with the offline one, tick by tick.
+/// Result of a comparison of the servo's trace of the planned path with the offline trace, tick by
+/// tick.
 struct Agreement
 {
-  vtkIdType Ticks = 0;  // ticks with the tip of the same offline tick
-  vtkIdType Wrong = 0;  // ticks of these whose force differs
-  vtkIdType Others = 0; // ticks whose tip differs from that of any offline tick
+  vtkIdType Ticks = 0;  // number of ticks with the same tip as an offline tick
+  vtkIdType Wrong = 0;  // number of these ticks whose force differs
+  vtkIdType Others = 0; // number of ticks whose tip is not that of any offline tick
 };
 
 Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
@@ -109,7 +110,7 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
     const auto tick = static_cast<vtkIdType>(ticks->GetComponent(i, 0));
     if (tick >= offline->GetNumberOfPoints())
     {
-      break; // the end of the path
+      break; // end of the path
     }
     const bool sameTip = isSame("Tip", i, tick);
     agreement.Ticks += sameTip ? 1 : 0;
@@ -119,7 +120,7 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
   return agreement;
 }
 
-/// Reads a recording with these arrays, or throws.
+/// Reads a recording that has these arrays. Throws std::runtime_error on failure.
 vtkSmartPointer<vtkPolyData> ReadRecording(
   const std::string& file, std::initializer_list<const char*> arrays)
 {
@@ -140,8 +141,8 @@ vtkSmartPointer<vtkPolyData> ReadRecording(
   return recording;
 }
 
-/// Plays the planned path through the servo in real time, one point per tick, more exactly than any
-/// hand could move.
+/// Plays the planned path through the servo in real time, with one point for each tick, more
+/// exactly than any hand could move.
 Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
 {
   const Explore::MessageCapture capture;
@@ -157,7 +158,7 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
-  // Not armed: arming would begin the touch again in a later tick.
+  // Don't arm: arming would begin the touch again in a later tick.
   Demand(device->Start(), "the servo does not start", capture);
   Demand(device->GetRecorder()->Start(recorded.c_str()), "the recording does not start", capture);
   while (device->GetState()->GetTick() < exploration.Tip.Path->GetNumberOfPoints())

@@ -9,16 +9,17 @@
 
 namespace Explore
 {
-/// The measurements of a run through the servo loop.
+/// Results of a run through the servo loop.
 struct LiveRun
 {
-  vtkSmartPointer<vtkPolyData> Trace; // as recorded, tick by tick
-  std::string Report;                 // time keeping, and a comparison with the offline filter
-  bool IsReproduced = false;          // equal tips give equal forces offline and live
+  vtkSmartPointer<vtkPolyData> Trace; // trace as it was recorded, tick by tick
+  // how well the servo kept time, and a comparison with the offline filter
+  std::string Report;
+  bool IsReproduced = false; // whether equal tips gave equal forces offline and live
 };
 
 /// Leads the virtual device along the planned path in real time, with the servo at its rate, and
-/// records into a file (.vtp); then replays the planned path tick by tick, to compare it with the
+/// records to a file (.vtp). Then replays the planned path tick by tick, to compare it with the
 /// exploration's trace. Throws std::runtime_error if the servo can't run.
 LiveRun RunLive(const Exploration& exploration, const std::string& file);
 } // namespace Explore

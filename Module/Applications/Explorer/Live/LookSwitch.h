@@ -15,8 +15,9 @@
 
 namespace Explore
 {
-/// Key O switches between the outside of a volume and its dense inside alone. Hidden tissue is not
-/// felt: the hand goes through the skin to the visible part. Each look keeps its edited functions.
+/// Switches between the outside of a volume and its dense inside by key O. Hidden tissue is not
+/// felt: the hand goes through the skin to the visible part. Each look has its own edited
+/// functions.
 class LookSwitch
 {
 public:
@@ -28,7 +29,7 @@ public:
 
   /// Returns the lines for vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
   std::string ListKeys() const;
-  /// Shows the outside. Call this before functions are loaded, which belong to the outside.
+  /// Shows the outside. Call this before functions are loaded, because they belong to the outside.
   void ShowOutside();
 
 private:
@@ -37,7 +38,7 @@ private:
 
   TouchScene& Touch;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  vtkNew<vtkVolumeProperty> Other; ///< the functions that are not shown
+  vtkNew<vtkVolumeProperty> Other; ///< functions of the look that is not shown
   const bool HasOther;
   bool IsInside = false;
   KeyBinding Key;

@@ -42,7 +42,7 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
       const std::string read = this->File;
       this->File = FindFreeFile(read.substr(0, dot), read.substr(dot));
       this->InFile = 0;
-      const std::size_t text = warning.find("): "); // the text begins after VTK's source position
+      const std::size_t text = warning.find("): "); // end of VTK's source position
       std::cout << (text == std::string::npos ? warning : warning.substr(text + 3)) << read
                 << " stays as it is: measurements are saved to " << this->File << std::endl;
     }

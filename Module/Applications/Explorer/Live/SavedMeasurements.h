@@ -14,33 +14,35 @@
 
 namespace Explore
 {
-/// Saves the measurements of a window to a file: by the key S, and when the window is closed. A
-/// file that could only be read in part is not changed, and the list goes to a new file beside it.
+/// Saves the measurements of a window to a file, by the key S and when the window is closed. A file
+/// that could only be read in part is not changed; the list is then saved to a new file beside it.
 class SavedMeasurements
 {
 public:
-  /// Reads the file, if there is one; its name may be empty. Throws InputError if it can't be read.
+  /// Reads the file if it exists. The name may be empty. Throws InputError if the file can't be
+  /// read.
   SavedMeasurements(TouchScene& touch, std::string file);
 
-  /// Lets the key S save from now on: without a file, to a new measurements-001.mrk.json.
+  /// Makes the key S save from now on. Without a file, it saves to a new measurements-001.mrk.json.
   void SaveByKey(vtkRenderWindowInteractor* interactor);
 
-  /// Saves new measurements to the file; an emptied list does not replace a file. If measurements
-  /// are not saved, because there is no file or it can't be written, reports this and returns why.
+  /// Saves new measurements to the file. An empty list does not replace a file. If measurements
+  /// can't be saved, because there is no file or it can't be written, reports and returns the
+  /// reason.
   std::string SaveAtEnd();
 
-  /// Whether everything is saved.
+  /// Whether all measurements are saved.
   bool IsSaved() const;
 
 private:
-  /// Saves the list. Returns false, with the reason, on failure.
+  /// Saves the list. On failure, returns false, with the reason in `error`.
   bool Save(std::string& error);
   void Report(std::ostream& out) const;
 
   TouchScene& Touch;
   std::string File;
-  vtkMTimeType Saved;   ///< the time of the list in the file
-  vtkIdType InFile = 0; ///< the length of the list in the file
+  vtkMTimeType Saved;   ///< modification time of the list when it was saved
+  vtkIdType InFile = 0; ///< number of measurements in the file
   std::unique_ptr<KeyBinding> Key;
 };
 } // namespace Explore

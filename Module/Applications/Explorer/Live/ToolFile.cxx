@@ -19,7 +19,7 @@ bool HasOrigin(const double* bounds)
     bounds[4] <= 0.0 && bounds[5] >= 0.0;
 }
 
-/// Turns triangles outwards, because files do not agree on which side faces outwards.
+/// Turns triangles outwards, because files differ in which side is outside.
 vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> turned;
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* surface)
   return merged->GetOutput();
 }
 
-/// Counts the edges with a triangle on one side only.
+/// Counts the edges that belong to one triangle only.
 vtkIdType CountOpenEdges(vtkPolyData* surface)
 {
   vtkNew<vtkFeatureEdges> edges;

@@ -10,12 +10,13 @@
 
 namespace Explore
 {
-/// Whether a name has the ending of a surface: .stl, .ply, .obj or .vtp.
+/// Whether a file name has the ending of a surface: .stl, .ply, .obj or .vtp.
 bool IsToolFile(const std::string& name);
 
-/// Reads the surface of a tool; the file's units are taken to be those of the volume. If its box
-/// does not contain the origin, the surface is moved so that the middle of the box is at the
-/// origin; triangles that face inwards are turned. Throws InputError, also for an open surface.
+/// Reads the surface of a tool. The file's units are taken to be those of the volume. If the
+/// surface's bounding box does not contain the origin, moves the surface so that the middle of the
+/// box is at the origin. Turns triangles that face inwards. Throws InputError, also for an open
+/// surface.
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
 } // namespace Explore
 

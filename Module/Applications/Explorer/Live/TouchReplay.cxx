@@ -36,7 +36,7 @@ void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
   actor->UseBoundsOff();
 }
 
-/// Returns the last row whose time is not after this time.
+/// Returns the number of the last row that is not after a time.
 vtkIdType FindRow(vtkDataArray* times, double time)
 {
   vtkIdType first = 0, last = times->GetNumberOfTuples() - 1;
@@ -237,7 +237,7 @@ void TouchReplay::Show(double time)
   this->Spring->SetPoint1(proxy);
   this->Spring->SetPoint2(tip);
 
-  // VTK's arrow lies along x, and has length 1.
+  // VTK's arrow points along x, and its length is 1.
   const double newtons = vtkMath::Norm(force);
   const double length = newtons / this->Touch.Hand->GetForceScale();
   double axes[3][3];

@@ -22,9 +22,9 @@
 
 namespace Explore
 {
-/// Shows a recording of the touch in the window: the way of the proxy, and at a time chosen with a
-/// slider, the tip, the proxy and the force. F5 plays and pauses it in real time, F6 and F7 step
-/// back and forward. A replay gives no force; a device can touch meanwhile.
+/// Shows a recording of a touch in the window: the path of the proxy, and the tip, the proxy and
+/// the force at a time that a slider sets. F5 plays and pauses it in real time, F6 and F7 step back
+/// and forward. A replay gives no force; a device can touch meanwhile.
 class TouchReplay
 {
 public:
@@ -43,17 +43,16 @@ private:
   void BuildSlider(const std::string& file);
   void PressKey();
   void Update();
-  /// Goes to a time of the recording (s).
+  /// Shows the state at a time of the recording (s).
   void Show(double time);
 
   TouchScene& Touch;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkPolyData> Trace;
-  double Begin = 0.0, End = 0.0; ///< s
-  double Now = 0.0;              ///< s
+  double Begin = 0.0, End = 0.0; ///< first and last time of the recording (s)
+  double Now = 0.0;              ///< shown time (s)
   bool IsPlaying = false;
-  std::chrono::steady_clock::time_point Played; ///< the clock's time up to which the recording was
-                                                ///< played
+  std::chrono::steady_clock::time_point Played; ///< clock time at which the shown time was set
 
   vtkNew<vtkActor> Way;
   vtkNew<vtkSphereSource> Proxy;

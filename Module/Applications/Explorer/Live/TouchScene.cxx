@@ -39,8 +39,8 @@ namespace Explore
 {
 namespace
 {
-/// The key F8 saves the materials of the window as a preset, to a new preset-001.json, which
-/// --preset takes.
+/// Saves the materials of the window by key F8 as a preset, to a new preset-001.json, which
+/// --preset accepts.
 class PresetSaver
 {
 public:
@@ -79,12 +79,12 @@ void PresetSaver::Save()
   this->Interactor->Render();
 }
 
-/// Plays the sound of touches in a scene, from now until it is deleted; key o turns it off and on.
-/// If the output fails, the error is reported in one line, and the scene continues; the key then
-/// tries again.
+/// Plays the sound of touches in a scene until the object is deleted. Key o turns it off and on. If
+/// the output fails, the error is reported in one line, and the scene continues; the key then tries
+/// again.
 ///
-/// It uses the states that the scene's style reads for the displays (StatesEvent): nothing is added
-/// to the servo's loop.
+/// The sound uses the states that the scene's style reads for the displays (StatesEvent), so that
+/// nothing is added to the servo's loop.
 class WindowSound
 {
 public:
@@ -103,8 +103,8 @@ private:
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   HeardTicks Ticks;
   SoundStream Stream;
-  std::unique_ptr<SoundOutput> Output; // declared after the stream that it plays, so that it ends
-                                       // first
+  // after Stream, so that it is destroyed before the stream that it plays
+  std::unique_ptr<SoundOutput> Output;
   bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
   KeyBinding Key;
@@ -164,17 +164,18 @@ namespace
 {
 using Explore::TouchScene;
 
-/// The volume is to the right of the middle, in halves of the window's width, so that the plot of
-/// the head-up display is beside it.
+/// Shift of the volume to the right of the middle, in halves of the window's width, so that the
+/// plot of the head-up display is beside the volume.
 constexpr double BESIDE_PLOT = -0.14;
 
-/// Adds all parts. The two-dimensional parts are above the volume and below the marker.
+/// Adds all parts to the scene. Two-dimensional parts are drawn above the volume and below the
+/// marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   constexpr int labelPort = 3;
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
-  // A newton is two centimetres long, in any unit of the world.
+  // One newton is two centimetres long, whatever the unit of the world.
   touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
   touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
   touch.Scene.Renderer->AddViewProp(touch.Hand);
@@ -186,9 +187,9 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   }
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
-  // The volume's own scale, not that of the hand, which may enlarge a small thing.
+  // Use the scale of the volume, not that of the hand, which may enlarge a small object.
   touch.Measurements->SetMetersPerWorldUnit(exploration.Input.MetersPerUnit);
-  // Half a voxel, because 3D Slicer can't work with a point each millisecond.
+  // Record a point every half voxel, because 3D Slicer can't handle a point each millisecond.
   const double* const spacing = exploration.Input.Image->GetSpacing();
   touch.Measurements->SetPathSpacing(0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   touch.Measured->SetMeasurements(touch.Measurements);
@@ -207,8 +208,8 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   touch.Scene.Overlay->AddViewProp(touch.Editor);
 }
 
-/// Places the editor beside the display's plot and the slices, above the scale of the arrows; and
-/// the marker beside the hint, or below it if the slices leave less room.
+/// Places the editor beside the display's plot and the slices, above the scale of the arrows.
+/// Places the marker beside the hint, or below it if the slices leave too little room.
 void PlaceParts(TouchScene& touch)
 {
   const double share = touch.Slices->GetVisibility() ? touch.Slices->GetShare() : 0.0;
@@ -219,7 +220,7 @@ void PlaceParts(TouchScene& touch)
   touch.Scene.Marker->SetViewport(0.84, top - 0.2, 1.0, top);
 }
 
-/// Adds slices through the tip; they are hidden if they have no fraction of the window.
+/// Adds slices through the tip. They are hidden if they get no part of the window's width.
 void AddSlices(
   TouchScene& touch, const Explore::Exploration& exploration, const Explore::SceneOptions& options)
 {
@@ -229,7 +230,7 @@ void AddSlices(
   slices->SetAnatomical(options.Anatomical);
   if (exploration.Values.Kind == Explore::VolumeKind::CT)
   {
-    // The range from fat to dense bone, in which soft tissues still differ.
+    // A range from fat to dense bone, in which differences between soft tissues are still visible.
     slices->SetUnit("HU");
     slices->SetColorWindow(800.0);
     slices->SetColorLevel(150.0);
@@ -246,7 +247,7 @@ void AddSlices(
   slices->AddObserver(vtkCommand::ModifiedEvent, place);
 }
 
-/// Formats a list with tabs as a table.
+/// Formats a list, whose columns are separated by tabs, as a table.
 std::string Align(const std::string& keys)
 {
   constexpr std::size_t width = 16;
@@ -289,7 +290,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
-  // There is no cropping box for a large volume: its picture crops the mapper itself.
+  // A large volume has no cropping box, because its picture crops the mapper itself.
   touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
     !exploration.Input.Large);
   touch.Setup->SetVolumeHaptics(filter);

@@ -20,19 +20,20 @@
 
 namespace Explore
 {
-/// The fraction of the window's width for slices beside the scene.
+/// Fraction of the window's width that slices beside the scene have.
 constexpr double SLICE_SHARE = 0.3;
 
 /// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware;                          // empty: that of the environment variable
-  std::array<double, 2> Newtons{ 100.0, 100.0 }; // newtons of a stick at full scale, along x and y
+  std::string Firmware; // empty: the file of the environment variable
+  // newtons of a stick that is fully deflected, along x and y
+  std::array<double, 2> Newtons{ 100.0, 100.0 };
 };
 
-/// A scene that can be touched: the volume, and a device with a running servo, with all displays of
-/// its state. Hidden tissue is not felt.
+/// A scene that can be touched: the volume, a device with a running servo, and all displays of the
+/// device's state. Hidden tissue is not felt.
 struct TouchScene
 {
   ExplorerScene Scene;
@@ -48,7 +49,7 @@ struct TouchScene
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// Fills the scene, opens the device and starts its servo. Throws InputError if the device can't be
+/// Fills the scene, opens the device and starts the servo. Throws InputError if the device can't be
 /// opened.
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
@@ -58,11 +59,11 @@ struct FileChoice
 {
   std::string Path;
   int Series = 0;        // number of the series in a DICOM folder
-  bool AsLabels = false; // whether a label map is shown as labels
+  bool AsLabels = false; // whether the values are shown as labels
 };
 
-/// Options of the window; files without a name are not read. The key S saves measurements without a
-/// name to the first free of measurements-001.mrk.json ...
+/// Options of the window. A file without a name is not read. If there is no name for measurements,
+/// the key S saves them to the first free file of measurements-001.mrk.json ...
 struct WindowOptions
 {
   std::string Setup;
@@ -71,15 +72,15 @@ struct WindowOptions
   std::string Movie;
   bool Sound = false;
   std::string Tool;   // "needle", "burr", a file, or empty for a point
-  std::string Replay; // a recording of a touch to show
+  std::string Replay; // file of a recorded touch to show
   FileChoice File;
   std::string Notice;     // notice at the beginning
-  bool BringBack = false; // whether unsaved work is restored; see KeptWork.h
+  bool BringBack = false; // whether unsaved work is restored (KeptWork.h)
 };
 
-/// Shows the scene in a window and returns when it is closed, with the file to open next, or an
-/// empty path. Loads the files first, if they exist, and saves them at the end. Throws InputError
-/// if a file can't be read.
+/// Shows the scene in a window until it is closed. Returns the file to open next, or an empty path.
+/// Loads the files first, if they exist, and saves them at the end. Throws InputError if a file
+/// can't be read.
 FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore

@@ -16,8 +16,8 @@ namespace
 {
 using Files = vtksys::SystemTools;
 
-/// Endings of further files that can be touched, besides grids and what vtkHapticRegionSource
-/// opens.
+/// Endings of further files that can be touched, apart from grids and the formats of
+/// vtkHapticRegionSource.
 const char* const FILE_ENDINGS[] = { ".vti", ".nii", ".nii.gz", ".pvd", ".dcm", ".ima" };
 
 bool IsForTouch(const std::string& name)
@@ -29,7 +29,8 @@ bool IsForTouch(const std::string& name)
       [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
 }
 
-/// Lists the lines and paths of a folder: itself, its parent, its folders, and its volumes.
+/// Lists the lines and paths of a folder: the folder itself, its parent, and its folders and
+/// volumes.
 void ListFolderForTouch(
   const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths)
 {
@@ -212,7 +213,7 @@ void WindowFiles::ListSeries()
 void WindowFiles::ShowList(
   const std::string& title, const std::vector<std::string>& lines, int marked)
 {
-  // Ends the touch, because a user who reads a list does not watch the hand.
+  // End the touch, because a user who reads a list does not watch the hand.
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
   this->List.Show(title, lines, marked);

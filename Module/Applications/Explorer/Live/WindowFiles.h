@@ -16,9 +16,9 @@
 
 namespace Explore
 {
-/// Chooses in the window what is touched next: by F2 a file or folder, by F3 another series of the
-/// same DICOM folder, by F4 whether the volume is a label map, or by a file that is dropped on the
-/// window. The window then closes, and the program opens the next one.
+/// Lets the user choose in the window what to touch next: F2 chooses a file or folder, F3 another
+/// series of the same DICOM folder, F4 whether the volume is a label map. A file can also be
+/// dropped on the window. The window then closes, and the program opens the next one.
 class WindowFiles
 {
 public:
@@ -35,7 +35,8 @@ public:
 private:
   void Handle(unsigned long event, void* data);
   bool PressKey(const std::string& key);
-  /// Lists a folder. Takes copies, because the arguments may be the members that it sets.
+  /// Lists a folder. The arguments are copies, because they may be the members that the function
+  /// sets.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
@@ -46,11 +47,11 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   const FileChoice Now;
   FileChoice& Chosen;
-  const std::vector<std::string> Series; ///< names; at least two for a choice
+  const std::vector<std::string> Series; ///< names of the series; a choice needs at least two
   const bool MayBeLabels;
   ListOverlay List;
-  std::string Folder;             ///< the listed folder; empty: the series are listed
-  std::vector<std::string> Paths; ///< paths of the listed lines
+  std::string Folder;             ///< listed folder; empty while series are listed
+  std::vector<std::string> Paths; ///< paths of the lines in the list
   vtkNew<vtkCallbackCommand> Observer;
 };
 } // namespace Explore

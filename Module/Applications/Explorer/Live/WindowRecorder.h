@@ -18,13 +18,13 @@
 
 namespace Explore
 {
-/// Records the window and the touch in files, by keys: F12 writes a picture, F9 begins and ends a
+/// Records the window and the touch to files, by keys: F12 writes a picture, F9 begins and ends a
 /// movie, F10 begins and ends a recording of the touch. Files are numbered: picture-001.png,
 /// movie-001.ogv, touch-001.vtp in the current folder.
 ///
-/// Pictures of a movie are read from the window after it was drawn, at most RATE times a second,
-/// and written by another thread; if it is behind, pictures are left out, and the time stays right.
-/// The head-up display shows what is being recorded.
+/// The pictures of a movie are read from the window after it was drawn, at most RATE times a
+/// second, and written by another thread. If this thread is too slow, pictures are left out, and
+/// the others are shown longer. The head-up display shows what is being recorded.
 class WindowRecorder
 {
 public:
@@ -44,9 +44,9 @@ private:
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
-  /// Reports movies whose threads have ended; waits for all of them if `waits`.
+  /// Reports movies whose threads have ended. If `waits`, waits for all of them.
   void ReportEnded(bool waits);
-  /// Adds a picture of the window to the movie, if it is due.
+  /// Adds a picture of the window to the movie if it is time for one.
   void Film();
   void BeginOrEndTouch();
   /// Shows in the display what is being recorded.
@@ -62,7 +62,7 @@ private:
   };
   std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
-  std::string TouchName;                       ///< name of the present recording
+  std::string TouchName;                       ///< name of the touch recording that is under way
   std::chrono::steady_clock::time_point Begin; ///< when the movie began
   int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };

@@ -14,7 +14,8 @@ namespace
 {
 constexpr int SMOOTHING_PASSES = 2;
 
-/// Computes the Catmull-Rom weights of the four nodes around a fraction t.
+/// Computes the Catmull-Rom weights of the four nodes around a position. t is its fraction between
+/// the middle two.
 void CubicWeights(double t, double weights[4])
 {
   weights[0] = 0.5 * t * (t * (2.0 - t) - 1.0);
@@ -28,7 +29,7 @@ namespace Explore
 {
 namespace
 {
-/// A regular grid over two angles, with the operations that a map of distances needs.
+/// A regular grid over two angles, and the operations on maps of distances.
 class PolarGrid
 {
 public:
@@ -40,12 +41,12 @@ public:
   double Right(int node) const { return (node % this->Columns) * STEP - this->RightLimit; }
   double Up(int node) const { return (node / this->Columns) * STEP - this->UpLimit; }
 
-  /// Fills negative nodes (nothing found) from their neighbours, takes the median of each 3 x 3
-  /// neighbourhood and smooths. At least one node must be above zero.
+  /// Fills negative nodes, for which nothing was found, from their neighbours, takes the median of
+  /// each 3 x 3 neighbourhood, and smooths. At least one node must be above zero.
   void Clean(std::vector<double>& map) const;
   void Smooth(std::vector<double>& map) const;
 
-  /// Catmull-Rom interpolation; angles beyond the grid are clamped.
+  /// Interpolates by Catmull-Rom splines. Angles beyond the grid are clamped.
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
 private:
@@ -163,11 +164,12 @@ double PolarGrid::Interpolate(const std::vector<double>& map, double right, doub
 
 namespace
 {
-// In metres.
-constexpr double SURE_DEPTH = 0.004;   // least depth of a surface; a thinner layer may be noise,
-                                       // hair, or a sinus
-constexpr double THINNEST = 0.002;     // least distance from the outer to the deep surface
-constexpr double DEFAULT_DEEP = 0.010; // depth below the outer surface, if no deep surface is found
+// Depths in metres.
+// smallest depth of a surface; a thinner layer may be noise, hair, or a sinus
+constexpr double SURE_DEPTH = 0.004;
+constexpr double THINNEST = 0.002; // smallest distance between the outer and the deep surface
+// depth below the outer surface where no deep surface is found
+constexpr double DEFAULT_DEEP = 0.010;
 } // namespace
 
 namespace Explore
@@ -203,7 +205,8 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   for (int node = 0; node < grid.Size(); ++node)
   {
     double& deep = this->DeepMap[node];
-    // The depth below the skin varies little between neighbours; a hole gets its neighbours' depth.
+    // Clean the depth below the skin, because it varies little between neighbours: a hole then gets
+    // a similar depth.
     deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
   }
   if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))
@@ -236,7 +239,7 @@ SurfaceMap::Ray SurfaceMap::Cast(
     {
       if (value > analysis.OuterThreshold)
       {
-        // If the first sample inside the volume is already body, a face cuts the scan.
+        // If the first sample in the volume is already body, the scan is cut off at this face.
         ray.Clean = run == 0 ? wasInside : ray.Clean;
         run += 1;
       }
@@ -248,8 +251,8 @@ SurfaceMap::Ray SurfaceMap::Cast(
     }
     else if (ray.Outer - distance > thinnest)
     {
-      // A rise counts, not a height: in T1 MRI fat is as bright as brain, and the dark skull lies
-      // between.
+      // Require a rise, not a value: in T1 MRI, fat is as bright as brain, and the dark skull is
+      // between them.
       dipped = dipped || value < analysis.DeepThreshold;
       if (dipped && value > analysis.DeepThreshold)
       {

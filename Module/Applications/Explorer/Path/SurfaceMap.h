@@ -14,9 +14,9 @@ namespace Explore
 {
 class ValueProbe;
 
-/// Two surfaces as distances from the centre, over the directions around the camera: the outer one
-/// (skin) and, beneath it, the next rise to dense values (skull). Measured with rays from outside,
-/// cleaned of outliers and smoothed, so that a hand can follow a path on them.
+/// Maps two surfaces, as distances from the centre over the directions around the camera: the outer
+/// one (skin), and the next rise to dense values beneath it (skull). They are measured by rays from
+/// outside, cleaned of outliers, and smoothed, so that a hand can follow a path on them.
 class SurfaceMap
 {
 public:
@@ -25,7 +25,8 @@ public:
 
   SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view);
 
-  /// Return the distances from the centre in world units, smooth in both angles (degrees).
+  /// Return the distance of a surface from the centre (world units) in a direction, which is given
+  /// by angles to the right and up (degrees). It is smooth in both angles.
   double Outer(double right, double up) const;
   double Deep(double right, double up) const;
 
@@ -41,8 +42,8 @@ private:
   {
     double Outer = -1.0;
     double Deep = -1.0;
-    bool Clean = false; // whether the ray entered from the outside, not through a cut face of the
-                        // volume
+    // whether the ray entered from the outside, and not through a face at which the scan is cut off
+    bool Clean = false;
     bool Solid = false; // whether the deep structure is thick enough to press on
   };
 
@@ -52,7 +53,7 @@ private:
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
   vtkVector3d Centre;
-  double Start = 0.0; // start of the rays, and their step, world units
+  double Start = 0.0; // distance at which rays start, and their step, both in world units
   double Step = 1.0;
   int Hits = 0;
   std::vector<double> OuterMap, DeepMap, QualityMap;

@@ -15,25 +15,26 @@ namespace
 using Explore::SurfaceMap;
 
 // The hand's movements, in metres, seconds and degrees.
-constexpr double HOVER = 0.015;        // above the surface, before and after
-constexpr double OUTER_PRESS = 0.0025; // below the outer surface
-constexpr double DEEP_PRESS = 0.0015;  // below the deep surface
+constexpr double HOVER = 0.015;        // height above the surface before and after
+constexpr double OUTER_PRESS = 0.0025; // depth below the outer surface
+constexpr double DEEP_PRESS = 0.0015;  // depth below the deep surface
 constexpr double TOP_SPEED = 0.1;
-constexpr double SHORTEST = 0.6; // per movement
-constexpr double REST = 0.15;    // between movements
+constexpr double SHORTEST = 0.6; // shortest duration of a movement
+constexpr double REST = 0.15;    // pause between movements
 constexpr double HALF_ARC = 28.0;
-constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
-constexpr double WANTED_UP = 20.0;     // wanted height of the outer stroke above the middle of the
-                                       // picture
+constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer stroke
+// wanted height of the outer stroke above the middle of the picture
+constexpr double WANTED_UP = 20.0;
 
-/// The position of the strokes: the angles of the middle of the outer stroke.
+/// Position of the strokes, given as the angles of the middle of the outer stroke.
 struct Stroke
 {
   double Right = 0.0;
   double Up = WANTED_UP;
 };
 
-/// Returns a badness that grows with roughness, uncertainty, and distance from the wanted position.
+/// Returns a badness that grows with roughness, with uncertainty, and with the distance from the
+/// wanted position.
 double Badness(const SurfaceMap& map, const Stroke& stroke)
 {
   double badness = 0.0;
@@ -74,7 +75,7 @@ Stroke ChooseStroke(const SurfaceMap& map)
   return best;
 }
 
-/// Goes from 0 to 1, with no jerk at either end.
+/// Rises from 0 to 1 without a jerk at either end.
 double Ease(double t)
 {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
@@ -87,7 +88,7 @@ double Mix(double from, double to, double t)
 
 using Curve = std::function<vtkVector3d(double)>;
 
-/// A curve with its length as the parameter, so that the hand's speed follows its timing.
+/// A curve with its length as the parameter, so that the timing sets the hand's speed.
 class Walk
 {
 public:
@@ -131,12 +132,12 @@ public:
     : MetersPerWorldUnit(metersPerWorldUnit)
     , TicksPerSecond(ticksPerSecond)
   {
-    this->Points->SetDataTypeToDouble(); // with float, the hand would jerk by micrometres
+    this->Points->SetDataTypeToDouble(); // with float, positions would jerk by micrometres
   }
 
   void Move(const std::string& name, const Curve& curve)
   {
-    // The eased movement is 15/8 times as fast in the middle as on average.
+    // The largest speed of an eased movement is 15/8 of the mean speed.
     const Walk walk(curve);
     const double length = walk.Length() * this->MetersPerWorldUnit;
     const double duration = std::max(SHORTEST, 1.875 * length / TOP_SPEED);
@@ -207,7 +208,7 @@ TipPath PlanTipPath(
     [&](double t)
     {
       const double right = Mix(to, from, t);
-      // The stroke back turns away from the first stroke within its first half.
+      // The stroke back turns away from the first stroke during its first half.
       const double up = Mix(outerUp, deepUp, Ease(std::min(1.0, 2.0 * t)));
       return place(right, up, map.Deep(right, up) - deepPress);
     });

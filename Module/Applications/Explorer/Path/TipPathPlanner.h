@@ -13,7 +13,7 @@
 
 namespace Explore
 {
-/// One action of the hand, from tick First up to but not including tick Last.
+/// One action of the hand, from tick First to the tick before Last.
 struct Phase
 {
   std::string Name;
@@ -21,15 +21,15 @@ struct Phase
   vtkIdType Last;
 };
 
-/// The tip's path through the volume: one point for each tick, in world units.
+/// Path of the tip through the volume, with one point for each tick (world).
 struct TipPath
 {
   vtkSmartPointer<vtkPolyData> Path;
   std::vector<Phase> Phases;
 };
 
-/// Approaches from outside, presses on the outer surface, drags along it, presses through to the
-/// deep surface, drags back over it, and leaves; smooth, with a speed of at most 0.1 m/s.
+/// Plans a smooth path with a speed of at most 0.1 m/s: approach from outside, press on the outer
+/// surface, drag along it, press through to the deep surface, drag back over that, and leave.
 TipPath PlanTipPath(
   const SurfaceMap& map, const ViewFrame& view, double metersPerWorldUnit, double ticksPerSecond);
 } // namespace Explore

@@ -22,13 +22,14 @@ namespace
 constexpr double LONGEST = 36000.0; // s
 constexpr int MOST_STEPS = 1000;
 
-/// Reads the next number of a line. Returns false if there is none in the range.
+/// Reads the next number of a line. Returns false if there is none, or if it is out of range.
 bool ReadNumber(std::istringstream& line, double least, double most, double& number)
 {
   return static_cast<bool>(line >> number) && number >= least && number <= most;
 }
 
-/// Reads the words after the time. Returns the fault and the cure; empty if there is none.
+/// Reads the words after the time of an event. Returns the fault and the cure; empty if there is
+/// none.
 std::string ReadEvent(std::istringstream& line, DemoEvent& event)
 {
   std::string word;
@@ -149,7 +150,7 @@ void DemoScript::Play()
       this->From[1] + share * (stroke.Place[1] - this->From[1]));
     if (share < 1.0)
     {
-      return; // events after a stroke wait for its end
+      return; // events after a stroke wait until it has ended
     }
     this->Stroke = nullptr;
   }
@@ -196,7 +197,7 @@ void DemoScript::Do(const DemoEvent& event)
 
 void DemoScript::MoveTo(double x, double y)
 {
-  // The mouse moves in steps like a hand's, even if the timer fires rarely.
+  // Move the mouse in steps like those of a hand, even if the timer fires rarely.
   constexpr double step = 2.0; // pixels
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   const double way = std::hypot((x - this->At[0]) * size[0], (y - this->At[1]) * size[1]);
@@ -214,7 +215,8 @@ void DemoScript::MoveTo(double x, double y)
 
 void DemoScript::Point()
 {
-  // The real pointer may have entered the window, and reported its place.
+  // Set the position again, because the real pointer may have entered the window and reported its
+  // own.
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   this->Interactor->SetEventInformation(static_cast<int>(std::lround(this->At[0] * (size[0] - 1))),
     static_cast<int>(std::lround(this->At[1] * (size[1] - 1))));

@@ -14,8 +14,8 @@
 
 namespace Explore
 {
-/// A demonstration: mouse and keys of a window, from a text file. Each line has a time (s, from the
-/// beginning) and an event; # begins a comment:
+/// An event of a demonstration script, a text file that moves the mouse and presses the keys of a
+/// window. Each line has a time (s, from the beginning) and an event; # begins a comment:
 ///
 ///   0.5  move 0.5 0.55        # puts the mouse there: fractions of the window, from its lower left
 ///   1.0  key t                # a letter, or a name such as Escape, space, F9
@@ -38,15 +38,15 @@ struct DemoEvent
   double Time = 0.0;
   Kind What = Kind::Move;
   double Place[2] = { 0.0, 0.0 }; ///< for Move
-  double Duration = 0.0;          ///< s, for Move; 0: at once
+  double Duration = 0.0;          ///< s, for Move; 0: the mouse jumps
   int Steps = 0;                  ///< for Wheel
   std::string Name;               ///< for Key, Press and Release
 };
 
-/// Reads a script. Throws InputError, with the line, if the file is not one.
+/// Reads a script. Throws InputError, with the line, if the file is not a script.
 std::vector<DemoEvent> ReadDemoScript(const std::string& file);
 
-/// Plays a script in a window, from its first timer event on.
+/// Plays a script in a window, beginning with the first timer event.
 class DemoScript
 {
 public:
@@ -68,9 +68,9 @@ private:
   std::size_t Next = 0;
   bool HasBegun = false;
   std::chrono::steady_clock::time_point Begin;
-  const DemoEvent* Stroke = nullptr; ///< the present stroke
-  double From[2] = { 0.5, 0.5 };     ///< where the stroke began
-  double At[2] = { 0.5, 0.5 };       ///< the place of the mouse
+  const DemoEvent* Stroke = nullptr; ///< stroke that is under way
+  double From[2] = { 0.5, 0.5 };     ///< position at which the stroke began
+  double At[2] = { 0.5, 0.5 };       ///< position of the mouse
   vtkNew<vtkCallbackCommand> TimerObserver;
 };
 } // namespace Explore

@@ -11,14 +11,14 @@
 
 namespace Explore
 {
-/// A movie in an Ogg Theora file (.ogv), written by a separate thread. The owner passes it pictures
-/// and never waits for them; only the destructor waits for the end of the file.
+/// A movie in an Ogg Theora file (.ogv), written by a separate thread. The owner adds pictures
+/// without waiting; only the destructor waits for the end of the file.
 class MovieFile
 {
 public:
   virtual ~MovieFile() = default;
 
-  /// Number of pictures a second.
+  /// Number of pictures per second.
   static constexpr int RATE = 20;
 
   /// Whether this program can write movies.
@@ -27,19 +27,19 @@ public:
   /// Opens a file. Returns null, with the reason, if it can't be written.
   static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
 
-  /// Adds a picture that is shown for count / RATE seconds. Returns false if the thread is behind:
-  /// the picture is dropped, and the next picture has to be shown longer. All pictures must have
-  /// one size.
+  /// Adds a picture that is shown for count / RATE seconds. Returns false if the thread is too
+  /// slow: the picture is then dropped, and the next one has to be shown longer. All pictures must
+  /// have the same size.
   virtual bool Add(vtkImageData* picture, int count) = 0;
 
-  /// Ends the movie: the thread writes the remaining pictures, and ends.
+  /// Ends the movie. The thread writes the remaining pictures, and then ends.
   virtual void End() = 0;
 
   enum class State
   {
     Writing,
     Written,
-    Empty, // ended without a picture: there is no file
+    Empty, // ended without pictures, so that there is no file
     Failed
   };
   virtual State GetState() const = 0;

@@ -26,7 +26,7 @@ struct ForcePictureOptions
   std::vector<std::string> Modes; // names of the trace's modes
 };
 
-/// A window with the parts of the force against time, and the actions of the hand along the top.
+/// A window that plots the parts of the force against time, with the hand's actions along the top.
 struct ForcePicture
 {
   vtkNew<vtkRenderWindow> Window;

@@ -33,7 +33,7 @@ void Write(Writer write, vtkPolyData* trace, const std::string& file)
   std::string error;
   if (!write(trace, file, error))
   {
-    error.pop_back(); // removes the full stop, which InputError adds
+    error.pop_back(); // removes the full stop, because InputError adds one
     throw Explore::InputError(
       file, "cannot be written: " + error, "--pictures DIR names another folder");
   }
@@ -63,7 +63,7 @@ void WriteTable(vtkPolyData* trace, const std::string& file)
 
 void WriteImage(vtkImageData* image, const std::string& file)
 {
-  const MessageCapture capture; // the fault is reported below
+  const MessageCapture capture; // the fault is reported below instead
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(image);

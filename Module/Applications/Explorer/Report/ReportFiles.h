@@ -12,17 +12,17 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// Creates the folder, or throws InputError.
+/// Creates the folder. Throws InputError on failure.
 void MakeFolder(const std::string& folder);
 
 /// Writes the whole trace as VTK polygonal data.
 void WriteTrace(vtkPolyData* trace, const std::string& file);
 
-/// Writes a row for each tick and a column for each component of an array; the header has the
-/// units.
+/// Writes a table with a row for each tick and a column for each component of an array. The header
+/// has the units.
 void WriteTable(vtkPolyData* trace, const std::string& file);
 
-/// Writes an image in VTK's XML format, with all of its arrays, not compressed.
+/// Writes an image in VTK's XML format, with all of its arrays, uncompressed.
 void WriteImage(vtkImageData* image, const std::string& file);
 
 /// Renders the window into a PNG file.

@@ -10,7 +10,7 @@ namespace Explore
 {
 std::vector<float> MakeSound(const Exploration& exploration)
 {
-  constexpr double step = 0.001; // s, at the end
+  constexpr double step = 0.001; // s, step of the ticks after the end
   constexpr int steps = 500;
   ContactSound sound(SAMPLES_PER_SECOND);
   std::vector<float> samples;

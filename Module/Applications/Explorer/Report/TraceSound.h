@@ -10,7 +10,7 @@
 
 namespace Explore
 {
-/// Makes the sound along the trace of an exploration, with its fading after the end: see
+/// Makes the sound along the trace of an exploration, including its fading after the end: see
 /// ContactSound.
 std::vector<float> MakeSound(const Exploration& exploration);
 

@@ -20,7 +20,7 @@ using Explore::Exploration;
 constexpr double LEAST_FELT = 0.01; // N
 constexpr const char* CONTACTS[] = { "free", "sticking", "sliding", "penetrating" };
 
-/// The columns of the trace, by their meaning.
+/// The columns of the trace.
 struct Columns
 {
   explicit Columns(vtkPolyData* trace)
@@ -63,13 +63,13 @@ struct Share
   }
 };
 
-/// Whether the trace has values of surfaces. Modes have none.
+/// Whether the trace has values at surfaces. Modes have no such values.
 bool HasSurfaces(const Exploration& e)
 {
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/// Returns the tissues that the values of surfaces can distinguish.
+/// Returns the tissues that the values at surfaces can distinguish.
 std::vector<Explore::Tissue> CollectTissues(const Exploration& e)
 {
   return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();

@@ -9,7 +9,7 @@
 
 namespace Explore
 {
-/// Returns a readable page: the volume, the settings, contacts and forces, and the speed of the
+/// Returns a readable summary of the volume, the settings, contacts, forces, and the speed of the
 /// computation.
 std::string Summarise(const Exploration& exploration);
 } // namespace Explore

@@ -42,8 +42,8 @@ constexpr double TUBE_RADIUS = 0.0012; // m
 constexpr double SPACING = 0.0006;     // m between the points of the tube
 constexpr const char* FORCE_NAME = "Force (N)";
 
-/// Makes a polyline with a point every SPACING, because the trace stands still for many ticks, but
-/// a tube needs distinct points. Each point has the largest force since the previous one.
+/// Makes a polyline with a point every SPACING, because a tube needs distinct points, while the
+/// trace stands still for many ticks. Each point has the largest force since the previous one.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
 {
   vtkDataArray* force = trace->GetPointData()->GetArray("Force");
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
   return thinned;
 }
 
-/// Makes colours from blue (free) through green and yellow to red, distinct from the colours of
+/// Makes colours from blue (free) through green and yellow to red, which differ from the colours of
 /// skin and bone.
 vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
 {
@@ -89,7 +89,7 @@ vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
   return colours;
 }
 
-/// The scale's labels: 0, Step, 2 Step ... up to the largest force or just beyond.
+/// Labels of the colour scale: 0, Step, 2 Step ... up to the largest force or just above it.
 struct Scale
 {
   double Step;
@@ -140,8 +140,8 @@ namespace Explore
 namespace
 {
 /// Adds a tube along the proxy's path, coloured by the magnitude of the force, and its scalar bar.
-/// `overlay`, which is drawn over the renderer's picture, gets a faint copy that shows the hidden
-/// parts of the tube.
+/// Adds a faint copy to `overlay`, which is drawn over the renderer's picture, so that hidden parts
+/// of the tube are visible.
 
 void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
   double metersPerWorldUnit, int pictureHeight)
@@ -183,7 +183,7 @@ namespace
 using Explore::ExplorerScene;
 using Explore::MapperChoice;
 
-/// Returns the image without its place in the world. VTK 9.1's CPU mapper ignores the direction
+/// Returns the image without its geometry in the world. VTK 9.1's CPU mapper ignores the direction
 /// matrix, so both mappers get the plain block of voxels, and the volume's own matrix places it.
 vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
   return plain;
 }
 
-/// Sampled without jitter, so that every run gives the same picture.
+/// Makes the mapper. Samples are taken without jitter, so that every run gives the same picture.
 vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
@@ -226,7 +226,7 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
 {
   if (window->GetNeverRendered())
   {
-    window->Render(); // only a window with a context knows
+    window->Render(); // only a window with a context can tell
   }
   auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
   const int* size = image->GetDimensions();
@@ -249,13 +249,14 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   bool gpu = options.Mapper != MapperChoice::CPU;
   if (options.Mapper == MapperChoice::Auto)
   {
-    // If the processor emulates the graphics card, its own ray casting takes a fifth of the time,
-    // and input interrupts it. A picture may take longer.
+    // If the CPU emulates the graphics card, its own ray casting takes a fifth of the time, and
+    // input can interrupt it. This does not matter for a picture, which may take longer.
     gpu = IsGPUUsable(scene.Window, property, image) &&
       !(options.Interactive && VolumeHaptics::IsSoftwareOpenGL(scene.Window));
   }
   const double* spacing = image->GetSpacing();
-  // A frame on the graphics card can't be interrupted, but a picture may take longer.
+  // A frame on the graphics card can't be interrupted, so its samples are coarser than those of a
+  // picture.
   const double voxels = gpu && options.Interactive ? 1.0 : 0.5;
   const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
 
@@ -310,15 +311,16 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   scene.Marker->SetViewport(0.84, 0.80, 1.0, 1.0);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
-  // Otherwise the cube would set its letters, and find their edges, several times in each frame.
-  cube->HasTranslucentPolygonalGeometry(); // sets them
+  // Without this call, the cube would set its letters, and find their edges, several times in each
+  // frame.
+  cube->HasTranslucentPolygonalGeometry(); // sets the letters
   scene.Marker->AddActor(cube->GetAssembly());
   Explore::ViewFrame centred = view;
   centred.Centre = vtkVector3d(0.0, 0.0, 0.0);
   Explore::AimCamera(scene.Marker, centred, 5.0);
 }
 
-/// Adds a lamp at the camera's upper left, and light from all sides, so that no side is black.
+/// Adds a light at the camera's upper left, and light from all sides, so that no side is black.
 void AddLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> lamp, fill;
@@ -368,8 +370,9 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Renderer->SetBackground(0.07, 0.09, 0.12);
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
-  AddLights(scene.Renderer); // before the first rendering, or VTK adds its own
-  // A moving volume is shown as it is felt.
+  // before the first rendering, because VTK would otherwise add its own light
+  AddLights(scene.Renderer);
+  // Show a moving volume as it is felt, without hiding anything.
   const bool isMoving = exploration.Input.TimeSteps != nullptr;
   AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
   vtkPolyData* const outline = exploration.Input.Outline;

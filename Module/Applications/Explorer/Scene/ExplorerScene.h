@@ -20,8 +20,8 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  // Chooses the GPU's mapper if the window and the volume allow it, else the CPU's. In a window for
-  // touching, chooses the CPU's mapper also if OpenGL runs on the CPU.
+  // The GPU's mapper if the window and the volume allow it, otherwise the CPU's. A window for
+  // touching also uses the CPU's mapper if OpenGL runs on the CPU.
   Auto,
   GPU,
   CPU
@@ -33,28 +33,28 @@ struct SceneOptions
   int Height = 700;
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
-  bool Anatomical = true; // letters of the marker: the patient's sides instead of axes
+  bool Anatomical = true; // whether the marker has letters of the patient's sides instead of axes
   bool OffScreen = true;
-  double SliceShare = 0.0;     // fraction of the width for slices beside the scene; 0: hidden
-  CutKind Cut = CutKind::None; // the cut of the window at first
-  bool Interactive = false;    // a window for touching, without the trail
+  double SliceShare = 0.0;     // fraction of the width that slices beside the scene have; 0: hidden
+  CutKind Cut = CutKind::None; // cut in the window at the beginning
+  bool Interactive = false;    // whether this is a window for touching, without the trail
 };
 
-/// A window that shows the volume, the proxy's trail coloured by force, the meaning of the colours,
-/// and which way is up.
+/// A window that shows the volume, the proxy's trail coloured by force, a scale of the colours, and
+/// a marker of the directions.
 struct ExplorerScene
 {
   vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
   vtkNew<vtkRenderer> Renderer; // volume and trail
-  vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
+  vtkNew<vtkRenderer> Overlay;  // hidden parts of the trail, drawn with the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
-  vtkNew<vtkHapticRegionPicture> Refined; // shows a large volume finely around the hand
+  vtkNew<vtkHapticRegionPicture> Refined; // shows a large volume in fine detail around the hand
   std::string MapperName;
 };
 
-/// Fills the scene.
+/// Builds all parts of the scene.
 void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
 } // namespace Explore
 

@@ -27,8 +27,8 @@
 
 namespace Explore
 {
-/// A plane on which only the handles use the mouse: the ball pushes it along its normal, the arrow
-/// turns it. Elsewhere the mouse belongs to the scene.
+/// A plane on which only the handles use the mouse: the ball pushes the plane along its normal, the
+/// arrow turns it. Elsewhere the scene uses the mouse.
 class PlaneHandles : public vtkImplicitPlaneRepresentation
 {
 public:
@@ -51,7 +51,7 @@ vtkStandardNewMacro(PlaneHandles);
 PlaneHandles::PlaneHandles()
 {
   constexpr double pixels = 9.0;
-  constexpr double line = 0.85; // the brightness of handles that the mouse does not hold
+  constexpr double line = 0.85; // brightness of handles that the mouse does not hold
   this->SetPlaceFactor(1.0);
   this->SetHandleSize(pixels);
   this->SetDrawPlane(0);
@@ -64,7 +64,8 @@ PlaneHandles::PlaneHandles()
   this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
   this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
   this->Picker->DeletePickList(this->CutActor);
-  // Finds the outline, whose name differs between versions of VTK.
+  // Find the outline among the pickable parts, because its accessor's name differs between versions
+  // of VTK.
   vtkPropCollection* const picked = this->Picker->GetPickList();
   for (int i = picked->GetNumberOfItems(); i-- > 0;)
   {
@@ -92,7 +93,7 @@ namespace
 constexpr int KEPT_INSIDE = VTK_CROP_SUBVOLUME;
 constexpr int KEPT_OUTSIDE = 0x7ffffff & ~VTK_CROP_SUBVOLUME;
 
-/// Uses only the left button on a handle: the other buttons are the scene's.
+/// Makes a widget use only the left button, and only on a handle. The scene uses the other buttons.
 void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
 {
   vtkWidgetEventTranslator* const events = widget->GetEventTranslator();
@@ -105,7 +106,7 @@ void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
   widget->SetDefaultRenderer(renderer);
 }
 
-/// Computes the bounds of points along the axes on the other side of a matrix.
+/// Computes the bounds of points in the coordinates to which a matrix maps them.
 void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
 {
   vtkBoundingBox box;
@@ -119,8 +120,8 @@ void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double b
   box.GetBounds(bounds);
 }
 
-/// Makes the map from the world to coordinates along the axes of an image's data, in which regions
-/// are given.
+/// Computes the map from the world to coordinates along the axes of an image's data, in which
+/// cropping regions are defined.
 void MakeWorldToData(vtkImageData* image, vtkMatrix4x4* toData)
 {
   const double* const origin = image->GetOrigin();
@@ -129,7 +130,7 @@ void MakeWorldToData(vtkImageData* image, vtkMatrix4x4* toData)
     double shift = origin[row];
     for (int column = 0; column < 3; ++column)
     {
-      // The direction matrix is orthogonal.
+      // The inverse of the direction matrix is its transpose, because the matrix is orthogonal.
       const double element = image->GetDirectionMatrix()->GetElement(column, row);
       toData->SetElement(row, column, element);
       shift -= element * origin[column];
@@ -238,7 +239,7 @@ void VolumeCut::SetKind(CutKind kind)
   }
   this->Kind = kind;
   this->IsTurned = false;
-  this->Volume->GetProperty()->SetDisableGradientOpacity(kind == CutKind::None); // VolumeLook.h
+  this->Volume->GetProperty()->SetDisableGradientOpacity(kind == CutKind::None); // see VolumeLook.h
   if (kind == CutKind::Plane)
   {
     this->PlacePlane();
@@ -306,7 +307,8 @@ void VolumeCut::PlacePlane()
 
 void VolumeCut::PlaceBox()
 {
-  constexpr double margin = 0.02; // as a fraction of the body, towards the viewer
+  // fraction of the body by which the box reaches beyond it, towards the viewer
+  constexpr double margin = 0.02;
   vtkNew<vtkMatrix4x4> toVolume;
   vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toVolume);
   vtkNew<vtkPoints> corners;

@@ -24,11 +24,11 @@ enum class CutKind
 {
   None,
   Plane, // cuts away everything in front of it
-  Box    // a window into the volume, along the axes of its voxels
+  Box    // a box-shaped cut into the volume, along the axes of its voxels
 };
 
 /// Cuts a volume open: the part that is cut away is neither seen nor felt. Planes and boxes have
-/// handles, which get the mouse before the scene does:
+/// handles, which use the mouse before the scene does:
 ///
 ///   plane      the ball pushes it, the arrow turns it
 ///   box        the balls move its faces, the one in the middle moves it
@@ -44,9 +44,9 @@ public:
   VolumeCut(const VolumeCut&) = delete;
   VolumeCut& operator=(const VolumeCut&) = delete;
 
-  /// Sets the volume to cut. The body (world bounds) is the part of the volume that is worth
-  /// opening; `handles` is a renderer over the volume with the same camera. Without regions there
-  /// is only the plane, because another part of the program crops the mapper.
+  /// Sets the volume to cut. `body` (world bounds) is the part of the volume that is worth opening.
+  /// `handles` is a renderer over the volume with the same camera. If hasRegions is false, there is
+  /// only the plane, because another part of the program crops the mapper.
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
@@ -59,7 +59,7 @@ public:
   bool HasRegions() const { return this->HasBox; }
   void TurnOver();
 
-  /// Returns the list of keys, as in vtkHapticHeadUpDisplay::HelpText.
+  /// Returns the list of keys, in the form of vtkHapticHeadUpDisplay::HelpText.
   const char* ListKeys() const;
 
 private:
@@ -67,10 +67,10 @@ private:
   void PlacePlane();
   void PlaceBox();
   void ShowHandles();
-  /// Updates the volume and the filter from the handles.
+  /// Updates the cuts of the volume and of the filter from the handles.
   void Apply();
   void ApplyBox();
-  /// Returns the direction of an axis of the voxels: world, a unit vector.
+  /// Returns the direction of an axis of the voxels (world, unit vector).
   void GetAxis(int axis, double direction[3]) const;
 
   vtkSmartPointer<vtkVolume> Volume;
@@ -79,7 +79,7 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   double Body[6] = { 0, 1, 0, 1, 0, 1 };
   bool HasBox = true;
-  bool IsTurned = false; // whether the inside of the box is kept
+  bool IsTurned = false; // whether the inside of the box is kept and the outside is cut away
   CutKind Kind = CutKind::None;
   vtkNew<vtkPlane> Plane;
   vtkNew<PlaneHandles> PlaneShape;

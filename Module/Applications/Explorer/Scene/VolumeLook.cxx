@@ -35,10 +35,10 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
 }
 
 constexpr double OPAQUE = VolumeHaptics::LookOpaque;
-/// The thickness (m) of a layer of a field that has the opacity of the functions.
+/// Thickness (m) of a layer of a field that has the opacity given by the functions.
 constexpr double FIELD_LAYER = 0.004;
 
-/// Colours of tissues; and colours of a field, from slow to fast.
+/// The first row has colours of tissues, the second one colours of a field, from slow to fast.
 const Colour COLOURS[2][5] = {
   { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
     { 0.98, 0.90, 0.82 } },
@@ -56,8 +56,8 @@ void LookByThresholds(
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
-    // Short: what is felt is what is not hidden, and of thin parts that reach only its lower half,
-    // hardly anything is seen.
+    // The ramp is short: what is visible is felt, so of thin parts whose values reach only the
+    // ramp's lower half, hardly anything may be seen.
     { outer + 0.6 * step, 0.00, of[0] },
     { outer + step, body, of[1] },
     { deep, body, of[2] },
@@ -67,7 +67,7 @@ void LookByThresholds(
   Apply(stops, property);
 }
 
-/// Sets the colours of CTLook, with an opacity that rises from 0 to 1 between two values.
+/// Sets the colours of CTLook, and an opacity that rises from 0 to 1 between two values.
 void LookAtCT(double from, double to, vtkVolumeProperty* property)
 {
   Apply(VolumeHaptics::CTLook, property);
@@ -77,13 +77,13 @@ void LookAtCT(double from, double to, vtkVolumeProperty* property)
   opacity->AddPoint(to, OPAQUE);
 }
 
-/// For a cut: makes tissue transparent where values change by less than at the outer surface;
-/// otherwise a cut face would show only the shading of noise.
+/// Sets the gradient opacity for a cut: tissue is transparent where values change by less than at
+/// the outer surface. Otherwise a cut face would show only the shading of noise.
 void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
-  const double edge = analysis.OuterThreshold - air; // the rise in a voxel of a surface two voxels
-                                                     // wide
+  // rise per voxel at a surface that is two voxels wide
+  const double edge = analysis.OuterThreshold - air;
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.1 * edge, 0.05);
   opacity->AddPoint(0.3 * edge, 1.0);
@@ -118,7 +118,7 @@ void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property)
   }
   property->SetColor(colour);
   property->SetScalarOpacity(opacities);
-  property->SetInterpolationTypeToNearest(); // there is no label between two numbers
+  property->SetInterpolationTypeToNearest(); // there are no labels between two numbers
 }
 
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)

@@ -11,20 +11,20 @@ class vtkVolumeProperty;
 namespace Explore
 {
 /// Sets colours and opacities. The outer surface, which a hand meets first, is visible: half of the
-/// opacity along a ray through a CT is within about a voxel of it. A field, which has no surface
-/// that holds, is like glass with opaque parts, equally clear at every scale. The gradient opacity,
-/// for a cut, is disabled here.
+/// opacity along a ray through a CT is within about a voxel of it. A field has no surface that
+/// holds, so it looks like glass with opaque parts, equally clear at every scale. The gradient
+/// opacity, which is for a cut, is disabled here.
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
 
-/// Whether the inside has something to see and to feel. Returns false for labels, each of which can
-/// be hidden, and for fields.
+/// Whether the inside has parts to see and to feel. Returns false for labels, which can be hidden
+/// one by one, and for fields.
 bool HasInside(const Analysis& analysis);
 
-/// Shows only the dense parts of the volume. vtkHapticProperty::SetVisibilityFrom makes the same
-/// parts felt.
+/// Shows only the dense parts of the volume. With vtkHapticProperty::SetVisibilityFrom, only these
+/// parts are felt, too.
 void SetInsideLook(const Analysis& analysis, vtkVolumeProperty* property);
 
-/// Sets the colours of labels, each from half a number below its own to half a number above.
+/// Sets the colour of each label, from half a number below the label to half a number above it.
 void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property);
 } // namespace Explore
 

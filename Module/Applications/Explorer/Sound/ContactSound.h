@@ -11,7 +11,7 @@
 
 namespace Explore
 {
-constexpr int SAMPLES_PER_SECOND = 48000; // for files and loudspeakers
+constexpr int SAMPLES_PER_SECOND = 48000; // sample rate of files and loudspeakers (Hz)
 
 /// The sound of a tip on surfaces: noise while it slides, a click where it touches one, and a click
 /// with a burst of noise where it goes through.
@@ -55,11 +55,11 @@ public:
 
   explicit ContactSound(double samplesPerSecond);
 
-  /// Computes the pitch f of a material (Hz), from its stiffness (N/m) and strength (N).
+  /// Computes the pitch f (Hz) of a material from its stiffness (N/m) and strength (N).
   static double ComputePitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
-  /// Lets the noise fade for a time (s) without ticks; call this instead of Feed.
+  /// Makes the noise fade during a time (s) without ticks. Call this instead of Feed.
   void Rest(double seconds) noexcept;
   void Render(float* samples, std::size_t count) noexcept;
 
@@ -67,7 +67,7 @@ private:
   void UpdatePower(double watts, double seconds) noexcept;
   void UpdateTouch(const SoundTick& tick, double seconds) noexcept;
   void UpdatePuncture(const SoundTick& tick, double seconds) noexcept;
-  /// Strikes the resonance; returns J / (J + 0.1 N).
+  /// Starts the resonance of a click. Returns J / (J + 0.1 N).
   double Strike(double impact) noexcept;
   void SetPitch(double pitch) noexcept;
   double NextNoise() noexcept;
@@ -76,20 +76,21 @@ private:
   double LastTime = 0.0;
   bool HasTime = false;
 
-  // Per tick.
-  double Power[2] = { 0.0, 0.0 }; // W, behind the first and the second low-pass
+  // Updated once per tick.
+  double Power[2] = { 0.0, 0.0 }; // W, after the first and the second low-pass
   double Burst = 0.0;             // effective value of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
-  double TouchTime = -1.0;        // s since the first touch, while its impact is measured
-  double Impact = 0.0;            // largest normal force since the first touch (N)
-  double Peak = 0.0;              // N, the peak while a surface is penetrated
+  // s since the first touch, while its impact is being measured; negative: none is
+  double TouchTime = -1.0;
+  double Impact = 0.0; // largest normal force since the first touch (N)
+  double Peak = 0.0;   // largest normal force (N) while a surface is penetrated
   SurfaceContact Contact = SurfaceContact::Free;
   double Pitch; // Hz, the pitch of the last surface
 
-  // Per sample.
+  // Updated once per sample.
   double Level = 0.0;  // effective value of the noise
-  double Wanted = 0.0; // what Level grows or falls to
-  double MostStep;     // the largest change of Level per sample
+  double Wanted = 0.0; // value to which Level rises or falls
+  double MostStep;     // largest change of Level from one sample to the next
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass
   {
@@ -100,7 +101,7 @@ private:
   double Warp = 0.0; // tan(pi f / sample rate)
   double Scale = 0.0;
   std::complex<double> Ring;
-  std::complex<double> Turn; // the turn of Ring per sample
+  std::complex<double> Turn; // factor by which Ring turns from one sample to the next
 };
 } // namespace Explore
 

@@ -16,9 +16,8 @@ namespace
 {
 using Explore::SoundStream;
 
-constexpr std::uint32_t LATENCY = 25; // ms, requested from the server
-/// The longest wait for the fade at the end, so that a server that hangs does not delay the
-/// program.
+constexpr std::uint32_t LATENCY = 25; // ms, which the server is asked for
+/// Longest wait for the fade at the end, so that a server that hangs does not delay the program.
 constexpr std::chrono::milliseconds FADE(60);
 
 class PulseOutput : public Explore::SoundOutput
@@ -82,7 +81,7 @@ PulseOutput::~PulseOutput()
       std::this_thread::sleep_for(FADE);
     }
     pa_threaded_mainloop_stop(this->Loop);
-    // The thread has ended: no callbacks or waits happen below.
+    // The thread has ended, so nothing below calls back or waits.
     if (this->Stream)
     {
       pa_stream_set_state_callback(this->Stream, nullptr, nullptr);
@@ -160,7 +159,7 @@ void PulseOutput::HandleStream(pa_stream* stream, void* self)
   auto* const output = static_cast<PulseOutput*>(self);
   const pa_stream_state_t state = pa_stream_get_state(stream);
   output->Plays = state == PA_STREAM_READY;
-  // A stream that fails with its context reports nothing new.
+  // Don't report a stream that has failed together with its context.
   if (state == PA_STREAM_FAILED && pa_context_get_state(output->Context) == PA_CONTEXT_READY)
   {
     output->Report(pa_strerror(pa_context_errno(output->Context)));
@@ -183,7 +182,7 @@ void PulseOutput::Write(pa_stream* stream, std::size_t bytes, void* self)
     const std::size_t written = count * sizeof(float);
     if (pa_stream_write(stream, memory, written, nullptr, 0, PA_SEEK_RELATIVE) < 0)
     {
-      return; // the state says why
+      return; // the stream's state has the reason
     }
     bytes -= written;
   }

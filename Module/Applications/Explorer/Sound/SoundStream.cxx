@@ -8,13 +8,12 @@
 
 namespace
 {
-constexpr std::size_t CAPACITY = 4096;   // ticks
+constexpr std::size_t CAPACITY = 4096;   // number of ticks
 constexpr double STEP = 0.001;           // s between polls for ticks
 constexpr double MOST_BACKLOG = 0.3;     // s
 constexpr double LONGEST_STARVED = 0.05; // s
 constexpr double GAIN_TIME = 0.01;       // s, from silence to the full sound
-constexpr double WINDOW = 1.0;           // s; within this time at least one burst is played to its
-                                         // end
+constexpr double WINDOW = 1.0;           // s in which at least one burst is played to its end
 constexpr double SPARE_BACKLOG = 0.02;   // s
 constexpr double FASTER = 1.05;
 } // namespace
@@ -62,19 +61,19 @@ void SoundStream::Advance(double seconds) noexcept
   const double newest = this->Newest.load(std::memory_order_acquire);
   if (!std::isfinite(newest))
   {
-    return; // no tick so far
+    return; // no tick has arrived yet
   }
   if (!this->HasBegun || newest - this->Position > MOST_BACKLOG)
   {
     this->HasBegun = true;
     this->Position = newest;
-    // Skipped, because the clicks of all skipped ticks would come at once.
+    // Don't play the skipped ticks, because all of their clicks would come at once.
     while (this->Ticks.Pop(this->Next))
     {
       this->HasNext = true;
     }
   }
-  // The times of a restarted servo begin anew, too.
+  // If the servo was restarted, its times have begun anew, too.
   this->Position = std::min(this->Position + this->Pace * seconds, newest);
   this->UpdateBacklog(newest - this->Position, seconds);
   this->Starved += seconds;

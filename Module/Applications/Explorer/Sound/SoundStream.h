@@ -11,14 +11,13 @@
 
 namespace Explore
 {
-/// Passes ticks from one thread to another, which plays them as sound, without waiting on either
-/// side.
+/// Transfers ticks from one thread to another, which plays them as sound. Neither thread waits.
 ///
-/// The ticks come in bursts, as often as the window is drawn, and are played at the pace of their
-/// times. The sound is as late as the last burst was long, but at most 0.3 s: older ticks are
-/// skipped. If no ticks come for 50 ms, the noise fades.
+/// The ticks arrive in bursts, one for each frame of the window, and are played at the pace of
+/// their times. The delay of the sound equals the length of the last burst, but at most 0.3 s:
+/// older ticks are skipped. If no tick arrives for 50 ms, the noise fades.
 ///
-/// Sound begins, is muted and comes back over 10 ms.
+/// Sound begins, is muted and returns within 10 ms.
 class SoundStream
 {
 public:
@@ -26,26 +25,26 @@ public:
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// Adds a tick, in order; for the thread with the ticks. If 4096 ticks wait already, the tick is
-  /// lost.
+  /// Adds a tick, in the order of time. Called on the thread with the ticks. If 4096 ticks are
+  /// waiting, the tick is lost.
   void Push(const SoundTick& tick) noexcept;
 
-  /// Mutes the sound or lets it be heard; for any thread.
+  /// Mutes or unmutes the sound. Any thread may call it.
   void SetMuted(bool muted) noexcept { this->Muted.store(muted, std::memory_order_relaxed); }
   bool IsMuted() const noexcept { return this->Muted.load(std::memory_order_relaxed); }
 
-  /// Writes the next samples, each in -0.9 ... 0.9; for the thread that plays.
+  /// Writes the next samples, each from -0.9 to 0.9. Called on the thread that plays.
   void Render(float* samples, std::size_t count) noexcept;
   double GetSampleRate() const noexcept { return this->SampleRate; }
 
 private:
   void Advance(double seconds) noexcept;
-  /// Plays a little faster as long as more ticks wait than bursts need.
+  /// Plays a little faster as long as more ticks are waiting than a burst needs.
   void UpdateBacklog(double backlog, double seconds) noexcept;
 
   const double SampleRate;
   std::atomic<bool> Muted{ false };
-  std::atomic<double> Newest; // s, the time of the last pushed tick
+  std::atomic<double> Newest; // time of the last pushed tick (s)
   VolumeHaptics::TraceRing<SoundTick> Ticks;
 
   // Used by the thread that plays.
@@ -53,11 +52,11 @@ private:
   SoundTick Next;
   bool HasNext = false;
   bool HasBegun = false;
-  double Position = 0.0; // time of the played sound, on the clock of the ticks (s)
-  double Starved = 0.0;  // s without a tick
+  double Position = 0.0; // time of the played sound (s), on the clock of the ticks
+  double Starved = 0.0;  // time since the last tick (s)
   double Pace = 1.0;
-  double WindowTime = 0.0;   // s since the search for LeastBacklog began
-  double LeastBacklog = 0.0; // least backlog in that time (s)
+  double WindowTime = 0.0;   // time (s) since the search for LeastBacklog began
+  double LeastBacklog = 0.0; // least backlog during that search (s)
   double Gain = 0.0;
 };
 } // namespace Explore

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// The numbers are those of the array Contact of traces and states.
+/// Contact of the proxy. The numbers are those of the array Contact in traces and states.
 enum class SurfaceContact : std::uint8_t
 {
   Free = 0,
@@ -16,13 +16,13 @@ enum class SurfaceContact : std::uint8_t
   Penetrating = 3
 };
 
-/// The audible data of one tick of the servo.
+/// The data of a servo's tick on which sound depends.
 struct SoundTick
 {
   double Time = 0.0;          // s
   double NormalForce = 0.0;   // N, on the hand
   double FrictionForce = 0.0; // N, on the hand
-  double Speed = 0.0;         // m/s, the speed of the proxy
+  double Speed = 0.0;         // speed of the proxy (m/s)
   double Stiffness = 0.0;     // k of the surface's material, N/m
   double Strength = 0.0;      // T_N of the surface's material, N
   SurfaceContact Contact = SurfaceContact::Free;

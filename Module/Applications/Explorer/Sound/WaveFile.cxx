@@ -11,7 +11,7 @@
 
 namespace
 {
-/// Appends a number, lowest byte first, on any computer.
+/// Appends a number with its lowest byte first, whatever the computer's byte order.
 void Append(std::string& bytes, std::uint32_t number, int count)
 {
   for (int i = 0; i < count; ++i, number >>= 8)
@@ -34,7 +34,7 @@ void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const st
   bytes += "WAVEfmt ";
   Append(bytes, 16, 4); // size of the format (bytes)
   Append(bytes, 1, 2);  // PCM
-  Append(bytes, 1, 2);  // channel
+  Append(bytes, 1, 2);  // one channel
   Append(bytes, rate, 4);
   Append(bytes, rate * sampleSize, 4);
   Append(bytes, sampleSize, 2);

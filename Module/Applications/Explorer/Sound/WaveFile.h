@@ -8,11 +8,11 @@
 
 namespace Explore
 {
-/// Writes samples in -1 ... 1 as 16-bit PCM, mono. Throws InputError if that fails.
+/// Writes samples from -1 to 1 as 16-bit PCM, mono. Throws InputError on failure.
 ///
 /// The format follows "Multimedia Programming Interface and Data Specifications 1.0" (IBM and
-/// Microsoft, 1991): a head of 44 bytes and the samples. A library for this would be one more
-/// package for building the program.
+/// Microsoft, 1991): a head of 44 bytes and the samples. No library is used, because it would be
+/// one more package for building the program.
 void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const std::string& file);
 } // namespace Explore
 

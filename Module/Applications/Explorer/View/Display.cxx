@@ -20,14 +20,14 @@
 
 namespace
 {
-/// Returns the dots per inch of an X11 screen; 0 if it does not report them. VTK 9.1 reads them on
-/// other systems only.
+/// Returns the dots per inch of an X11 screen; 0 if it does not report them. VTK 9.1 reads them
+/// only on other systems.
 double ReadDots([[maybe_unused]] vtkRenderWindow* window)
 {
   double dots = 0.0;
 #if defined(__linux__)
-  // Uses the library that VTK has loaded, if any, because X11's header defines macros with common
-  // names.
+  // Use the library that VTK has loaded, if any, without X11's header, which defines macros with
+  // common names.
   void* const library = window->IsA("vtkXOpenGLRenderWindow")
     ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD)
     : nullptr;

@@ -12,7 +12,7 @@
 
 namespace Explore
 {
-/// A list over the scene with one marked line: to choose a file or a series.
+/// A list over the scene, with one marked line, from which the user chooses a file or a series.
 class ListOverlay
 {
 public:
@@ -25,7 +25,7 @@ public:
   void Show(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Hide();
   bool IsShown() const;
-  /// Moves the mark up (negative) or down. It stays within the list.
+  /// Moves the mark up (negative) or down, within the list.
   void Move(int lines);
   int GetMarked() const { return this->Marked; }
   /// Returns the number of the line at a position (pixels); -1 if there is none.
@@ -39,8 +39,8 @@ private:
   std::string Title;
   std::vector<std::string> Lines;
   int Marked = 0;
-  int First = 0; ///< the first visible line
-  int Seen = 0;  ///< the number of visible lines
+  int First = 0; ///< number of the first visible line
+  int Seen = 0;  ///< number of visible lines
 };
 } // namespace Explore
 

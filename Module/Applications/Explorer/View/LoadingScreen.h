@@ -14,13 +14,13 @@
 
 namespace Explore
 {
-/// Shows the program's progress in a window, until the scene is there.
+/// Shows the program's progress in a window until the scene is ready.
 class LoadingScreen
 {
 public:
-  /// Opens the window, at the window's own size.
+  /// Opens the window. Its size stays unchanged.
   explicit LoadingScreen(vtkRenderWindow* window);
-  /// Leaves the window open and empty.
+  /// Removes the progress, and leaves the window open and empty.
   ~LoadingScreen();
   LoadingScreen(const LoadingScreen&) = delete;
   LoadingScreen& operator=(const LoadingScreen&) = delete;

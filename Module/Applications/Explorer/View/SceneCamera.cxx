@@ -12,8 +12,8 @@
 namespace
 {
 constexpr double VIEW_ANGLE = 24.0; // degrees: a long lens, so that a head is not distorted
-constexpr double MARGIN = 0.88;     // fraction of the distance, because a box is larger than its
-                                    // content
+// fraction of the camera's distance, because the content is smaller than its box
+constexpr double MARGIN = 0.88;
 constexpr double BOX_MARGIN = 1.05; // MARGIN where the box itself is visible
 } // namespace
 

@@ -9,12 +9,13 @@ class vtkRenderer;
 
 namespace Explore
 {
-/// Looks along the view frame at its centre, upright, from `distance`.
+/// Points the camera at the centre of the view frame, along its direction and upright, from
+/// `distance`.
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
-/// Aims like AimCamera, from the distance at which the whole box is just visible in a picture of
-/// this aspect (width / height). If the box itself is not drawn, the distance is a little smaller,
-/// because the content of the box is smaller than the box.
+/// Points the camera like AimCamera, from the distance at which the whole box is just visible in a
+/// picture of this aspect (width / height). If the box itself is not drawn, the distance is a
+/// little smaller, because the content is smaller than the box.
 void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
   bool isBoxSeen);
 } // namespace Explore

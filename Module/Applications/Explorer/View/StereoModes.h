@@ -9,11 +9,11 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// Returns VTK's number of a stereo mode ("anaglyph"). Throws InputError, with the names, for any
-/// other name.
+/// Returns VTK's number of a stereo mode, such as "anaglyph". For any other name, throws
+/// InputError, which lists the names.
 int FindStereoMode(const std::string& name);
 
-/// Prepares a window that has not been shown yet; an empty name means no stereo.
+/// Prepares a window for stereo before it is shown. An empty name means no stereo.
 void SetStereo(vtkRenderWindow* window, const std::string& name);
 } // namespace Explore
 

@@ -47,7 +47,7 @@ ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const 
     throw InputError("--front " + front + " --up " + up, "are the same axis",
       "the front and the top must be at right angles");
   }
-  // The picture shows the front turned by AZIMUTH; `side` is on the picture's right.
+  // The picture shows the front turned by AZIMUTH; `side` points to the picture's right.
   const double a = vtkMath::RadiansFromDegrees(AZIMUTH);
   const double e = vtkMath::RadiansFromDegrees(ELEVATION);
   ViewFrame frame;
