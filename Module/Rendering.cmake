@@ -12,7 +12,6 @@ set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK
 set(VolumeHaptics_RENDERING_MODULES # of VTK
   ChartsCore
   CommonComputationalGeometry
-  FiltersSources
   InteractionStyle
   RenderingAnnotation
   RenderingContext2D

@@ -7,12 +7,12 @@
 #include "Roughness.h"
 
 #include "Applications/Explorer/Analysis/ValueProbe.h"
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
-#include "Applications/Explorer/Volume/LabelLoader.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
 #include "VTK/Filter/HapticBaker.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/LabelLoader.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageConnectivityFilter.h"

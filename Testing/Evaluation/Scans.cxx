@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scans.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include "vtkImageData.h"
 

@@ -5,10 +5,10 @@
 #include "TransferCharts.h"
 
 #include "Applications/Explorer/Analysis/BodyIsolation.h"
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Applications/Explorer/View/SceneCamera.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include "vtkCamera.h"
 #include "vtkContextActor.h"

@@ -19,7 +19,7 @@ from vtkmodules.vtkFiltersCore import vtkResampleToImage
 from vtkmodules.vtkImagingCore import vtkImageCast
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 import volumehaptics
-from volumehaptics import _files, image, touch
+from volumehaptics import image, touch
 from volumehaptics.__main__ import find_explorer
 from volumehaptics.arrays import arrays
 
@@ -116,7 +116,7 @@ def write_nifti(path):
 
 
 @pytest.mark.skipif(find_explorer() is None and not os.environ.get("VOLUMEHAPTICS_BUILD"), reason="needs the explorer")
-def test_a_file_instead_of_a_volume(tmp_path, build, monkeypatch):
+def test_a_file_instead_of_a_volume(tmp_path, build):
     """The voxel (5, 8, 10) is at (-35, -38, 30), left-posterior-superior."""
     write_nifti(tmp_path / "scan.nii")
     with pytest.raises(TypeError, match="Cure: volumehaptics-explore FILE --write-volume volume.vti"):
@@ -131,7 +131,6 @@ def test_a_file_instead_of_a_volume(tmp_path, build, monkeypatch):
     press = np.linspace((-35, -38, 30), (-35, -38, 32), 21)
     assert -arrays(touch(reader.GetOutput(), press))["Force"][-1][2] == pytest.approx(1.0, abs=1e-6)
     assert force(reader.GetOutput()) == 0.0
-    monkeypatch.setattr(_files, "find_explorer", lambda: str(explorer))
     with pytest.warns(UserWarning, match="turned from right-anterior-superior"):
         assert -arrays(touch(tmp_path / "scan.nii", press))["Force"][-1][2] == pytest.approx(1.0, abs=1e-6)
     with pytest.raises(TypeError, match="Cure: give the file of the labels"):

@@ -38,8 +38,6 @@ set(Explore_SOURCES
   Analysis/BodyIsolation.cxx
   Analysis/ValueProbe.cxx
   Analysis/VolumeAnalysis.cxx
-  Errors/CheckedReading.cxx
-  Errors/MessageCapture.cxx
   Exploration/Exploration.cxx
   Exploration/GuideFile.cxx
   Exploration/HeardTicks.cxx
@@ -79,29 +77,10 @@ set(Explore_SOURCES
   View/LoadingScreen.cxx
   View/SceneCamera.cxx
   View/StereoModes.cxx
-  View/ViewFrame.cxx
-  Volume/DicomFolder.cxx
-  Volume/DicomHeader.cxx
-  Volume/DicomPixels.cxx
-  Volume/DicomSegmentation.cxx
-  Volume/DicomSeries.cxx
-  Volume/DicomStream.cxx
-  Volume/GridLoader.cxx
-  Volume/LabelLoader.cxx
-  Volume/LabelMap.cxx
-  Volume/LargeLoader.cxx
-  Volume/SliceGeometry.cxx
-  Volume/VolumeChecks.cxx
-  Volume/VolumeFields.cxx
-  Volume/VolumeLoader.cxx
-  Volume/VolumeOrientation.cxx
-  Volume/VolumeSeries.cxx
-  Volume/WholeFile.cxx)
+  View/ViewFrame.cxx)
 
-# Whether compressed files are whole.
-find_package(ZLIB REQUIRED)
-set(Explore_LIBRARIES ${ZLIB_LIBRARIES})
-set(Explore_INCLUDE_DIRS ${ZLIB_INCLUDE_DIRS})
+set(Explore_LIBRARIES)
+set(Explore_INCLUDE_DIRS)
 
 # The movies of key F9. The project looks for the module beside the components.
 if (VTK_IOOggTheora_FOUND)
@@ -124,23 +103,4 @@ if (VolumeHaptics_USE_PULSE)
   list(APPEND Explore_SOURCES Sound/PulseOutput.cxx)
 else ()
   list(APPEND Explore_SOURCES Sound/NoSoundOutput.cxx)
-endif ()
-
-# Compressed DICOM slices, by GDCM's library if it is found. Debian's package for CMake asks for GDCM's programs, too.
-find_path(GDCM_INCLUDE_DIR gdcmImageReader.h PATH_SUFFIXES gdcm-3.0)
-find_library(GDCM_MSFF_LIBRARY gdcmMSFF)
-find_library(GDCM_DSED_LIBRARY gdcmDSED)
-find_library(GDCM_COMMON_LIBRARY gdcmCommon)
-mark_as_advanced(GDCM_INCLUDE_DIR GDCM_MSFF_LIBRARY GDCM_DSED_LIBRARY GDCM_COMMON_LIBRARY)
-set(GDCM_LINK_LIBRARIES "${GDCM_MSFF_LIBRARY}" "${GDCM_DSED_LIBRARY}" "${GDCM_COMMON_LIBRARY}")
-set(GDCM_FOUND FALSE)
-if (GDCM_INCLUDE_DIR AND GDCM_MSFF_LIBRARY AND GDCM_DSED_LIBRARY AND GDCM_COMMON_LIBRARY)
-  set(GDCM_FOUND TRUE)
-endif ()
-volume_haptics_use(Explore_LIBRARIES GDCM GDCM_FOUND "Let the explorer read compressed DICOM slices" "libgdcm-dev")
-if (VolumeHaptics_USE_GDCM)
-  list(APPEND Explore_INCLUDE_DIRS "${GDCM_INCLUDE_DIR}")
-  list(APPEND Explore_SOURCES Volume/GdcmUnpacking.cxx)
-else ()
-  list(APPEND Explore_SOURCES Volume/NoUnpacking.cxx)
 endif ()

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Explores a volume by touch, without a device: the project's main task, from the command line.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
@@ -17,9 +16,10 @@
 #include "Applications/Explorer/View/Display.h"
 #include "Applications/Explorer/View/LoadingScreen.h"
 #include "Applications/Explorer/View/StereoModes.h"
-#include "Applications/Explorer/Volume/LabelLoader.h"
-#include "Applications/Explorer/Volume/VolumeChecks.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/LabelLoader.h"
+#include "VTK/Reading/VolumeChecks.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -148,27 +148,22 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   std::cout << "force.png\n";
 }
 
-Explore::Volume Load(const Explore::Options& options)
+std::vector<std::string> PathsOf(const Explore::Options& options)
 {
   std::vector<std::string> paths{ options.VolumePath };
   paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
-  return Explore::LoadVolumes(paths, options.Large, options.Series, options.Array);
+  return paths;
+}
+
+Explore::Volume Load(const Explore::Options& options)
+{
+  return Explore::LoadVolumes(PathsOf(options), options.Large, options.Series, options.Array);
 }
 
 int WriteVolume(const Explore::Options& options)
 {
-  Explore::Volume volume = Load(options);
-  if (volume.Large)
-  {
-    std::string error;
-    const vtkSmartPointer<vtkImageData> whole = Explore::ReadWhole(volume.Large, error);
-    if (!whole)
-    {
-      throw Explore::InputError(options.VolumePath, "can't be read as a whole (" + error + ")",
-        "copy it again, and check that the copy is complete");
-    }
-    volume.Image = Explore::AlignToAxes(whole);
-  }
+  const Explore::Volume volume =
+    Explore::LoadIntoMemory(PathsOf(options), options.Series, options.Array);
   if (volume.LabelTable)
   {
     volume.LabelTable->WriteFieldData(volume.Image->GetFieldData());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Options.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/GuideFile.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Live/ToolFile.h"
@@ -10,6 +9,7 @@
 #include "Applications/Explorer/Record/MovieFile.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/View/StereoModes.h"
+#include "VTK/Reading/InputError.h"
 
 #include "Core/Math/NumberText.h"
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
 from typing import Any
 
-from .__main__ import CURE, find_explorer
-from ._files import run_explorer
+from .__main__ import CURE, PROGRAM, find_explorer
 
 __all__ = ["inspect"]
 
@@ -31,4 +31,8 @@ def inspect(file: str | os.PathLike, *options: str) -> dict[str, Any]:
     explorer = find_explorer()
     if explorer is None:
         raise FileNotFoundError(CURE.partition(": ")[2].strip())
-    return json.loads(run_explorer(explorer, os.fspath(file), "--inspect", "--json", *options))
+    result = subprocess.run([explorer, os.fspath(file), "--inspect", "--json", *options], capture_output=True, text=True,
+                            errors="replace", check=False)
+    if result.returncode != 0:
+        raise ValueError(result.stderr.strip() or f"{PROGRAM} failed with status {result.returncode}")
+    return json.loads(result.stdout)

@@ -8,20 +8,13 @@ import difflib
 import math
 import numbers
 import os
-import zlib
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from .vtkVolumeHaptics import (
-    vtkHapticLabelTable,
-    vtkHapticRegionSource,
-    vtkHapticSegmentationReader,
-    vtkVolumeHapticsFilter,
-)
+from .vtkVolumeHaptics import vtkHapticLabelTable, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -112,171 +105,17 @@ def _copy(image: vtkImageData) -> vtkImageData:
     return copy
 
 
-def _count_unpacked(file: str) -> int:
-    """Returns the number of bytes that zlib or gzip packed in a file; -1 if it is cut off or damaged."""
-    count = 0
-    with open(file, "rb") as packed:
-        rest = packed.read(1 << 18)
-        while rest:
-            stream = zlib.decompressobj(zlib.MAX_WBITS | 32)  # header of zlib or gzip
-            try:
-                while rest and not stream.eof:
-                    count += len(stream.decompress(rest, 1 << 20))
-                    rest = stream.unconsumed_tail or stream.unused_data or packed.read(1 << 18)
-                count += len(stream.flush())
-            except zlib.error:
-                return -1
-            if not stream.eof:
-                return -1
-            if not rest.startswith(b"\x1f\x8b"):  # a gzip file may have several members
-                break
-    return count if count else -1
-
-
-def _count_held(file: str) -> int:
-    """Returns the most bytes of samples that a file can hold; -1 if it is cut off or damaged: VTK's readers fill missing
-    samples with whatever was in memory."""
-    name = file.lower()
-    if name.endswith(".nii.gz"):
-        return _count_unpacked(file)
-    size = os.path.getsize(file)
-    if name.endswith(".vti"):
-        with open(file, "rb") as text:
-            text.seek(max(0, size - 1024))
-            if b"</VTKFile>" not in text.read():
-                return -1
-        return 10000 * size  # deflate packs zeros 1032 times smaller at most, LZMA 7000 times
-    return size if name.endswith(".nii") else 1032 * size
-
-
-def _run(reader: Any, file: str) -> vtkImageData:
-    """Returns the output of a VTK reader. ValueError: an error, or a header that promises more than the file holds.
-
-    Some readers continue after an error, and read all samples into memory for one voxel; all of them allocate first."""
-    from ._touch import Errors
-
-    held = _count_held(file)
-    if held < 0:
-        raise ValueError(f"{file!r} can't be read: it is damaged, or cut off. Cure: check that the copy is complete, or write "
-                         "it again")
-    with Errors(reader, reader.GetExecutive()) as errors:
-        reader.SetFileName(file)
-        reader.UpdateInformation()
-        if not errors:
-            extent = [0, -1] * 3
-            reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), extent)
-            voxels = math.prod(max(0, last + 1 - first) for first, last in zip(extent[::2], extent[1::2]))
-            if not 0 < voxels <= held:
-                raise ValueError(f"{file!r} can't be read: its header promises {voxels} voxels, which are not in the "
-                                 "file. Cure: check that the copy is complete, or write it again")
-            reader.Update()
-    if errors:
-        raise ValueError(f"{file!r} can't be read: {errors[0]}. Cure: check that the copy is complete, or write it again")
-    return _copy(reader.GetOutput())
-
-
-def _read_nrrd(file: str) -> tuple[vtkImageData, bool]:
-    return _run(vtkHapticSegmentationReader(), file), True
-
-
-def _scale(stored: Any, reader: Any, file: str) -> Any:
-    """Returns the labels that a NIfTI header makes of stored numbers; rounded if it scales them a little, such as by 1.00002."""
-    import numpy as np
-    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-
-    slope, intercept = reader.GetRescaleSlope(), reader.GetRescaleIntercept()
-    if slope == 0.0 or not (math.isfinite(slope) and math.isfinite(intercept)):
-        return stored  # nifti1.h: the numbers are as they are stored
-    values = slope * vtk_to_numpy(stored).astype(float) + intercept
-    labels = np.round(values)
-    if not np.all(np.abs(values - labels) <= 1e-3):
-        wrong = values[np.argmax(np.abs(values - labels))]
-        raise ValueError(f"{file!r} can't be read as labels: its header scales the stored numbers by {slope:g} and adds "
-                         f"{intercept:g}, which makes {wrong:g} of one. Cure: write the numbers of the labels, with the "
-                         "slope 1")
-    return numpy_to_vtk(labels.astype(np.int32), deep=True)
-
-
-def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
-    from vtkmodules.vtkIOImage import vtkNIFTIImageReader
-
-    reader = vtkNIFTIImageReader()
-    image = _run(reader, file)
-    if (reader.GetRescaleSlope(), reader.GetRescaleIntercept()) not in ((0.0, 0.0), (1.0, 0.0)):
-        image.GetPointData().SetScalars(_scale(image.GetPointData().GetScalars(), reader, file))
-    place = reader.GetSFormMatrix() or reader.GetQFormMatrix()
-    if place is not None:
-        rows = [[place.GetElement(row, column) for column in range(4)] for row in range(3)]
-        _set_frame(image, [row[:3] for row in rows], [row[3] for row in rows])
-        image = _turn(image)  # NIfTI has right-anterior-superior
-    return image, place is not None
-
-
-def _has_matrix(file: str) -> bool:
-    """Whether a MetaImage's header has the directions of its axes."""
-    with open(file, "rb") as header:
-        for line in iter(lambda: header.readline(10000), b""):
-            key, equals, value = line.decode("latin-1").partition("=")
-            if key.strip() == "TransformMatrix" and value.strip():
-                return True
-            if not equals or key.strip() == "ElementDataFile":
-                return False
-    return False
-
-
-def _read_meta_image(file: str) -> tuple[vtkImageData, bool]:
-    from ._touch import Errors
-
-    source, image = vtkHapticRegionSource(), vtkImageData()
-    with Errors(source) as errors:
-        is_read = source.OpenWholeFile(file) and source.ReadRegion(source.GetWholeExtent(), image)
-    if not is_read:
-        raise ValueError(errors[0])
-    if "the first one is used" in source.GetFileNotes():
-        raise ValueError(f"{file!r} can't be read as labels: {source.GetFileNotes()}. Cure: write the volume that is meant "
-                         "into a file of its own")
-    labels = vtkImageData()
-    labels.CopyStructure(image)
-    labels.GetPointData().SetScalars(image.GetPointData().GetScalars())
-    return labels, _has_matrix(file)
-
-
-def _read_vti(file: str) -> tuple[vtkImageData, bool]:
-    from vtkmodules.vtkIOXML import vtkXMLImageDataReader
-
-    return _run(vtkXMLImageDataReader(), file), True
-
-
-def _read_dicom(file: str) -> tuple[vtkImageData, bool]:
-    from ._files import read
-
-    image, _ = read(file)
-    if not image.GetFieldData().HasArray("Label"):
-        raise ValueError(f"{file!r} is DICOM, but no segmentation (SEG). Cure: give it as the volume")
-    return image, True
-
-
-_READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.gz": _read_nifti,
-            ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti, ".dcm": _read_dicom}
-
-
 def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
     """Returns a label image where it lies in the volume's world, with its table in its field data."""
-    from ._touch import Errors
+    from ._files import run, take
+    from ._touch import _warn
 
     if not os.path.isfile(file):
         raise ValueError(f"there is no file {file!r} of labels")
-    read = next((_READERS[ending] for ending in _READERS if file.lower().endswith(ending)), None)
-    if read is None:
-        raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd, .vti or .dcm. "
-                         "Cure: read the labels yourself, and give the image")
-    image, is_placed = read(file)
-    if not image.GetFieldData().HasArray("Label"):
-        table = vtkHapticLabelTable()
-        with Errors(table):  # labels without names keep their numbers
-            table.ReadFile(file)
-        table.WriteFieldData(image.GetFieldData())
-    return _find_place(image, is_placed, volume, file, is_file)
+    reader = run(file, are_labels=True)
+    for note in reader.GetNotes().splitlines():
+        _warn(f"{os.path.basename(file)}: {note}")
+    return _find_place(take(reader), reader.HasPlace(), volume, file, is_file)
 
 
 def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:

@@ -294,6 +294,7 @@ def touch(
     mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
+    series: int = 0,
     **settings: Any,
 ) -> vtkPolyData: ...
 
@@ -307,6 +308,7 @@ def touch(
     mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
+    series: int = 0,
     **settings: Any,
 ) -> list[vtkPolyData]: ...
 
@@ -319,6 +321,7 @@ def touch(
     mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
+    series: int = 0,
     **settings: Any,
 ) -> vtkPolyData | list[vtkPolyData]:
     """Computes the forces on a hand whose stylus moves through a volume.
@@ -350,6 +353,8 @@ def touch(
         by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
         ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from
         the preset.
+    series: which series of a DICOM folder, or which volume along the fourth axis of a NIfTI file, from 1 on. Default:
+        the series with most pixels, or the first volume; a UserWarning lists the others.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
         vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand, and
@@ -376,9 +381,11 @@ def touch(
     if is_file:
         from ._files import read
 
-        volume, notes = read(volume)
+        volume, notes = read(volume, series)
         if notes:
             _warn("\n".join(notes))
+    elif series:
+        raise TypeError("series is of a file or a folder: give its name as the volume")
     volume = unwrap(volume)
     source = volume if isinstance(volume, vtkHapticRegionSource) else None
     if source is not None:

@@ -4,7 +4,7 @@
 #define HeadExploration_h
 
 #include "Applications/Explorer/Exploration/Exploration.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include <vtksys/SystemTools.hxx>
 

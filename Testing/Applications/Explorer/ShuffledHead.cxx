@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShuffledHead.h"
 
-#include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "VTK/Reading/VolumeOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"

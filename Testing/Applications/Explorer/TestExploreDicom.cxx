@@ -3,14 +3,14 @@
 // DICOM files as they come from a medium: several series in folders of folders, in any order, with
 // a rescale and a direction of their own; and files that cannot be read. They are written here, as
 // parts 5 and 10 of the standard say, and their values are a function of the place in the patient.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
-#include "Applications/Explorer/Volume/DicomHeader.h"
-#include "Applications/Explorer/Volume/DicomUnpacking.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "PackDicom.h"
+#include "VTK/Reading/Dicom/DicomHeader.h"
+#include "VTK/Reading/Dicom/DicomUnpacking.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DICOM slices of 8 bits, grey and in colours, plain and as baseline JPEG. The values are ramps,
 // and luminance and differences are those of PS3.3, section C.7.6.3.1.2.
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/DicomUnpacking.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "PackDicom.h"
+#include "VTK/Reading/Dicom/DicomUnpacking.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "vtkImageData.h"
 

@@ -5,10 +5,10 @@
 // (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h, by which MET_LONG has 4 bytes
 // and MET_LONG_LONG 8; the header is that of SimpleITK.WriteImage() of int64. NRRD after
 // teem.sourceforge.net/nrrd/format.html, and NIfTI after nifti1.h.
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/LabelLoader.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/LabelLoader.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

@@ -3,13 +3,13 @@
 // Grids of all kinds are opened. The flow of a rotating block, (-y, x, 0), and the pressure x + 2 y
 // are linear, so that every way of resampling gives the same numbers as the formulas; and what a
 // hand feels of them is the flow, without being asked for it.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --guide: a hand over the head is led along a line, held on a surface, or led along a path that
 // was measured; and what is said of files that can't guide.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"

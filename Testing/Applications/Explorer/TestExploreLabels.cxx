@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A segmentation and tables of its labels: what is felt, what the summary says, and what cannot be.
 // The .seg.nrrd is made after 3D Slicer's documentation "Segmentation labelmap file format".
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
-#include "Applications/Explorer/Volume/LabelLoader.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/LabelLoader.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -3,12 +3,12 @@
 // A volume that is felt from its file is felt as the same in memory, to the bit, in every form that
 // it may have; and what can't be read is told. The files are written byte by byte, after the
 // descriptions of the formats.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Live/TouchScene.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "Rigs/Eventually.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every method feels the same path over the same head, with forces that a hand can bear, and the
 // output says which it was.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
-#include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"

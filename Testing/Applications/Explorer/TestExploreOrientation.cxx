@@ -3,10 +3,10 @@
 // The head comes out of every format the same way up, at the same place, with the same values,
 // whatever the order of its voxels in the file and the numbers that are stored there.
 #include "Applications/Explorer/Report/ReportFiles.h"
-#include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
+#include "VTK/Reading/VolumeOrientation.h"
 
 #include <cmath>
 #include <iostream>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The output of the program beside the pictures: the summary and the table of the trace.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkPointData.h"
 

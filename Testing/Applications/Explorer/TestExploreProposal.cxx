@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes that no preset fits feel as their own edges suggest: the head phantom in 8 bits, and as
 // numbers from 0 to 1. Without edges, the histogram decides, but never in noise of the air.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A volume that moves, in every form that it may have: time steps, times and voxels are those that
 // were written, and the window plays them.
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "Rigs/Eventually.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "Applications/Explorer/Live/TouchScene.h"
 

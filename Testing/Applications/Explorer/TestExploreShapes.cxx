@@ -4,12 +4,12 @@
 // not exist, are refused: with them, readers and filters of VTK crash. They are written byte by
 // byte, .ply after paulbourke.net/dataformats/ply, .obj after paulbourke.net/dataformats/obj, and
 // the others after "VTK File Formats" (docs.vtk.org).
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
 #include "Expectations.h"
 #include "TouchedHead.h"
+#include "VTK/Reading/InputError.h"
 
 #include <stdexcept>
 

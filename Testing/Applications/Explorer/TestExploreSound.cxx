@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is heard on the head phantom: its skin over fat, a temple and the skull, where its
 // description (Data/README.md) has fat, muscle and bone; and where nothing may be heard.
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSound.h"
@@ -11,6 +10,7 @@
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "Sound/Spectrum.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkHapticLabelTable.h"

@@ -4,12 +4,12 @@
 
 #include "Applications/Explorer/Analysis/BodyIsolation.h"
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
-#include "Applications/Explorer/Volume/VolumeChecks.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
+#include "VTK/Reading/VolumeChecks.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"

@@ -6,7 +6,7 @@
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Path/TipPathPlanner.h"
 #include "Applications/Explorer/View/ViewFrame.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

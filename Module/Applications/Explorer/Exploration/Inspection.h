@@ -4,7 +4,7 @@
 #define Explore_Inspection_h
 
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
-#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Reading/VolumeLoader.h"
 
 #include <string>
 #include <vector>

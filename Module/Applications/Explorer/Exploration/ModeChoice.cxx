@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/GuideFile.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticGuideMode.h"

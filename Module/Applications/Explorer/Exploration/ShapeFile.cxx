@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 
-#include "Applications/Explorer/Errors/CheckedReading.h"
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Volume/WholeFile.h"
+#include "VTK/Reading/CheckedReading.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/WholeFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/KeptWork.h"
 
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Live/FreeFile.h"
+#include "VTK/Reading/MessageCapture.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkHapticProperty.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/LiveRun.h"
 
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/ShapeFile.h"
+#include "VTK/Reading/MessageCapture.h"
 #include "VTK/Trace/TraceWriter.h"
 
 #include "vtkDataArray.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Live/FreeFile.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 
 #include <vtksys/SystemTools.hxx>
 

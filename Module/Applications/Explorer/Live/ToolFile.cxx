@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/ToolFile.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ShapeFile.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkCleanPolyData.h"
 #include "vtkFeatureEdges.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/TouchReplay.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ShapeFile.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"

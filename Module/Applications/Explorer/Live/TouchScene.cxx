@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/HeardTicks.h"
 #include "Applications/Explorer/Exploration/Inspection.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
@@ -19,6 +17,8 @@
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/Sound/SoundStream.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"

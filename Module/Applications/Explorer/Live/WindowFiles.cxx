@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/WindowFiles.h"
 
-#include "Applications/Explorer/Volume/GridLoader.h"
+#include "VTK/Reading/GridLoader.h"
 
 #include "vtkHapticRegionSource.h"
 #include "vtkStringArray.h"

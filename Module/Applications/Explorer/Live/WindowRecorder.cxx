@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/WindowRecorder.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Report/ReportFiles.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/StereoModes.h"
 
-#include "Applications/Explorer/Errors/InputError.h"
+#include "VTK/Reading/InputError.h"
 
 #include "vtkRenderWindow.h"
 

@@ -5,8 +5,8 @@
 /// (IBM and Microsoft, 1991), pages 56 to 60.
 
 #include "Applications/Explorer/Sound/WaveFile.h"
-#include "Applications/Explorer/Errors/InputError.h"
 #include "Rigs/TemporaryFolder.h"
+#include "VTK/Reading/InputError.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,509 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Reading/Dicom/DicomFolder.h"
+
+#include "VTK/Reading/Dicom/DicomPixels.h"
+#include "VTK/Reading/Dicom/DicomSegmentation.h"
+#include "VTK/Reading/Dicom/DicomSeries.h"
+#include "VTK/Reading/Dicom/DicomUnpacking.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/SliceGeometry.h"
+#include "VTK/Reading/VolumeChecks.h"
+#include "VTK/Reading/VolumeOrientation.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+
+#include <vtksys/Directory.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using Explore::DicomHeader;
+using Explore::DicomSeries;
+using Explore::InputError;
+using Explore::Volume;
+
+std::string NameOf(const DicomHeader& slice)
+{
+  return vtksys::SystemTools::GetFilenameName(slice.File);
+}
+
+/// Lists the series, one line each.
+std::string ListSeries(const std::vector<DicomSeries>& all)
+{
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    list += "\n    " + all[i].Describe(i + 1);
+  }
+  return list;
+}
+
+void CheckSlices(
+  const std::string& path, const std::vector<DicomHeader>& slices, bool isPlacedByLocation)
+{
+  for (const DicomHeader& slice : slices)
+  {
+    if (!slice.IsPlain() && slice.Deflated == 0 && !Explore::CanUnpackDicom())
+    {
+      throw InputError(path,
+        "holds compressed DICOM slices (" + NameOf(slice) + "), which this build can't unpack",
+        "build it with GDCM (package libgdcm-dev), or unpack them, e.g. with gdcmconv --raw "
+        "(package libgdcm-tools) or dcmdjpeg (dcmtk)");
+    }
+    if (!slice.IsWhole)
+    {
+      throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
+        "copy or export the series again, or take that file away");
+    }
+    if (slice.ImageType.find("MOSAIC") != std::string::npos && slice.Frames == 1)
+    {
+      throw InputError(path,
+        "holds mosaics, which have all slices of a Siemens MR volume in one picture (" +
+          NameOf(slice) + ")",
+        "turn them into NIfTI with dcm2niix");
+    }
+    if (slice.Modality == "RTDOSE" && !slice.DoseScale)
+    {
+      throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
+        "export it again from the planning system");
+    }
+    if (!slice.HasPlaces)
+    {
+      throw InputError(path,
+        "holds a DICOM file with " + std::to_string(slice.Frames) + " frames (" + NameOf(slice) +
+          "), and does not tell where they are: is it a film?",
+        "turn it into NIfTI, e.g. with dcm2niix (package dcm2niix)");
+    }
+    if (!(slice.Spacing[0] > 0.0) || !(slice.Spacing[1] > 0.0))
+    {
+      throw InputError(path, "gives no distance of its pixels (PixelSpacing) in " + NameOf(slice),
+        "export it again from where it was made, with its PixelSpacing");
+    }
+    if (!slice.HasPosition && slice.Frames == 1 && slices.size() > 1 && !isPlacedByLocation)
+    {
+      throw InputError(path,
+        "gives no position of its slices (ImagePositionPatient, or SliceLocation) in " +
+          NameOf(slice),
+        "export it again from where it was made, with positions");
+    }
+  }
+}
+
+/// Returns the median distance (mm) between slices.
+double ComputeStep(const std::vector<DicomHeader>& slices)
+{
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < slices.size(); ++i)
+  {
+    steps.push_back(slices[i].Along - slices[i - 1].Along);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// Leaves out slices that lie far from the others, such as a topogram with the number of the
+/// series. Returns the other slices.
+std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
+{
+  if (slices.size() < 3)
+  {
+    return slices;
+  }
+  constexpr double farSteps = 8.0;
+  constexpr std::size_t fewest = 5;                                  // the fewest slices of a
+                                                                     // volume
+  const double far = std::max(farSteps * ComputeStep(slices), 10.0); // mm
+  std::size_t first = 0, best = 0, size = 0;
+  for (std::size_t i = 1; i <= slices.size(); ++i)
+  {
+    if (i == slices.size() || slices[i].Along - slices[i - 1].Along > far)
+    {
+      if (i - first > size)
+      {
+        best = first;
+        size = i - first;
+      }
+      first = i;
+    }
+  }
+  const std::size_t others = slices.size() - size;
+  if (others == 0 || others >= fewest || size < fewest)
+  {
+    return slices;
+  }
+  std::ostringstream note;
+  note << others << (others == 1 ? " slice lies" : " slices lie") << " far from the others ("
+       << NameOf(slices[best > 0 ? 0 : size]) << "), and " << (others == 1 ? "is" : "are")
+       << " left out";
+  volume.Notes.push_back(note.str());
+  const auto begin = slices.begin() + static_cast<std::ptrdiff_t>(best);
+  return { begin, begin + static_cast<std::ptrdiff_t>(size) };
+}
+
+[[noreturn]] void ThrowSeveral(const std::string& path, const std::string& fault)
+{
+  throw InputError(path, fault + ": several volumes in one series",
+    "put the slices of one volume into a folder of their own; if it moves, each phase");
+}
+
+/// Returns the positions (mm) of slices along their normal, from the first one on; made even if
+/// they are even within the rounding of files. Throws if two slices are at the same place.
+std::vector<double> FindPlaces(
+  const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
+{
+  const std::size_t count = slices.size();
+  std::vector<double> along;
+  double smallest = VTK_DOUBLE_MAX, largest = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    along.push_back(slices[i].Along - slices.front().Along);
+    if (i > 0)
+    {
+      smallest = std::min(smallest, along[i] - along[i - 1]);
+      largest = std::max(largest, along[i] - along[i - 1]);
+    }
+  }
+  if (count > 1 && smallest < 1e-4)
+  {
+    ThrowSeveral(path, "has two slices at the same place");
+  }
+  const double even = count > 1 ? along.back() / static_cast<double>(count - 1) : 0.0;
+  double off = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    off = std::max(off, std::abs(along[i] - static_cast<double>(i) * even));
+  }
+  constexpr double rounding = 0.11; // mm, the rounding of positions with one digit, and so of both
+                                    // ends of the line
+  constexpr double smallPart = 0.05;
+  constexpr double finest = 0.25; // of a step
+  if (off <= std::max(std::min(rounding, finest * even), smallPart * even))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      along[i] = static_cast<double>(i) * even;
+    }
+    return along;
+  }
+  const double step = ComputeStep(slices);
+  constexpr double closest = 0.2; // of a step
+  constexpr double mostGap = 20.0;
+  if (smallest < closest * step || largest > mostGap * step)
+  {
+    std::ostringstream fault;
+    fault << "has slices " << smallest << " to " << largest << " mm apart";
+    ThrowSeveral(path, fault.str());
+  }
+  int missing = 0;
+  double rest = 0.0;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const double steps = (along[i] - along[i - 1]) / step;
+    missing += static_cast<int>(std::round(steps)) - 1;
+    rest = std::max(rest, std::abs(steps - std::round(steps)));
+  }
+  std::ostringstream note;
+  if (missing > 0 && rest < 2.0 * smallPart)
+  {
+    // The other slices are at whole steps, within the rounding of files.
+    const double length = along.back();
+    const double steps = static_cast<double>(count - 1) + missing;
+    for (double& place : along)
+    {
+      place = std::round(place / length * steps) * length / steps;
+    }
+    note << missing << (missing == 1 ? " slice is" : " slices are") << " missing: gaps of up to "
+         << largest << " mm are filled from the slices beside them";
+  }
+  else
+  {
+    note << "slices are unevenly spaced (" << smallest << " to " << largest
+         << " mm): resampled to the smallest distance";
+  }
+  volume.Notes.push_back(note.str());
+  return along;
+}
+
+} // namespace
+
+namespace Explore
+{
+void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
+{
+  const DicomHeader& first = slices.front();
+  const DicomHeader& last = slices.back();
+  double off = 0.0;
+  for (const DicomHeader& slice : slices)
+  {
+    const double part = (slice.Along - first.Along) / std::max(1e-6, last.Along - first.Along);
+    double distance = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double there = first.Position[row] + part * (last.Position[row] - first.Position[row]);
+      distance += std::pow(slice.Position[row] - there, 2);
+    }
+    off = std::max(off, std::sqrt(distance));
+  }
+  const double pixel = std::max(first.Spacing[0], first.Spacing[1]);
+  if (off > std::max(std::min(0.2, 2.0 * pixel), 0.5 * pixel))
+  {
+    std::ostringstream fault;
+    fault << "has slices that are shifted against each other in their planes, by up to " << off
+          << " mm";
+    throw InputError(path, fault.str(),
+      "resample it to straight slices, e.g. by 3D Slicer's acquisition geometry regularization");
+  }
+}
+
+void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImageData* image)
+{
+  const DicomHeader& first = slices.front();
+  const int count = image->GetDimensions()[2];
+  const double spacing = count > 1 ? length / (count - 1) : 0.0;
+  const auto known = [](double length) { return length > 0.0 ? length : 1.0; };
+  image->SetSpacing(known(first.Spacing[0]), known(first.Spacing[1]), known(spacing));
+  double axes[9];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    axes[3 * axis] = first.Row[axis];
+    axes[3 * axis + 1] = first.Column[axis];
+    axes[3 * axis + 2] =
+      length > 0.0 ? slices.back().Position[axis] - first.Position[axis] : first.Normal[axis];
+  }
+  SetFrame(image, axes, first.Position);
+}
+} // namespace Explore
+
+namespace
+{
+/// Names the DICOM files of a folder that are no slices, such as "an RT plan (plan.dcm)", with the
+/// cure.
+Explore::DicomObject FindObjects(const std::string& folder)
+{
+  vtksys::Directory directory;
+  directory.Load(folder);
+  Explore::DicomObject found;
+  for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
+  {
+    const std::string name = directory.GetFile(i);
+    const bool isFile = !vtksys::SystemTools::FileIsDirectory(folder + "/" + name);
+    const auto [kind, cure] =
+      isFile ? Explore::FindDicomObject(folder + "/" + name) : Explore::DicomObject();
+    if (!kind.empty() && found.Name.find(kind) == std::string::npos)
+    {
+      found.Name += (found.Name.empty() ? "" : ", ") + kind + " (" + name + ")";
+      found.Cure = found.Cure.empty() ? cure : found.Cure;
+    }
+  }
+  return found;
+}
+
+/// Chooses a series. Throws if there is no such series.
+std::size_t ChooseSeries(
+  const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
+{
+  const Explore::DicomObject other = all.empty() ? FindObjects(path) : Explore::DicomObject();
+  if (!other.Name.empty())
+  {
+    throw InputError(
+      path, "is a folder without a single DICOM slice, but has " + other.Name, other.Cure);
+  }
+  if (all.empty())
+  {
+    throw InputError(path, "is a folder without a single DICOM slice",
+      hasFolders ? "name a folder that holds DICOM slices, or folders of them"
+                 : "name a folder of DICOM slices, or a volume file");
+  }
+  if (wanted > static_cast<int>(all.size()))
+  {
+    throw InputError(path,
+      "has no series " + std::to_string(wanted) + ", but" + ListSeries(all) + "\n    and no other",
+      "take --series 1 to " + std::to_string(all.size()));
+  }
+  return wanted > 0 ? static_cast<std::size_t>(wanted - 1) : Explore::FindLargest(all);
+}
+
+vtkSmartPointer<vtkImageData> ReadPlaced(const std::string& path,
+  const std::vector<DicomHeader>& slices, const std::vector<double>& along, Volume& volume)
+{
+  vtkSmartPointer<vtkImageData> image = Explore::ReadSlices(path, slices, volume.Notes);
+  const double even = along.back() / std::max<double>(1.0, static_cast<double>(along.size() - 1));
+  bool isEven = true;
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    isEven = isEven && std::abs(along[i] - static_cast<double>(i) * even) <= 1e-9 * along.back();
+  }
+  if (along.size() > 2 && !isEven)
+  {
+    image = Explore::SpaceSlicesEvenly(image, along);
+  }
+  const double* const from = slices.front().Position;
+  const double* const to = slices.back().Position;
+  Explore::PlaceSlices(slices, std::sqrt(vtkMath::Distance2BetweenPoints(from, to)), image);
+  return image;
+}
+
+/// Adds notes on what was assumed of a series, and on what its values are.
+void AddNotes(const DicomSeries& series, Volume& volume)
+{
+  const DicomHeader& first = series.Slices.front();
+  const auto note = [&](const std::string& text) { volume.Notes.push_back(text); };
+  if (series.Copies > 0)
+  {
+    note(std::to_string(series.Copies) + (series.Copies == 1 ? " slice is" : " slices are") +
+      " there twice (the same SOPInstanceUID): each is read once");
+  }
+  if (series.IsPlacedByLocation)
+  {
+    note("no ImagePositionPatient: slices are placed by SliceLocation, as if axial");
+  }
+  if (first.IsDetectorSpacing)
+  {
+    note("no PixelSpacing: ImagerPixelSpacing is used, which is at the detector, where all looks "
+         "larger");
+  }
+  if (first.Modality == "RTDOSE")
+  {
+    const bool isGray = first.Units == "GY" || first.Units.empty();
+    note(isGray ? "values are doses in Gy"
+                : "values are relative doses (DoseUnits " + first.Units + ")");
+  }
+  else if (!first.Units.empty())
+  {
+    note("values are in " + first.Units + ", as the file says");
+  }
+  if (!series.MorePhases.empty())
+  {
+    note(std::to_string(series.MorePhases.size() + 1) + " phases at the same places, by " +
+      series.PhasesBy + (series.HaveTimes ? "" : ", which is no time: 10 are played in a second"));
+  }
+}
+
+/// Reads the phases of a volume that moves; `along` has the places of the slices.
+void ReadPhases(const std::string& path, const DicomSeries& series,
+  const std::vector<double>& along, Volume& volume)
+{
+  constexpr double perSecond = 10.0; // phases a second, if they have no times
+  const std::vector<std::string> notes = volume.Notes;
+  for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
+  {
+    const std::vector<DicomHeader>& slices = series.MorePhases[i];
+    CheckSlices(path, slices, series.IsPlacedByLocation);
+    const double time = series.Times[i + 1] / (series.HaveTimes ? 1.0 : perSecond);
+    volume.Phases.push_back({ time, ReadPlaced(path, slices, along, volume) });
+  }
+  volume.Notes = notes; // each phase would add the same notes
+}
+
+Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
+{
+  Volume volume;
+  const DicomSeries& series = all[chosen];
+  const DicomHeader& one = series.Slices.front();
+  if (one.IsSegmentation())
+  {
+    CheckSlices(path, series.Slices, false);
+    volume = Explore::ReadDicomSegmentation(path, series.Slices);
+  }
+  else
+  {
+    volume.Format = "DICOM";
+    volume.Axes =
+      series.IsPlacedByLocation ? Explore::WorldAxes::Unknown : Explore::WorldAxes::Patient;
+    volume.IsField = one.Modality == "RTDOSE";
+    volume.Modality = one.Modality;
+    const bool isMoving = !series.MorePhases.empty();
+    const std::vector<DicomHeader> slices =
+      isMoving ? series.Slices : LeaveOutFar(series.Slices, volume);
+    CheckSlices(path, slices, series.IsPlacedByLocation);
+    const std::vector<double> along = FindPlaces(path, slices, volume);
+    Explore::CheckLine(path, slices);
+    AddNotes(series, volume);
+    Explore::CheckMemory(
+      path, Explore::MeasureSlices(slices), slices.size() * (1 + series.MorePhases.size()));
+    volume.Image = ReadPlaced(path, slices, along, volume);
+    if (isMoving)
+    {
+      ReadPhases(path, series, along, volume);
+    }
+    volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    volume.Series.push_back(all[i].Describe(i + 1));
+  }
+  volume.SeriesNumber = static_cast<int>(chosen) + 1;
+  if (all.size() > 1)
+  {
+    volume.Notes.push_back("series " + all[chosen].Describe(chosen + 1) + ", of " +
+      std::to_string(all.size()) + " series; --series N takes another one:" + ListSeries(all));
+  }
+  for (const DicomSeries& other : all)
+  {
+    const DicomHeader& slice = other.Slices.front();
+    if (&other != &series && slice.IsSegmentation())
+    {
+      volume.Notes.push_back(NameOf(slice) + " is a segmentation (SEG): --labels " + NameOf(slice) +
+        " takes its labels");
+    }
+  }
+  return volume;
+}
+} // namespace
+
+namespace Explore
+{
+Volume ReadDicomFolder(const std::string& path, int series)
+{
+  bool hasFolders = false;
+  const std::vector<DicomSeries> all = ListDicomSeries(path, hasFolders);
+  return LoadSeries(path, all, ChooseSeries(path, all, series, hasFolders));
+}
+
+Volume ReadDicomFile(const std::string& path, int series)
+{
+  const std::string whole = vtksys::SystemTools::CollapseFullPath(path);
+  const std::string folder = vtksys::SystemTools::GetFilenamePath(whole);
+  DicomHeader header;
+  if (series > 0 || !ReadDicomHeader(whole, header))
+  {
+    return ReadDicomFolder(folder, series);
+  }
+  if (header.Frames > 1 || header.IsSegmentation())
+  {
+    // Such a file is a whole volume by itself, whatever lies beside it.
+    const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
+    Volume volume = LoadSeries(path, own, FindLargest(own));
+    constexpr unsigned long alone = 3; // entries, with the folder itself and the one above
+    if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
+    {
+      volume.Notes.emplace_back("the file alone is read, not what lies beside it");
+    }
+    return volume;
+  }
+  bool hasFolders = false;
+  const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders);
+  const auto found =
+    std::find_if(all.begin(), all.end(), [&](const DicomSeries& one) { return one.Holds(whole); });
+  if (found == all.end())
+  {
+    throw InputError(path, "is not there any more", "name the folder of its series");
+  }
+  return LoadSeries(path, all, static_cast<std::size_t>(found - all.begin()));
+}
+
+bool IsDicomFile(const std::string& path)
+{
+  DicomHeader header;
+  return vtksys::SystemTools::UpperCase(vtksys::SystemTools::GetFilenameName(path)) == "DICOMDIR" ||
+    ReadDicomHeader(path, header);
+}
+} // namespace Explore

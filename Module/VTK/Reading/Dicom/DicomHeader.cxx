@@ -1,0 +1,695 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Reading/Dicom/DicomHeader.h"
+
+#include "VTK/Reading/Dicom/DicomStream.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using Explore::DEEPEST;
+using Explore::DicomHeader;
+using Explore::DicomSegment;
+using Explore::DicomStream;
+using Explore::ITEM;
+using Explore::ITEM_END;
+using Explore::SEQUENCE_END;
+using Explore::UNKNOWN_LENGTH;
+
+constexpr std::uint32_t PIXELS = 0x7fe00010;
+constexpr std::uint32_t FLOAT_PIXELS = 0x7fe00008;
+constexpr std::uint32_t DOUBLE_PIXELS = 0x7fe00009;
+constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of the offsets of a dose's frames
+constexpr std::uint32_t SEGMENTS = 0x00620002;
+constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
+constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
+constexpr std::uint32_t LONGEST_VALUE = 1024; // the longest value that is read
+constexpr int MOST_FRAMES = 100000;
+constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
+constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
+constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
+constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
+
+/// The places of the frames in a file with several.
+struct FramePlaces
+{
+  std::vector<DicomHeader> Groups; // for each frame: the differences from the file's header
+  std::vector<double> Offsets;     // position along the normal, or z in the patient, mm
+  std::vector<DicomSegment> Segments;
+};
+
+/// A kind of objects without pixels of a volume, by the beginning of its class.
+struct ObjectKind
+{
+  const char* Class;
+  const char* Name;
+  const char* Cure;
+};
+constexpr const char* NAME_IMAGES = "name the folder of its images";
+constexpr ObjectKind OBJECTS[] = {
+  { "1.2.840.10008.5.1.4.1.1.481.3",
+    "an RT structure set (RTSTRUCT), whose contours have no voxels",
+    "make labels of it first, e.g. with plastimatch convert or 3D Slicer, and name them with "
+    "--labels" },
+  { "1.2.840.10008.5.1.4.1.1.481.5", "an RT plan (RTPLAN)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.481.8", "an RT ion plan (RTPLAN)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.481.", "an RT record", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.88.", "a structured report (SR)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.9.", "a waveform, such as an ECG", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.11.", "a presentation state", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.104.", "a document that DICOM wraps", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.1", "a spatial registration (REG)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.2", "a set of fiducials", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.3", "a deformable registration (REG)", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66.4", "a segmentation (SEG) that ends before its pixels",
+    "copy or export it again" },
+  { "1.2.840.10008.5.1.4.1.1.66.5", "a surface segmentation, which has no voxels",
+    "write it as a DICOM SEG, or as .seg.nrrd" },
+  { "1.2.840.10008.5.1.4.1.1.66.6", "a set of tracts", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.66", "raw data, without an image", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.4.2", "a spectrum", NAME_IMAGES },
+  { "1.2.840.10008.1.3.10", "the directory of a medium (DICOMDIR)", NAME_IMAGES },
+};
+
+/// Removes the blank or zero that makes lengths even.
+std::string TrimValue(std::string text)
+{
+  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  const std::size_t last = text.find_last_not_of(' ');
+  text.erase(last == std::string::npos ? 0 : last + 1);
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+/// Reads decimal numbers between backslashes. Returns false if there are too few.
+bool ReadDecimals(const std::string& text, double* numbers, int count)
+{
+  std::string plain = text;
+  std::replace(plain.begin(), plain.end(), '\\', ' ');
+  std::istringstream stream(plain);
+  stream.imbue(std::locale::classic());
+  std::vector<double> read(static_cast<std::size_t>(count));
+  for (double& number : read)
+  {
+    if (!(stream >> number) || !std::isfinite(number))
+    {
+      return false;
+    }
+  }
+  std::copy(read.begin(), read.end(), numbers);
+  return true;
+}
+
+int ReadWhole(const std::string& text, int unknown)
+{
+  double number = 0.0;
+  return ReadDecimals(text, &number, 1) && std::abs(number) < 1e9 ? static_cast<int>(number)
+                                                                  : unknown;
+}
+
+/// Converts a time of day, HHMMSS.F, to seconds.
+double ReadTimeOfDay(const std::string& text)
+{
+  double number = 0.0;
+  const bool isRead = text.size() >= 6 && ReadDecimals(text, &number, 1);
+  const double hours = std::floor(number / 1e4);
+  const double minutes = std::floor((number - 1e4 * hours) / 1e2);
+  return isRead ? 3600.0 * hours + 60.0 * minutes + number - 1e4 * hours - 1e2 * minutes : NAN;
+}
+
+void TakeFact(const DicomStream& stream, const Explore::DicomFact& fact, const std::string& value,
+  DicomHeader& header)
+{
+  double number = NAN;
+  switch (fact.Kind)
+  {
+    case Explore::DicomFact::Decimal:
+      ReadDecimals(value, &number, 1);
+      break;
+    case Explore::DicomFact::TimeOfDay:
+      number = ReadTimeOfDay(TrimValue(value));
+      break;
+    case Explore::DicomFact::Real:
+      number = stream.Real(value);
+      break;
+    case Explore::DicomFact::Whole:
+      number = static_cast<double>(stream.Number(value, 0, 4));
+      break;
+  }
+  if (std::isfinite(number))
+  {
+    header.Facts[fact.Tag] = number;
+  }
+}
+
+void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
+  DicomHeader& header, double orientation[6])
+{
+  const auto number = [&] { return static_cast<int>(stream.Number(value, 0, 2)); };
+  switch (tag)
+  {
+    case 0x00080008:
+      header.ImageType = TrimValue(value);
+      break;
+    case 0x00080016:
+      header.Class = TrimValue(value);
+      break;
+    case 0x00080018:
+      header.Instance = TrimValue(value);
+      break;
+    case 0x00180050:
+      ReadDecimals(value, &header.Thickness, 1);
+      break;
+    case 0x00180088:
+      if (ReadDecimals(value, &header.Step, 1))
+      {
+        header.Step = std::abs(header.Step);
+      }
+      break;
+    case 0x00201041:
+    {
+      double location;
+      if (ReadDecimals(value, &location, 1))
+      {
+        header.Location = location;
+      }
+      break;
+    }
+    case 0x00541001:
+    case 0x30040002:
+      header.Units = TrimValue(value);
+      break;
+    case 0x3004000e:
+    {
+      double scale;
+      if (ReadDecimals(value, &scale, 1))
+      {
+        header.DoseScale = scale;
+      }
+      break;
+    }
+    case 0x00620001:
+      header.SegmentationType = TrimValue(value);
+      break;
+    case 0x0062000b:
+      header.Segment = number();
+      break;
+    case 0x0062000e:
+      header.Whole = number();
+      break;
+    case 0x00080060:
+      header.Modality = TrimValue(value);
+      break;
+    case 0x0008103e:
+      header.Description = TrimValue(value);
+      break;
+    case 0x0020000e:
+      header.Series = TrimValue(value);
+      break;
+    case 0x00200011:
+      header.SeriesNumber = ReadWhole(value, 0);
+      break;
+    case 0x00200032:
+      header.HasPosition = ReadDecimals(value, header.Position, 3) || header.HasPosition;
+      break;
+    case 0x00200037:
+      ReadDecimals(value, orientation, 6);
+      break;
+    case 0x00280002:
+      header.Samples = number();
+      break;
+    case 0x00280004:
+      header.IsYbr = TrimValue(value) == "YBR_FULL";
+      break;
+    case 0x00280008:
+      header.Frames = ReadWhole(value, 1);
+      break;
+    case 0x00280010:
+      header.Height = number();
+      break;
+    case 0x00280011:
+      header.Width = number();
+      break;
+    case 0x00181164: // ImagerPixelSpacing, before PixelSpacing
+    case 0x00280030:
+    {
+      double spacing[2]; // distance from row to row first
+      if (ReadDecimals(value, spacing, 2))
+      {
+        header.IsDetectorSpacing = tag == 0x00181164;
+        header.Spacing[0] = spacing[1];
+        header.Spacing[1] = spacing[0];
+      }
+      break;
+    }
+    case 0x00280006:
+      header.ArePlanes = number() == 1;
+      break;
+    case 0x00280100:
+      header.Bits = number();
+      break;
+    case 0x00280101:
+      header.Stored = number();
+      break;
+    case 0x00280103:
+      header.IsSigned = number() == 1;
+      break;
+    case 0x00280120:
+      if (value.size() >= 2)
+      {
+        header.Padding = number();
+      }
+      break;
+    case 0x00280122:
+    case 0x00280123:
+      header.Padding = stream.Real(value);
+      break;
+    case 0x00281052:
+      ReadDecimals(value, &header.Intercept, 1);
+      break;
+    case 0x00281053:
+      ReadDecimals(value, &header.Slope, 1);
+      break;
+    default:
+      if (const Explore::DicomFact* const fact = Explore::FindDicomFact(tag))
+      {
+        TakeFact(stream, *fact, value, header);
+      }
+      break;
+  }
+}
+
+/// Reads all decimal numbers between backslashes.
+std::vector<double> ReadAllDecimals(const std::string& text)
+{
+  std::vector<double> numbers(
+    static_cast<std::size_t>(1 + std::count(text.begin(), text.end(), '\\')));
+  return ReadDecimals(text, numbers.data(), static_cast<int>(numbers.size()))
+    ? numbers
+    : std::vector<double>();
+}
+
+/// Whether a tag belongs to a functional group of an item; such groups are sequences of one item.
+bool IsGroup(std::uint32_t tag)
+{
+  // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
+  // number of the frame in time, its segment, echo, diffusion and heart phase.
+  constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
+    0x0062000a, 0x00189114, 0x00189117, 0x00189118 };
+  return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
+}
+
+/// Converts CIELab in whole numbers to red, green and blue: PS3.3, section C.10.7.1.1.
+std::vector<double> ReadColor(const DicomStream& stream, const std::string& value)
+{
+  const auto part = [&](std::size_t i) { return stream.Number(value, 2 * i, 2) / 65535.0; };
+  const double lab[3] = { 100.0 * part(0), 255.0 * part(1) - 128.0, 255.0 * part(2) - 128.0 };
+  std::vector<double> color(3);
+  vtkMath::LabToRGB(lab, color.data());
+  return color;
+}
+
+void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const std::string& value,
+  std::vector<DicomSegment>& segments)
+{
+  constexpr int most = 65535;
+  if (number < 0 || number >= most)
+  {
+    return;
+  }
+  segments.resize(std::max(segments.size(), static_cast<std::size_t>(number) + 1));
+  DicomSegment& segment = segments[static_cast<std::size_t>(number)];
+  if (tag == 0x00620004)
+  {
+    segment.Number = static_cast<int>(stream.Number(value, 0, 2));
+  }
+  else if (tag == 0x00620005)
+  {
+    segment.Name = TrimValue(value);
+  }
+  else if (tag == 0x0062000d && value.size() >= 6)
+  {
+    segment.Color = ReadColor(stream, value);
+  }
+}
+
+/// Calls `take` with the value of an element, unless it is longer, and continues after it. Returns
+/// false if the file ends too early.
+template <typename Take>
+bool ReadAndSkip(
+  DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
+{
+  const std::uint64_t begin = stream.Place();
+  if (element.Length <= longest && element.Length <= stream.Left())
+  {
+    take(stream.Read(element.Length));
+    stream.GoTo(begin);
+  }
+  return stream.Skip(element);
+}
+
+/// Calls `take` for each value in a sequence, with the number of its item in the outermost
+/// sequence; groups are entered, other sequences are not. Returns false if the file ends too early.
+template <typename Take>
+bool WalkItems(
+  DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
+{
+  const bool isBounded = sequence.Length != UNKNOWN_LENGTH;
+  const std::uint64_t end = stream.Place() + (isBounded ? sequence.Length : 0);
+  DicomStream::Element element;
+  while ((!isBounded || stream.Place() < end) && stream.Next(element))
+  {
+    if (element.Tag == SEQUENCE_END)
+    {
+      return true;
+    }
+    if (element.Tag == ITEM)
+    {
+      number += depth == 0 ? 1 : 0;
+      continue; // enter it: its elements follow
+    }
+    if (element.Tag == ITEM_END)
+    {
+      continue;
+    }
+    if (IsGroup(element.Tag) && depth < DEEPEST)
+    {
+      if (!WalkItems(stream, element, take, number, depth + 1))
+      {
+        return false;
+      }
+      continue;
+    }
+    const auto takeOfItem = [&](const std::string& value) { take(number, element.Tag, value); };
+    if (!ReadAndSkip(stream, element, LONGEST_VALUE, takeOfItem))
+    {
+      return false;
+    }
+  }
+  return isBounded && stream.Place() >= end;
+}
+
+void OrientSlice(const double orientation[6], DicomHeader& header)
+{
+  double normal[3];
+  vtkMath::Cross(orientation, orientation + 3, normal);
+  // Otherwise the header has no orientation: an axial slice, which scanners make by default.
+  if (vtkMath::Normalize(normal) > 0.5)
+  {
+    std::copy_n(orientation, 3, header.Row);
+    std::copy_n(orientation + 3, 3, header.Column);
+    std::copy_n(normal, 3, header.Normal);
+  }
+  header.Along = vtkMath::Dot(header.Position, header.Normal);
+}
+
+/// Reads the transfer syntax, which says how the data set is written, from the part before the data
+/// set. Returns false if this is not a DICOM file.
+bool ReadMeta(DicomStream& stream, DicomHeader& header)
+{
+  constexpr std::uint64_t preamble = 128;
+  stream.GoTo(preamble);
+  if (stream.Read(4) != "DICM")
+  {
+    // Files older than the standard begin with the data set, in group 2 or 8.
+    stream.GoTo(0);
+    const std::string first = stream.Read(6);
+    stream.GoTo(0);
+    const auto isLetter = [&](std::size_t i) { return first[i] >= 'A' && first[i] <= 'Z'; };
+    if (first.size() < 6 || (first[0] != 8 && first[0] != 2) || first[1] != 0 || first[3] != 0)
+    {
+      return false;
+    }
+    stream.IsExplicit = isLetter(4) && isLetter(5);
+  }
+  std::uint64_t place = stream.Place();
+  DicomStream::Element element;
+  while (stream.Next(element) && element.Tag >> 16 == 2)
+  {
+    if (element.Length > stream.Left())
+    {
+      return false;
+    }
+    const bool isUsed = element.Tag == 0x00020010 || element.Tag == 0x00020002;
+    const std::string value = isUsed ? stream.Read(element.Length) : "";
+    if (!value.empty())
+    {
+      (element.Tag == 0x00020010 ? header.TransferSyntax : header.Class) = TrimValue(value);
+    }
+    stream.GoTo(value.empty() ? stream.Place() + element.Length : stream.Place());
+    place = stream.Place();
+  }
+  stream.GoTo(place);
+  if (!header.TransferSyntax.empty())
+  {
+    stream.IsExplicit = header.TransferSyntax != IMPLICIT_LITTLE;
+    stream.IsBig = header.TransferSyntax == EXPLICIT_BIG;
+  }
+  header.Deflated = header.TransferSyntax == DEFLATED ? stream.Place() : 0;
+  return true;
+}
+
+bool ArePixels(std::uint32_t tag)
+{
+  return tag == PIXELS || tag == FLOAT_PIXELS || tag == DOUBLE_PIXELS;
+}
+
+/// Reads everything up to the pixels. Returns false if there are none.
+bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
+{
+  double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  std::vector<std::array<double, 6>> orientations;
+  const auto takeOfFrame = [&](int number, std::uint32_t tag, const std::string& value)
+  {
+    if (number < 0 || number >= MOST_FRAMES)
+    {
+      return;
+    }
+    const auto index = static_cast<std::size_t>(number);
+    while (places.Groups.size() <= index)
+    {
+      places.Groups.push_back(header);
+      orientations.emplace_back();
+      std::copy_n(orientation, 6, orientations.back().begin());
+      places.Groups.back().HasPlaces = false;
+    }
+    places.Groups[index].HasPlaces = places.Groups[index].HasPlaces || tag == 0x00200032;
+    ReadValue(stream, tag, value, places.Groups[index], orientations[index].data());
+  };
+  constexpr std::uint32_t longestOffsets = 65536;
+  DicomStream::Element element;
+  while (stream.Next(element) && !ArePixels(element.Tag))
+  {
+    if (element.Tag == SEGMENTS)
+    {
+      const auto takeOfSegment = [&](int number, std::uint32_t tag, const std::string& value)
+      { TakeSegment(stream, number, tag, value, places.Segments); };
+      if (!WalkItems(stream, element, takeOfSegment, -1, 0))
+      {
+        return false;
+      }
+      continue;
+    }
+    if (element.Tag == SHARED_GROUPS || element.Tag == FRAME_GROUPS)
+    {
+      const bool isShared = element.Tag == SHARED_GROUPS;
+      const auto takeOfAll = [&](int, std::uint32_t tag, const std::string& value)
+      { ReadValue(stream, tag, value, header, orientation); };
+      if (!(isShared ? WalkItems(stream, element, takeOfAll, -1, 0)
+                     : WalkItems(stream, element, takeOfFrame, -1, 0)))
+      {
+        return false;
+      }
+      continue;
+    }
+    const auto takeOfFile = [&](const std::string& value)
+    {
+      ReadValue(stream, element.Tag, value, header, orientation);
+      if (element.Tag == OFFSETS)
+      {
+        places.Offsets = ReadAllDecimals(value);
+      }
+    };
+    const bool areOffsets = element.Tag == OFFSETS;
+    if (!ReadAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
+    {
+      return false;
+    }
+  }
+  header.IsFloat = element.Tag != PIXELS;
+  if (!ArePixels(element.Tag) || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
+    header.Samples <= 0)
+  {
+    return false;
+  }
+  if (header.IsFloat && header.Bits != (element.Tag == FLOAT_PIXELS ? 32 : 64))
+  {
+    return false;
+  }
+  header.Slope = header.DoseScale.value_or(header.Slope);
+  header.IsBig = stream.IsBig;
+  header.Pixels = stream.Place();
+  header.Frames = std::max(header.Frames, 1);
+  header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
+  // The parts of compressed pixels have no common length.
+  header.IsWhole = element.Length == UNKNOWN_LENGTH ? stream.Left() > 16 && stream.SkipItems()
+                                                    : stream.Left() >= header.GetSizeOfAll();
+  OrientSlice(orientation, header);
+  for (std::size_t i = 0; i < places.Groups.size(); ++i)
+  {
+    OrientSlice(orientations[i].data(), places.Groups[i]);
+  }
+  return true;
+}
+
+bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& places)
+{
+  header = {};
+  header.File = path;
+  DicomStream stream(path);
+  if (!ReadMeta(stream, header))
+  {
+    return false;
+  }
+  // If the part that deflate packed is damaged, say so, rather than something else.
+  return header.Deflated > 0 && !stream.Inflate() ? true : ReadDataSet(stream, header, places);
+}
+} // namespace
+
+namespace Explore
+{
+bool DicomHeader::IsPlain() const
+{
+  const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
+    this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
+  return isPlain &&
+    (this->Bits == 1 || this->Bits == 8 || this->Bits == 16 || this->Bits == 32 || this->IsFloat);
+}
+
+std::uint64_t DicomHeader::GetSize() const
+{
+  return (static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits + 7) /
+    8;
+}
+
+std::uint64_t DicomHeader::GetSizeOfAll() const
+{
+  // Frames of one bit follow each other without a gap.
+  return (static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits *
+             static_cast<std::uint64_t>(this->Frames) +
+           7) /
+    8;
+}
+
+bool DicomHeader::IsSegmentation() const
+{
+  return this->Class == "1.2.840.10008.5.1.4.1.1.66.4" ||
+    this->Class == "1.2.840.10008.5.1.4.1.1.66.7" || this->Modality == "SEG";
+}
+
+const DicomFact* FindDicomFact(std::uint32_t tag)
+{
+  const auto* const found = std::find_if(std::begin(DICOM_FACTS), std::end(DICOM_FACTS),
+    [tag](const DicomFact& fact) { return fact.Tag == tag; });
+  return found != std::end(DICOM_FACTS) ? found : nullptr;
+}
+
+std::vector<DicomSegment> ReadDicomSegments(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  ReadHeader(path, header, places);
+  return places.Segments;
+}
+
+DicomObject FindDicomObject(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  if (ReadHeader(path, header, places) || header.Class.empty())
+  {
+    return {};
+  }
+  for (const auto& [begin, name, cure] : OBJECTS)
+  {
+    if (header.Class.compare(0, std::strlen(begin), begin) == 0)
+    {
+      return { name, cure };
+    }
+  }
+  return { "a DICOM object" + (header.Modality.empty() ? "" : " (" + header.Modality + ")") +
+      " without an image",
+    NAME_IMAGES };
+}
+
+bool ReadDicomHeader(const std::string& path, DicomHeader& header)
+{
+  FramePlaces places;
+  return ReadHeader(path, header, places);
+}
+
+std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  if (!ReadHeader(path, header, places))
+  {
+    return {};
+  }
+  // A few frames are enough to tell that a file is cut off.
+  const int count = std::min(header.Frames, header.IsWhole ? MOST_FRAMES : 1000);
+  const auto frames = static_cast<std::size_t>(count);
+  std::vector<DicomHeader> slices(frames, header);
+  const bool haveGroups = places.Groups.size() >= frames;
+  const bool haveOffsets = places.Offsets.size() == frames;
+  for (std::size_t i = 0; i < frames; ++i)
+  {
+    DicomHeader& slice = slices[i];
+    slice.Frame = static_cast<int>(i);
+    slice.Pixels += header.Bits == 1 ? 0 : header.GetSize() * i;
+    if (haveGroups && places.Groups[i].HasPlaces)
+    {
+      const DicomHeader& own = places.Groups[i];
+      std::copy_n(own.Position, 3, slice.Position);
+      std::copy_n(own.Row, 3, slice.Row);
+      std::copy_n(own.Column, 3, slice.Column);
+      std::copy_n(own.Normal, 3, slice.Normal);
+      std::copy_n(own.Spacing, 2, slice.Spacing);
+      slice.Along = own.Along;
+      slice.Slope = own.Slope;
+      slice.Intercept = own.Intercept;
+      slice.HasPosition = true;
+      slice.Facts = own.Facts;
+      slice.Step = own.Step;
+      slice.Segment = own.Segment;
+      continue;
+    }
+    if (count == 1)
+    {
+      continue; // its header has a place, or it is at a scanner's default place
+    }
+    // The offsets of a dose are along the normal from 0 on, or else z in the patient (PS3.3,
+    // section C.8.8.3.2).
+    const bool areAbsolute = haveOffsets && places.Offsets[0] != 0.0;
+    const double step = !haveOffsets ? header.Step * static_cast<double>(i)
+                                     : (places.Offsets[i] - places.Offsets[0]) *
+        (areAbsolute && slice.Normal[2] < 0.0 ? -1.0 : 1.0);
+    slice.HasPlaces = haveOffsets || header.Step > 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      slice.Position[axis] += step * slice.Normal[axis];
+    }
+    slice.Along += step;
+  }
+  return slices;
+}
+} // namespace Explore

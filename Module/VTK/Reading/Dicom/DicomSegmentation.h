@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomSegmentation_h
+#define Explore_DicomSegmentation_h
+
+#include "VTK/Reading/Dicom/DicomHeader.h"
+#include "VTK/Reading/VolumeLoader.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Reads the labels of a DICOM segmentation (SEG, binary, fractional or label map), with the names
+/// and colours of its segments in the volume's table. `frames` are all frames of one file, in the
+/// order of their places. Throws InputError, with `path`.
+Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHeader>& frames);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Reading/GridLoader.h"
+
+#include "VTK/Reading/CheckedReading.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/WholeFile.h"
+#include "VTK/Regions/DataSetParts.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkFeatureEdges.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGenericEnSightReader.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkOpenFOAMReader.h"
+#include "vtkOutlineSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkResampleToImage.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLGenericDataObjectReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+#include <vtksys/SystemTools.hxx>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> DetectEdges(vtkDataSet* part)
+{
+  constexpr double sharp = 30.0; // degrees
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(part);
+  // The faces of a structured grid do not share points.
+  vtkNew<vtkCleanPolyData> join;
+  join->SetInputConnection(surface->GetOutputPort());
+  join->ToleranceIsAbsoluteOn();
+  join->SetAbsoluteTolerance(0.0);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(join->GetOutputPort());
+  edges->SetFeatureAngle(sharp);
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+} // namespace
+
+namespace Explore
+{
+namespace
+{
+/// Makes lines that show where the cells of a grid are: the sharp edges and the open ends of the
+/// surfaces of its parts or, if there are no such lines, the box around all parts.
+
+vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts)
+{
+  vtkNew<vtkAppendPolyData> all;
+  vtkBoundingBox box;
+  vtkIdType lines = 0;
+  for (vtkDataSet* const part : parts)
+  {
+    const vtkSmartPointer<vtkPolyData> edges = DetectEdges(part);
+    lines += edges->GetNumberOfLines();
+    all->AddInputData(edges);
+    box.AddBounds(part->GetBounds());
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  vtkNew<vtkOutlineSource> corners;
+  corners->SetBounds(bounds);
+  vtkAlgorithm* const source = lines > 0 ? static_cast<vtkAlgorithm*>(all) : corners;
+  source->Update();
+  return vtkPolyData::SafeDownCast(source->GetOutputDataObject(0));
+}
+} // namespace
+} // namespace Explore
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+using Files = vtksys::SystemTools;
+
+/// The most samples of the image: more would take minutes.
+constexpr double MOST_SAMPLES = 1 << 25;
+
+struct Format
+{
+  const char* Ending;
+  const char* Name;
+  vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
+  double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats don't say
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+/// The reader splits folder and name only on request.
+vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetFilePath(Files::GetFilenamePath(Files::CollapseFullPath(path)).c_str());
+  reader->SetCaseFileName(Files::GetFilenameName(path).c_str());
+  return reader;
+}
+
+const Format FORMATS[] = {
+  { ".vtu", "VTK unstructured grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtr", "VTK rectilinear grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vts", "VTK structured grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader> },
+  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader>, 1.0 },
+  { ".case", "EnSight case", MakeEnSightReader },
+};
+
+const Format* FindFormat(const std::string& path)
+{
+  const std::string ending = Files::LowerCase(Files::GetFilenameLastExtension(path));
+  const Format* const found = std::find_if(std::begin(FORMATS), std::end(FORMATS),
+    [&](const Format& format) { return ending == format.Ending; });
+  return found == std::end(FORMATS) ? nullptr : found;
+}
+
+/// Reads the last time, if there are several. Empty if nothing could be read.
+vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
+  const auto chooseTime = [&]
+  {
+    const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
+    const std::string missing = isXml ? Explore::DetectMissingEnd(path) : std::string();
+    if (!missing.empty())
+    {
+      return missing;
+    }
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* const information = reader->GetOutputInformation(0);
+    const int times = information && information->Has(Pipeline::TIME_STEPS())
+      ? information->Length(Pipeline::TIME_STEPS())
+      : 0;
+    if (times > 1)
+    {
+      const double last = information->Get(Pipeline::TIME_STEPS())[times - 1];
+      std::ostringstream note;
+      note << "the last of " << times << " times, " << last << ", is felt";
+      volume.Notes.push_back(note.str());
+      information->Set(Pipeline::UPDATE_TIME_STEP(), last);
+    }
+    return std::string();
+  };
+  std::string detail;
+  if (!Explore::ReadChecked(reader, detail, chooseTime) || !reader->GetOutputDataObject(0))
+  {
+    throw InputError(path,
+      std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),
+      "check what the file really is, export it again, and check that the copy is complete");
+  }
+  return reader->GetOutputDataObject(0);
+}
+
+double ComputeFinestSpacing(const vtkBoundingBox& box)
+{
+  double edges[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetLengths(edges);
+  }
+  return std::cbrt(edges[0] * edges[1] * edges[2] / MOST_SAMPLES);
+}
+
+/// Makes the image over the bounds of all parts, without arrays.
+vtkSmartPointer<vtkImageData> MakeFrame(
+  const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
+{
+  const vtkBoundingBox box = VolumeHaptics::ComputeBox(parts);
+  const double cells = VolumeHaptics::CountCells(parts);
+  const double average = VolumeHaptics::ComputeSampleSpacing(box, cells);
+  const double finest = ComputeFinestSpacing(box);
+  VolumeHaptics::SamplingGrid grid;
+  if (!VolumeHaptics::PlaceGrid(box, std::max(average, finest), grid))
+  {
+    throw InputError(path, "has no cells, or they have no volume",
+      "write grids of cells in space, such as hexahedra and tetrahedra");
+  }
+  auto frame = vtkSmartPointer<vtkImageData>::New();
+  frame->SetDimensions(grid.Dimensions);
+  frame->SetOrigin(grid.Origin);
+  frame->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
+  std::ostringstream note;
+  note << static_cast<vtkIdType>(cells) << " cells, resampled to cubes of " << grid.Spacing
+       << (finest > average ? ", which are larger than the cells: crop the data to feel more" : "");
+  volume.Notes.push_back(note.str());
+  return frame;
+}
+
+vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
+{
+  vtkNew<vtkCellDataToPointData> average;
+  average->SetInputDataObject(data);
+  average->PassCellDataOff();
+  vtkNew<vtkResampleToImage> resample;
+  resample->SetInputConnection(average->GetOutputPort());
+  resample->UseInputBoundsOff();
+  resample->SetSamplingBounds(frame->GetBounds());
+  resample->SetSamplingDimensions(frame->GetDimensions());
+  resample->Update();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(frame);
+  image->GetPointData()->ShallowCopy(resample->GetOutput()->GetPointData());
+  return image;
+}
+
+/// Outside of all cells, sets scalars to the least value inside, vectors and tensors to 0.
+void FillOutside(vtkImageData* image)
+{
+  constexpr const char* maskName = "vtkValidPointMask";
+  vtkPointData* const points = image->GetPointData();
+  const vtkSmartPointer<vtkDataArray> mask = points->GetArray(maskName);
+  for (int i = 0; mask && i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = points->GetArray(i);
+    if (!array || array == mask || array->GetNumberOfComponents() != 1)
+    {
+      continue;
+    }
+    double least = VTK_DOUBLE_MAX;
+    for (vtkIdType k = 0; k < mask->GetNumberOfTuples(); ++k)
+    {
+      const double value = array->GetComponent(k, 0);
+      least = mask->GetComponent(k, 0) != 0.0 && value < least ? value : least;
+    }
+    for (vtkIdType k = 0; k < mask->GetNumberOfTuples() && least < VTK_DOUBLE_MAX; ++k)
+    {
+      if (mask->GetComponent(k, 0) == 0.0)
+      {
+        array->SetComponent(k, 0, least);
+      }
+    }
+  }
+  for (const char* const name : { maskName, vtkDataSetAttributes::GhostArrayName() })
+  {
+    points->RemoveArray(name);
+  }
+}
+
+/// Returns the active array of a kind, from the part that has one.
+std::string FindActive(const std::vector<vtkDataSet*>& parts)
+{
+  for (vtkDataSet* const part : parts)
+  {
+    for (vtkDataSetAttributes* const arrays :
+      std::initializer_list<vtkDataSetAttributes*>{ part->GetPointData(), part->GetCellData() })
+    {
+      vtkDataArray* const scalars = arrays->GetScalars();
+      if (scalars && scalars->GetName() && scalars->GetNumberOfComponents() == 1)
+      {
+        return scalars->GetName();
+      }
+    }
+  }
+  return {};
+}
+} // namespace
+
+namespace Explore
+{
+const char* const GRID_ENDINGS = ".vtu .vtr .vts .vtm .vtmb .vtk .foam .case";
+
+bool IsGrid(const std::string& path)
+{
+  return FindFormat(path) != nullptr;
+}
+
+Volume ReadGrid(const std::string& path)
+{
+  const Format& format = *FindFormat(path);
+  Volume volume;
+  volume.Format = format.Name;
+  volume.MetersPerUnit = format.MetersPerUnit;
+  const vtkSmartPointer<vtkDataObject> data = Read(path, format, volume);
+  if (auto* const image = vtkImageData::SafeDownCast(data))
+  {
+    volume.Image = image;
+    return volume;
+  }
+  const std::vector<vtkDataSet*> parts = VolumeHaptics::CollectParts(data);
+  volume.Image = Resample(data, MakeFrame(path, parts, volume));
+  FillOutside(volume.Image);
+  volume.Outline = MakeGridOutline(parts);
+  const std::string active = FindActive(parts);
+  volume.Image->GetPointData()->SetActiveScalars(active.empty() ? nullptr : active.c_str());
+  volume.IsGrid = true;
+  volume.IsField = true;
+  return volume;
+}
+
+} // namespace Explore

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Reading/VolumeChecks.h"
+
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeLoader.h"
+
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/OutsideFiller.h"
+
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkDataArray.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkImageShiftScale.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <sstream>
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+
+// The smallest edge at which a kernel of the default radius, 2 voxels, has room on both sides.
+constexpr int MINIMUM_SIZE = 5;
+
+std::string SizeText(const int size[3])
+{
+  std::ostringstream text;
+  text << size[0] << " x " << size[1] << " x " << size[2];
+  return text.str();
+}
+
+void CheckGeometry(const std::string& path, vtkImageData* image)
+{
+  const int* size = image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (size[axis] < 1)
+    {
+      throw InputError(path, "holds no voxels", "export the volume again");
+    }
+    if (size[axis] == 1)
+    {
+      throw InputError(path, "is a single slice (" + SizeText(size) + " voxels), not a volume",
+        "export the whole series as one three-dimensional image");
+    }
+    if (size[axis] < MINIMUM_SIZE)
+    {
+      throw InputError(path,
+        "is too thin to be touched (" + SizeText(size) + " voxels; at least 5 each way)",
+        "export more slices");
+    }
+    const double spacing = image->GetSpacing()[axis];
+    if (!std::isfinite(spacing) || spacing == 0.0 || !std::isfinite(image->GetOrigin()[axis]))
+    {
+      throw InputError(path, "has a spacing or an origin that is not a finite, non-zero number",
+        "correct the spacing in the file's header");
+    }
+  }
+  const double determinant = image->GetDirectionMatrix()->Determinant();
+  if (!std::isfinite(determinant) || std::abs(determinant) < 1e-6)
+  {
+    throw InputError(path, "has a singular direction matrix", "correct it in the file's header");
+  }
+}
+
+/// Makes point scalars from the arrays that exist.
+void ChooseScalars(const std::string& path, Volume& volume)
+{
+  vtkImageData* image = volume.Image;
+  vtkPointData* points = image->GetPointData();
+  if (!points->GetScalars() && image->GetCellData()->GetNumberOfArrays() > 0 &&
+    points->GetNumberOfArrays() == 0)
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputData(image);
+    toPoints->Update();
+    vtkNew<vtkImageData> converted;
+    converted->ShallowCopy(toPoints->GetOutput());
+    volume.Image = converted;
+    volume.Notes.emplace_back("cell values averaged to the points");
+    points = converted->GetPointData();
+  }
+  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
+  {
+    if (points->GetArray(i) && points->GetArray(i)->GetName())
+    {
+      points->SetActiveScalars(points->GetArray(i)->GetName());
+      volume.Notes.push_back(std::string("no active scalars: point array '") +
+        points->GetArray(i)->GetName() + "' used");
+    }
+  }
+  if (!points->GetScalars())
+  {
+    throw InputError(path, "has no scalars: there is nothing to feel",
+      "write the file with a point-data array of numbers");
+  }
+}
+
+/// Replaces red, green and blue bytes (perhaps with opacity) by their brightness, which is felt.
+void UseBrightness(Volume& volume)
+{
+  vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedCharArray> brightness;
+  brightness->SetName(colours->GetName() ? colours->GetName() : "Brightness");
+  brightness->SetNumberOfValues(colours->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+  {
+    // The weights of vtkImageLuminance.
+    const double value = 0.30 * colours->GetComponent(i, 0) + 0.59 * colours->GetComponent(i, 1) +
+      0.11 * colours->GetComponent(i, 2);
+    brightness->SetValue(i, static_cast<unsigned char>(value));
+  }
+  vtkNew<vtkImageData> single;
+  single->CopyStructure(volume.Image);
+  single->GetPointData()->SetScalars(brightness);
+  volume.Image = single;
+  volume.Notes.emplace_back("colours: their brightness is used");
+}
+
+void UseFirstComponent(Volume& volume)
+{
+  const int components = volume.Image->GetNumberOfScalarComponents();
+  if (components == 1)
+  {
+    return;
+  }
+  if ((components == 3 || components == 4) && volume.Image->GetScalarType() == VTK_UNSIGNED_CHAR)
+  {
+    UseBrightness(volume);
+    return;
+  }
+  vtkNew<vtkImageExtractComponents> extract;
+  extract->SetInputData(volume.Image);
+  extract->SetComponents(0);
+  extract->Update();
+  vtkNew<vtkImageData> single;
+  single->ShallowCopy(extract->GetOutput());
+  single->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  volume.Image = single;
+  volume.Notes.push_back(
+    std::to_string(components) + " components a voxel: component 0 used, the others ignored");
+}
+
+void CheckRange(const std::string& path, vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  if (!(range[0] < range[1]))
+  {
+    std::ostringstream fault;
+    fault << "is uniform (every finite voxel is " << range[0] << "): there is nothing to feel";
+    throw InputError(path, range[0] > range[1] ? "holds no finite voxel" : fault.str(),
+      "check the export, in particular its rescale slope and window");
+  }
+}
+
+/// Sets samples outside to the value with which the filter would feel them, also for the picture,
+/// the thresholds and the kind of the volume.
+void UseOutside(Volume& volume)
+{
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const VolumeHaptics::OutsideSamples outside =
+    VolumeHaptics::DetectOutside(volume.Image, scalars, 0);
+  const std::string notice = VolumeHaptics::DescribeOutside(outside, scalars);
+  if (!notice.empty())
+  {
+    volume.Notes.push_back(notice);
+    volume.Padding = notice;
+  }
+  if (!outside.HasAny())
+  {
+    return;
+  }
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(volume.Image);
+  image->GetPointData()->SetScalars(VolumeHaptics::CopyFilled(outside, scalars, 0));
+  volume.Image = image; // the scalars may end with the image before
+}
+
+/// Corrects Hounsfield units that are stored higher, as scanners do, also for the picture, the
+/// thresholds and the kind of the volume.
+void UseHounsfieldUnits(Volume& volume)
+{
+  if (volume.IsField || !Explore::MayBeHounsfield(volume.Modality))
+  {
+    return;
+  }
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const int* const size = volume.Image->GetDimensions();
+  const std::int64_t dimensions[3] = { size[0], size[1], size[2] };
+  const VolumeHaptics::StoredShift found =
+    VolumeHaptics::EstimateStoredShift(scalars, dimensions, 0);
+  if (found.Shift == 0.0)
+  {
+    return;
+  }
+  const bool isWhole = scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE;
+  vtkNew<vtkImageShiftScale> shift;
+  shift->SetInputData(volume.Image);
+  shift->SetShift(found.Shift);
+  shift->SetOutputScalarType(isWhole ? VTK_INT : scalars->GetDataType());
+  shift->Update();
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(shift->GetOutput());
+  image->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  image->GetPointData()->GetScalars()->SetName(scalars->GetName());
+  volume.Image = image;
+  std::ostringstream note;
+  note << "air is at " << found.Air << ": taken for Hounsfield units + " << -found.Shift
+       << ", which is subtracted";
+  volume.Notes.push_back(note.str());
+}
+} // namespace
+
+namespace Explore
+{
+void CheckMemory(const std::string& path, double bytes, std::size_t frames)
+{
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  const double needed = bytes * static_cast<double>(frames) / mebibyte;
+  vtksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
+  if (free > 0.0 && needed > free)
+  {
+    std::ostringstream fault;
+    fault << "has " << frames << " frames, which need " << std::lround(needed)
+          << " MiB of memory, and " << std::lround(free) << " MiB are free";
+    throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
+  }
+}
+
+bool MayBeHounsfield(const std::string& modality)
+{
+  static const char* const others[] = { "MR", "PT", "NM", "US", "OPT", "OCT", "IVUS", "IVOCT", "MG",
+    "RTDOSE", "SEG" };
+  return std::find(std::begin(others), std::end(others), modality) == std::end(others);
+}
+
+void CheckVolume(const std::string& path, Volume& volume)
+{
+  CheckGeometry(path, volume.Image);
+  ChooseScalars(path, volume);
+  UseFirstComponent(volume);
+  UseOutside(volume);
+  UseHounsfieldUnits(volume);
+  CheckRange(path, volume.Image);
+}
+} // namespace Explore

@@ -1,0 +1,615 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Reading/VolumeLoader.h"
+
+#include "VTK/Reading/CheckedReading.h"
+#include "VTK/Reading/Dicom/DicomFolder.h"
+#include "VTK/Reading/GridLoader.h"
+#include "VTK/Reading/InputError.h"
+#include "VTK/Reading/LabelMap.h"
+#include "VTK/Reading/MessageCapture.h"
+#include "VTK/Reading/SliceGeometry.h"
+#include "VTK/Reading/VolumeChecks.h"
+#include "VTK/Reading/VolumeFields.h"
+#include "VTK/Reading/VolumeOrientation.h"
+#include "VTK/Reading/WholeFile.h"
+
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/NrrdHeader.h"
+#include "VTK/Regions/Formats/HeaderText.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkImageShiftScale.h"
+#include "vtkInformation.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageHeader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+
+/// Types of MetaIO that vtkMetaImageReader knows, and whose size does not depend on the system.
+constexpr const char* META_TYPES[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
+  "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
+
+struct UnreadableFile
+{
+  const char* Endings; ///< between blanks
+  const char* Fault;
+  const char* Cure;
+};
+
+/// Files that users have, and what makes a volume of them.
+constexpr UnreadableFile UNREADABLE[] = {
+  { " .head .brik ", "is a file of AFNI, which is not read here",
+    "turn it into NIfTI with 3dAFNItoNIFTI" },
+  { " .par .rec ", "is a PAR/REC file, which is not read here",
+    "turn it into NIfTI with dcm2niix" },
+  { " .mgz .mgh ", "is a file of FreeSurfer, which is not read here",
+    "turn it into NIfTI: mri_convert head.mgz head.nii.gz" },
+  { " .mnc ", "is a MINC file, which is not read here", "turn it into NIfTI with mnc2nii" },
+  { " .zip .tar .tgz .7z .rar ", "is a packed folder",
+    "unpack it, and name the folder of its slices" },
+  { " .jpg .jpeg .png .bmp ",
+    "is a picture, which has one slice, or less than the values of a scan",
+    "name the volume that it was made of" },
+  { " .stl .ply .obj ", "is a surface, not a volume",
+    "name a volume; --tool and --guide take surfaces" },
+};
+
+std::string ListKnown()
+{
+  return std::string(
+           ".vti .mhd .mha .nii .nii.gz .hdr .img .nrrd .nhdr .tif .vtkhdf .pvd, a grid (") +
+    Explore::GRID_ENDINGS + "), a folder .zarr, DICOM or TIFF slices, or a folder of them";
+}
+
+bool EndsWith(const std::string& text, const std::string& ending)
+{
+  return text.size() >= ending.size() &&
+    text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool IsXml(const std::string& path)
+{
+  return EndsWith(vtksys::SystemTools::LowerCase(path), ".vti");
+}
+
+bool IsNifti(const std::string& lower)
+{
+  for (const char* const ending : { ".nii", ".hdr", ".img" })
+  {
+    if (EndsWith(lower, ending) || EndsWith(lower, std::string(ending) + ".gz"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a file begins like gzip's files, whatever its name says.
+bool IsPacked(const std::string& path)
+{
+  vtksys::ifstream file(path.c_str(), std::ios::binary);
+  return file.get() == 0x1f && file.get() == 0x8b;
+}
+
+/// Returns the file with the samples of a header, or the file itself; empty if they are in several
+/// files.
+std::string FindSamples(const std::string& path)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  std::string data;
+  if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
+  {
+    data = VolumeHaptics::HeaderText(path).Value({ "ElementDataFile" });
+  }
+  else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
+  {
+    // NIfTI and Analyze in two files.
+    const std::string base = path.substr(0, path.size() - (EndsWith(lower, ".gz") ? 7 : 4));
+    for (const char* const ending : { ".img", ".img.gz", ".IMG", ".IMG.GZ" })
+    {
+      if (vtksys::SystemTools::FileExists(base + ending, true))
+      {
+        return base + ending;
+      }
+    }
+    return base + ".img";
+  }
+  if (data == "LIST" || data.find('%') != std::string::npos)
+  {
+    return {};
+  }
+  if (data.empty() || vtksys::SystemTools::LowerCase(data) == "local")
+  {
+    return path;
+  }
+  return vtksys::SystemTools::CollapseFullPath(
+    data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
+}
+
+/// Returns how many bytes of samples the file that has them can hold at most; -1 if the file is
+/// damaged.
+double CountHeld(const std::string& path, const std::string& samples)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  const bool isMeta = EndsWith(lower, ".mhd") || EndsWith(lower, ".mha");
+  const VolumeHaptics::HeaderText meta(isMeta ? path : std::string());
+  const bool isPacked = isMeta
+    ? vtksys::SystemTools::LowerCase(meta.Value({ "CompressedData" })) == "true"
+    : IsNifti(lower) && IsPacked(samples);
+  const bool isRaw = isMeta
+    ? vtksys::SystemTools::LowerCase(meta.Value({ "BinaryData" })) != "false"
+    : IsNifti(lower);
+  // Files with packed data after a header of a given size are not checked.
+  const bool isHere = samples == path && isMeta;
+  const bool isPlain = meta.Value({ "HeaderSize" }).empty();
+  const std::size_t head = isMeta ? meta.GetSize() : 0;
+  const auto length = static_cast<double>(vtksys::SystemTools::FileLength(samples));
+  if (isPacked && isPlain && (!isHere || head > 0))
+  {
+    return Explore::CountUnpacked(samples, isHere ? head : 0);
+  }
+  // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
+  constexpr double smallest = 10000.0;
+  return isRaw && !isPacked ? length : smallest * length;
+}
+
+/// Returns why a reader's information can't be true for its file; empty if it can. Readers allocate
+/// memory for all that a header promises before they read the samples.
+std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
+{
+  vtkInformation* const information = reader->GetOutputInformation(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  if (information && information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  }
+  double bytes = 1.0;
+  for (int a = 0; a < 6; a += 2)
+  {
+    bytes *= std::max(0.0, 1.0 + extent[a + 1] - extent[a]);
+  }
+  vtkInformation* const scalars = vtkDataObject::GetActiveFieldInformation(
+    information, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
+  {
+    bytes *= scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+  }
+  if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+  {
+    bytes *= vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
+  }
+  const std::string samples = FindSamples(path);
+  if (!vtksys::SystemTools::FileExists(samples, true))
+  {
+    return {}; // the reader reports this fault
+  }
+  const double held = CountHeld(path, samples);
+  return held < 0.0 ? "its compressed samples are damaged, or cut off"
+    : bytes > held
+    ? "its header promises voxels that are not in the file, which ends before the last voxel"
+    : IsXml(path) ? Explore::DetectMissingEnd(path)
+                  : std::string();
+}
+
+/// Runs a reader and turns all of its errors into one message.
+template <typename Reader>
+vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
+{
+  const std::string cure =
+    std::string("export it again as ") + format + ", and check that the copy is complete";
+  reader->SetFileName(path.c_str());
+  Explore::MessageCapture capture;
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
+      "check what the file really is; " + cure);
+  }
+  std::string detail;
+  if (!Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))
+  {
+    throw InputError(path,
+      std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),
+      cure);
+  }
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(reader->GetOutput());
+  return image;
+}
+
+/// Converts 64-bit integers to 16 or 32 bits, if they fit, for mappers that support no others.
+void NarrowSamples(vtkImageData* image)
+{
+  vtkDataArray* const wide = image ? image->GetPointData()->GetScalars() : nullptr;
+  const int type = wide ? wide->GetDataType() : VTK_VOID;
+  const bool isWide = type == VTK_LONG || type == VTK_UNSIGNED_LONG || type == VTK_LONG_LONG ||
+    type == VTK_UNSIGNED_LONG_LONG || type == VTK_ID_TYPE;
+  double range[2] = { 0.0, 0.0 };
+  for (int c = 0; isWide && c < wide->GetNumberOfComponents(); ++c)
+  {
+    double one[2];
+    wide->GetRange(one, c);
+    range[0] = std::min(range[0], one[0]);
+    range[1] = std::max(range[1], one[1]);
+  }
+  const auto fits = [&range](auto number)
+  {
+    using Limits = std::numeric_limits<decltype(number)>;
+    return range[0] >= Limits::min() && range[1] <= Limits::max();
+  };
+  if (isWide && fits(int{}))
+  {
+    image->GetPointData()->SetScalars(
+      VolumeHaptics::CopyArray(wide, fits(short{}) ? VTK_SHORT : VTK_INT));
+  }
+}
+
+Volume ReadVti(const std::string& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
+}
+
+/// Whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it, and its
+/// dimensions.
+bool IsKnownToVTK(const std::string& path)
+{
+  const VolumeHaptics::HeaderText header(path);
+  const std::string type = header.Value({ "ElementType" });
+  const bool isKnown = std::any_of(std::begin(META_TYPES), std::end(META_TYPES),
+    [&](const char* known) { return type == known || type == std::string(known) + "_ARRAY"; });
+  const std::size_t axes = header.Numbers({ "DimSize" }).size();
+  const std::vector<double> told = header.Numbers({ "NDims" });
+  return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
+}
+
+/// Reads a whole file in the way in which regions of it are read, with the notes about it.
+Volume ReadAsRegions(const std::string& path, const std::string& format, const char* cure)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  std::string error;
+  Volume volume;
+  volume.Format = format;
+  volume.Image =
+    source->OpenWholeFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
+  if (!volume.Image)
+  {
+    throw InputError(path, "cannot be read as " + format + " (" + error + ")", cure);
+  }
+  Explore::AddFileNotes(source, volume);
+  return volume;
+}
+
+/// Reads a MetaImage, also one that VTK's reader can't read: samples of 64 bits, MetaIO's long, and
+/// more than three axes.
+Volume ReadMetaImage(const std::string& path)
+{
+  vtkNew<vtkMetaImageReader> reader;
+  const bool isRaw = reader->CanReadFile(path.c_str()) && !IsKnownToVTK(path);
+  Volume volume = isRaw
+    ? ReadAsRegions(
+        path, "MetaImage", "do what stands there, or write it with samples of 8, 16 or 32 bits")
+    : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
+  Explore::ApplyMetaImageOrientation(path, volume.Image);
+  volume.Axes = Explore::ReadMetaImageAxes(path);
+  volume.HasPlace = !VolumeHaptics::HeaderText(path)
+                       .Value({ "TransformMatrix", "Orientation", "Rotation" })
+                       .empty();
+  return volume;
+}
+
+/// Reads a NRRD file without VTK's reader, which takes text for samples, and the sizes of four axes
+/// from the wrong end.
+Volume ReadNrrd(const std::string& path)
+{
+  if (VolumeHaptics::ReadNrrdHeader(path).Fields.empty())
+  {
+    throw InputError(path, "is not a NRRD file, whatever its name says",
+      "check what the file really is; export it again as NRRD, and check that the copy is "
+      "complete");
+  }
+  Volume volume = ReadAsRegions(path, "NRRD", "do what stands there");
+  volume.Axes = Explore::ReadNrrdAxes(path);
+  const std::string note = Explore::DescribeNrrdTurn(path);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
+  return volume;
+}
+
+/// Turns stored numbers into the values that a NIfTI header defines, as vtkNIFTIImageReader does
+/// not. Whole numbers stay whole if the header only adds one.
+void ApplyNiftiScale(double slope, double intercept, Volume& volume)
+{
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const bool isMeant = slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept);
+  if (!isMeant || (slope == 1.0 && intercept == 0.0) || !scalars)
+  {
+    return;
+  }
+  double range[2];
+  scalars->GetRange(range, 0);
+  for (int c = 1; c < scalars->GetNumberOfComponents(); ++c)
+  {
+    double other[2];
+    scalars->GetRange(other, c);
+    range[0] = std::min(range[0], other[0]);
+    range[1] = std::max(range[1], other[1]);
+  }
+  using Short = std::numeric_limits<short>;
+  const bool isShort = slope == 1.0 && intercept == std::round(intercept) &&
+    scalars->GetDataTypeMax() <= std::numeric_limits<int>::max() &&
+    range[0] + intercept >= Short::min() && range[1] + intercept <= Short::max();
+  const bool isLong = scalars->GetDataTypeSize() > 2 && scalars->GetDataType() != VTK_FLOAT;
+  const int fraction = isLong ? VTK_DOUBLE : VTK_FLOAT;
+  vtkNew<vtkImageShiftScale> shift;
+  shift->SetInputData(volume.Image);
+  shift->SetShift(intercept / slope);
+  shift->SetScale(slope);
+  shift->SetOutputScalarType(isShort ? VTK_SHORT : fraction);
+  shift->Update();
+  volume.Image = shift->GetOutput();
+  std::ostringstream note;
+  note << "values are " << slope << " times the stored ones, plus " << intercept
+       << ", as the NIfTI header says";
+  volume.Notes.push_back(note.str());
+}
+
+Volume ReadNifti(const std::string& path, bool timesAreComponents)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetTimeAsVector(timesAreComponents);
+  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
+  ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
+  vtkMatrix4x4* matrix = reader->GetSFormMatrix();
+  const char* form = "sform";
+  if (!matrix)
+  {
+    matrix = reader->GetQFormMatrix();
+    form = "qform";
+  }
+  if (reader->GetSFormMatrix())
+  {
+    // The lengths of the sform's columns hold, not pixdim (method 3), by which VTK divides them.
+    double spacing[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      spacing[c] = volume.Image->GetSpacing()[c] *
+        std::hypot(matrix->GetElement(0, c), matrix->GetElement(1, c), matrix->GetElement(2, c));
+    }
+    volume.Image->SetSpacing(spacing);
+  }
+  Explore::ApplyNiftiOrientation(matrix, volume.Image);
+  volume.Axes = matrix ? Explore::WorldAxes::Patient : Explore::WorldAxes::Unknown;
+  volume.HasPlace = matrix != nullptr;
+  volume.Notes.push_back(matrix ? std::string("orientation from the NIfTI ") + form +
+        ", turned from right-anterior-superior to left-posterior-superior"
+                                : "no NIfTI orientation: index axes taken as right, anterior, "
+                                  "superior");
+  const int units = reader->GetNIFTIHeader()->GetXYZTUnits() & 7;
+  if (units == 1 || units == 3)
+  {
+    Explore::ScaleLengths(volume.Image, units == 1 ? 1000.0 : 0.001);
+    volume.Notes.push_back(std::string("lengths turned from ") +
+      (units == 1 ? "metres" : "micrometres") + " into millimetres");
+  }
+  return volume;
+}
+
+Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  if (EndsWith(lower, ".vti"))
+  {
+    return ReadVti(path);
+  }
+  if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
+  {
+    return ReadMetaImage(path);
+  }
+  if (IsNifti(lower))
+  {
+    return ReadNifti(path, timesAreComponents);
+  }
+  if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
+  {
+    return ReadNrrd(path);
+  }
+  const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
+  if (!format.empty())
+  {
+    return ReadAsRegions(path, format, "do what stands there");
+  }
+  if (Explore::IsGrid(path))
+  {
+    return Explore::ReadGrid(path);
+  }
+  if (Explore::IsDicomFile(path))
+  {
+    return Explore::ReadDicomFile(path, series);
+  }
+  const Explore::DicomObject object = Explore::FindDicomObject(path);
+  if (!object.Name.empty())
+  {
+    throw InputError(path, "is " + object.Name, object.Cure);
+  }
+  if (EndsWith(lower, ".dcm") || EndsWith(lower, ".ima"))
+  {
+    throw InputError(path, "is not a DICOM slice, whatever its name says",
+      "check what the file really is; name a DICOM slice, or the folder of its series");
+  }
+  const std::string ending = " " + vtksys::SystemTools::GetFilenameLastExtension(lower) + " ";
+  for (const auto& [endings, fault, cure] : UNREADABLE)
+  {
+    if (std::string(endings).find(ending) != std::string::npos)
+    {
+      throw InputError(path, fault, cure);
+    }
+  }
+  throw InputError(
+    path, "has an ending that is not known here", "convert it to one of the known: " + ListKnown());
+}
+} // namespace
+
+namespace Explore
+{
+vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error)
+{
+  vtkNew<vtkImageData> region; // with the array that marks it as a region
+  if (!source->ReadRegion(source->GetWholeExtent(), region, error))
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(region);
+  image->GetPointData()->SetScalars(region->GetPointData()->GetScalars());
+  return image;
+}
+
+void AddFileNotes(vtkHapticRegionSource* source, Volume& volume)
+{
+  std::istringstream notes(source->GetFileNotes());
+  for (std::string note; std::getline(notes, note);)
+  {
+    volume.Notes.push_back(note);
+  }
+}
+
+Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
+{
+  if (!vtksys::SystemTools::PathExists(path))
+  {
+    throw InputError(path, "there is no such file or folder",
+      "check the spelling; what can be read is " + ListKnown());
+  }
+  Volume volume;
+  if (vtksys::SystemTools::FileIsDirectory(path))
+  {
+    const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
+    volume = format.empty() ? ReadDicomFolder(path, series)
+                            : ReadAsRegions(path, format, "do what stands there");
+  }
+  else
+  {
+    if (!vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_READ))
+    {
+      throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
+    }
+    // The file of an OpenFOAM case is empty, and only names its folder.
+    const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
+    if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
+    {
+      throw InputError(path, "is empty (0 bytes)", "copy or download it again");
+    }
+    volume = ReadFile(path, timesAreComponents, series);
+  }
+  NarrowSamples(volume.Image);
+  for (const Volume::Phase& phase : volume.Phases)
+  {
+    NarrowSamples(phase.Image);
+  }
+  std::string folder = path;
+  vtksys::SystemTools::ConvertToUnixSlashes(folder);
+  volume.Name = vtksys::SystemTools::GetFilenameName(folder);
+  return volume;
+}
+
+void AlignVolume(Volume& volume)
+{
+  const std::string note =
+    StraightenIfSheared(volume.Image, volume.MayBeLabels || volume.LabelTable != nullptr);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
+  volume.Image = AlignToAxes(volume.Image);
+}
+
+NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  const MessageCapture capture; // the volume's reader reports the fault
+  if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !reader->CanReadFile(path.c_str()))
+  {
+    return {};
+  }
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  if (reader->GetTimeDimension() < 2)
+  {
+    return {};
+  }
+  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // in the NIfTI header
+  const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
+  const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
+  const double spacing = scale * reader->GetTimeSpacing();
+  const bool isKnown = (unit == 0 || unit == seconds || scale < 1.0) && spacing > 0.0;
+  return { reader->GetTimeDimension(), isKnown && std::isfinite(spacing) ? spacing : unknown };
+}
+
+namespace
+{
+/// Loads a volume and aligns it to the axes. Before the alignment, calls `judge` with the volume,
+/// while its samples are still in the order of the file.
+template <typename Judge>
+Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
+{
+  Volume volume = ReadVolume(path, false, series);
+  VolumeFields fields;
+  volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
+  if (!array.empty() || !volume.Flow.empty())
+  {
+    // Shows what is felt.
+    const std::string& shown = array.empty() ? volume.Flow : array;
+    volume.IsField = fields.UseWith(shown, path, volume.Image) || volume.IsField;
+  }
+  else if (fields.Use(volume.Image))
+  {
+    volume.IsField = true;
+    volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
+  }
+  CheckVolume(path, volume);
+  judge(volume);
+  AlignVolume(volume);
+  fields.GiveTo(volume.Image);
+  for (Volume::Phase& phase : volume.Phases)
+  {
+    Volume one;
+    one.Image = phase.Image;
+    one.IsField = volume.IsField;
+    one.Modality = volume.Modality;
+    CheckVolume(path, one);
+    AlignVolume(one);
+    phase.Image = one.Image;
+  }
+  return volume;
+}
+} // namespace
+
+Volume LoadVolume(const std::string& path, int series, const std::string& array)
+{
+  return LoadAligned(path, series, array,
+    [](Volume& volume)
+    { volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image); });
+}
+
+vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array)
+{
+  return LoadAligned(path, 0, array, [](Volume&) {}).Image;
+}
+} // namespace Explore

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes small files of the cases as seeds of the fuzzer, a folder for each target of Testing/Fuzz: seeds.py FOLDER."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import phantom
+
+SIZE = 6  # voxels along each axis; the writers' own are about 42
+_init = phantom.Grid.__init__
+
+
+def _make_small(self, size=(SIZE, SIZE, SIZE), **options):
+    _init(self, [max(1, min(SIZE, n)) for n in size], **options)
+
+
+phantom.Grid.__init__ = _make_small
+
+import write_dicom  # noqa: E402, F401 the writers register their cases
+import write_images  # noqa: E402, F401
+import write_nifti  # noqa: E402, F401
+import write_threads  # noqa: E402, F401
+from cases import CASES  # noqa: E402
+
+TARGETS = {"dicom": "TouchDicom", "nifti": "TouchNifti", "analyze": "TouchNifti", "nrrd": "TouchNrrd", "metaimage": "TouchMetaImage",
+           "tiff": "TouchTiff", "zarr": "TouchZarr", "vti": "TouchVti", "vtkhdf": "TouchHdf"}
+LARGEST = 60000  # bytes
+
+
+def pack(folder):
+    """A folder in one buffer: see Testing/Fuzz/TouchFiles.h."""
+    packed = b"PACK"
+    for file in sorted(folder.rglob("*")):
+        if file.is_file() and file.stat().st_size < 1 << 16:
+            name, data = str(file.relative_to(folder)).encode(), file.read_bytes()
+            packed += bytes([len(name)]) + name + len(data).to_bytes(2, "little") + data
+    return packed
+
+
+def target_of(case, named):
+    ending = "".join(named.suffixes[-2:]).lower()
+    by_ending = {".mha": "TouchMetaImage", ".mhd": "TouchMetaImage", ".nrrd": "TouchNrrd", ".nhdr": "TouchNrrd", ".vti": "TouchVti",
+                 ".zarr": "TouchZarr", ".tif": "TouchTiff", ".tiff": "TouchTiff", ".vtkhdf": "TouchHdf", ".nii": "TouchNifti",
+                 ".nii.gz": "TouchNifti", ".hdr": "TouchNifti", ".img": "TouchNifti"}
+    found = [by_ending[one] for one in (ending, named.suffix.lower()) if one in by_ending]
+    return (found or [TARGETS.get(case.name.split("-")[0], "TouchDicom")])[0]
+
+
+folder = Path(sys.argv[1]).resolve()
+written = 0
+for case in CASES:
+    with tempfile.TemporaryDirectory() as place:
+        try:
+            named = Path(case.write(Path(place)))
+        except Exception:  # noqa: BLE001 some writers count on the size of the phantom
+            continue
+        only = named.is_file() and sum(1 for one in Path(place).rglob("*") if one.is_file()) == 1
+        seed = named.read_bytes() if only else pack(named if named.is_dir() else named.parent)
+        if len(seed) <= LARGEST:
+            into = folder / target_of(case, named)
+            into.mkdir(parents=True, exist_ok=True)
+            (into / case.name).write_bytes(seed)
+            written += 1
+print(written, "seeds")
