@@ -28,7 +28,7 @@
 namespace
 {
 constexpr int Period = 100;    ///< ms between two updates from the device
-constexpr int BarSteps = 1000; ///< steps of the bar, from 0 to the largest force
+constexpr int BarSteps = 1000; ///< number of steps of the bar, from 0 to the largest force
 
 /**
  * Gets the pointer's position from the window system, which knows it before the events of its

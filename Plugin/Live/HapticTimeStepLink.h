@@ -41,7 +41,7 @@ public:
   void Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device);
   /** Replaces the two images between which the servo moves by other regions. */
   void Replace(vtkImageData* from, vtkImageData* to);
-  /** Makes the next image the first one. */
+  /** Forgets the volume, so that the next image begins a new one. */
   void Clear();
 
   /** Whether Begin() was called for this filter, and Clear() was not called since. */

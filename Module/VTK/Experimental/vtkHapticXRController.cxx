@@ -149,8 +149,8 @@ void Bind(Json::Value& binding, const std::string& action)
 
 /**
  * Copies a manifest and its bindings into a folder, and binds the action to the motors of both
- * hands' controllers. A motor is bound if OpenXR's specification gives the controller's profile
- * such a motor, and if nothing else is bound to it. A missing folder is made. Returns false and
+ * hands' controllers. A motor is bound if it exists in the controller's profile in OpenXR's
+ * specification, and if nothing else is bound to it. A missing folder is made. Returns false and
  * writes the reason and the cure to `error` if a file can't be read or written; some of the files
  * may have been written then.
  */

@@ -175,7 +175,8 @@ private:
     added["id"] = std::to_string(points.size() + 1);
     added["label"] = label;
     added["position"] = this->Position(point);
-    added["positionStatus"] = "defined"; // some versions treat a point without it as undefined
+    // because some versions treat a point without it as undefined
+    added["positionStatus"] = "defined";
     points.append(added);
   }
 

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType tick
   return array;
 }
 
-/** Makes the polylines of paths that follow one another without gaps. */
+/** Makes the polylines of paths whose points follow one another without gaps. */
 vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& paths, vtkIdType ticks)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -126,7 +126,9 @@ private:
     }
   }
 
-  /** Returns the first tuple of a member's column; null if there is none. */
+  /**
+   * Returns where the block's tuples begin in a member's column; null if the column is not chosen.
+   */
   template <typename Value, int Components = 1, typename Member>
   Value* Find(Member member) const
   {

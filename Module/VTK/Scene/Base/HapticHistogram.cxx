@@ -86,10 +86,11 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   double* const range = bins.Range;
   range[0] = std::clamp(found[0], -FarthestShown, FarthestShown);
   range[1] = std::clamp(found[1], -FarthestShown, FarthestShown);
-  // Gives each bin the same number of whole numbers.
+  // Give each bin the same number of whole numbers.
   double width =
     areWhole ? std::ceil((range[1] - range[0] + 1.0) / MostBins) : (range[1] - range[0]) / MostBins;
-  // Charts are drawn in single precision, which can't tell narrower bins apart.
+  // Make no narrower bins, because charts are drawn in single precision, which can't distinguish
+  // them.
   constexpr double precision = 1e-7;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(range[0]), std::abs(range[1])));
@@ -164,7 +165,7 @@ bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
   constexpr double most = std::numeric_limits<int>::max();
-  // Also false for NaN. Rounding can't move a number beyond int into its range.
+  // This is also false for NaN. Rounding can't move a number beyond int into its range.
   return value >= least && value <= most && value == std::floor(value);
 }
 
@@ -303,8 +304,8 @@ std::vector<int> CollectPresentLabels(vtkDataArray* labels, const SweepProgress&
     return VisitPieces(labels, before, progress,
       [&](vtkIdType begin, vtkIdType end) { VisitLabels(labels, begin, end, visit); });
   };
-  // Do not use VTK's range: VTK caches it until the array is modified, and an image may change
-  // without that.
+  // Do not use VTK's range, because VTK caches it until the array is modified, and the values may
+  // change without that.
   int from = std::numeric_limits<int>::max();
   int to = std::numeric_limits<int>::min();
   const auto widen = [&](int label)

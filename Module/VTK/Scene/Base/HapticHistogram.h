@@ -127,8 +127,8 @@ std::optional<ValueCounts> CountAllValues(
   vtkDataArray* scalars, int component, const SweepProgress& progress);
 
 /**
- * Fills the columns "value" and "share": the middle of the bin, and log(1 + count) relative to the
- * largest.
+ * Fills two columns: "value" is the middle of the bin, "share" is log(1 + count) relative to that
+ * of the largest bin.
  */
 void FillHistogram(const ValueCounts& counts, vtkTable* table);
 

@@ -24,7 +24,8 @@
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
-#if __has_include("vtkTexturedButtonRepresentation2D.h") // the module of widgets is not linked
+// only inline functions of the header are used, since VTK's module of widgets is not linked
+#if __has_include("vtkTexturedButtonRepresentation2D.h")
 #include "vtkBalloonRepresentation.h"
 #include "vtkTexturedActor2D.h"
 #include "vtkTexturedButtonRepresentation2D.h"
@@ -96,7 +97,7 @@ bool ShowsSomething(vtkRenderer* renderer)
  */
 bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
 {
-  // VTK returns the same array from each call: copy it.
+  // Copy the position, because VTK returns the same array from each call.
   const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
   const double position[2] = { static_cast<double>(at[0]), static_cast<double>(at[1]) };
   if (auto* const text = vtkTextActor::SafeDownCast(actor))
@@ -120,7 +121,8 @@ bool ComputeBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
       return false;
     }
     double bounds[6];
-    polygons->GetCellsBounds(bounds); // VTK's borders have other points, without a place
+    // use only points of cells: VTK's borders also have unused points, without a position
+    polygons->GetCellsBounds(bounds);
     box = { bounds[0], bounds[1], bounds[2], bounds[3] };
     if (vtkCoordinate* const system = shape->GetTransformCoordinate())
     {
@@ -216,7 +218,8 @@ void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
     auto* const chart = vtkChart::SafeDownCast(scene->GetItem(i));
     if (chart && chart->GetVisible())
     {
-      // VTK adds the room for the labels at the left and below to the size.
+      // VTK adds the room for the labels at the left and below to the size, so the chart may end
+      // farther to the right and farther up.
       const vtkRectf size = chart->GetSize();
       const double right = chart->GetPoint1()[0] + chart->GetGeometry()[0];
       const double top = chart->GetPoint1()[1] + chart->GetGeometry()[1];
@@ -309,7 +312,7 @@ std::vector<ViewportBox> CollectOverlays(vtkViewport* viewport)
     const double left = other->GetOrigin()[0] - origin[0];
     const double bottom = other->GetOrigin()[1] - origin[1];
     const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
-    // Renderers of layer 0 are scenes, or lie beside scenes: they cover nothing.
+    // Renderers of layer 0 cover nothing: they are scenes, or lie beside scenes.
     if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
       ShowsSomething(other))
     {

@@ -26,8 +26,8 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
-    // Of several renderers of layer 0 side by side, the one behind the middle of this viewport
-    // counts.
+    // If several renderers of layer 0 stand side by side, use the one behind the middle of this
+    // viewport.
     double mine[4]; // left, bottom, right, top
     renderer->GetViewport(mine);
     const double middle[2] = { 0.5 * (mine[0] + mine[2]), 0.5 * (mine[1] + mine[3]) };

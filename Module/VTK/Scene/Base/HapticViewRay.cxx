@@ -32,7 +32,7 @@ namespace
 struct Felt
 {
   Vector3 Normal;                ///< outwards, unit; zero if not known
-  double Force = VTK_DOUBLE_MAX; ///< N; the largest number until the mesh is made
+  double Force = VTK_DOUBLE_MAX; ///< N; the largest number while the mesh is not made yet
 };
 
 /**
@@ -44,7 +44,7 @@ using Probe = std::function<bool(const Vector3& position, Felt& felt)>;
 /** Makes a probe that runs the servo's own tick; returns null if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 {
-  // The device's placement does not matter here, so the filter's own scale is enough.
+  // The filter's own scale is enough, because the device's placement does not matter here.
   std::shared_ptr<const HapticModel> model =
     filter->GetBaker().Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   if (!model)
@@ -230,7 +230,7 @@ bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapti
     return false;
   }
   Line line = MakeLine(renderer, from, filter->GetTouchedImage());
-  // A tip in front of the image walks from where the line enters the image.
+  // If the tip is in front of the image, begin where the line enters the image.
   const double gone = std::max(0.0, Dot(from - line.Start, line.Sight));
   line.Start = line.Start + gone * line.Sight;
   line.Length -= gone;

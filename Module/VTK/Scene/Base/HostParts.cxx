@@ -26,7 +26,8 @@ bool IsOverWidget(vtkRenderer* renderer, int x, int y)
   renderer->GetViewProps()->InitTraversal(at);
   while (vtkProp* const prop = renderer->GetViewProps()->GetNextProp(at))
   {
-    // Compare by name: the class is in a module of VTK that this library does not need otherwise.
+    // Compare by name, because the class is in a module of VTK that this library does not need
+    // otherwise.
     if (prop->IsA("vtkWidgetRepresentation") && prop->GetVisibility())
     {
       prop->GetActors(actors);

@@ -27,8 +27,8 @@ public:
   explicit KeptSettings(vtkVolumeHapticsFilter* filter);
 
   /**
-   * Copies the settings to a filter with the same parts. The filter keeps its property and its
-   * label table, so that an editor keeps editing the same functions.
+   * Copies the settings to a filter. The filter keeps the objects of its property and its label
+   * table, so that an editor keeps editing the same functions.
    */
   void Apply(vtkVolumeHapticsFilter* filter) const;
 

@@ -74,7 +74,7 @@ private:
 //------------------------------------------------------------------------------
 std::shared_ptr<DockLayout> DockLayout::Of(vtkRenderWindow* window)
 {
-  // Windows belong to one thread.
+  // One list is enough, because windows belong to one thread.
   static std::vector<std::weak_ptr<DockLayout>> all;
   std::shared_ptr<DockLayout> found;
   for (auto it = all.begin(); it != all.end();)

@@ -39,8 +39,9 @@ constexpr bool IsLow(DockEdge edge)
 }
 
 /**
- * Places a strip along an edge of a window. The strip that is placed first has the whole edge, each
- * later strip has an edge of what remains, and all other renderers of the window get the rest.
+ * Places a strip along an edge of a window. The strip that is placed first gets the whole edge,
+ * each later strip gets an edge of the rest, and all other renderers of the window get what is left
+ * then.
  */
 class WindowDock
 {

@@ -96,7 +96,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
   }
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
   {
-    // GetVolume() is an error for a port without an input.
+    // An empty port is skipped, because GetVolume() reports an error for it.
     const bool isUsed = mapper->GetNumberOfInputConnections(port) > 0;
     if (vtkVolume* const part = isUsed ? multi->GetVolume(port) : nullptr)
     {

@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the first sentence of a running device's status; for faults and requests to the hand, two
- * lines. Empty for a virtual device that only runs.
+ * Returns the first sentence of a running device's status; for faults and requests to the hand,
+ * also a second line. Empty while a virtual device runs normally.
  */
 std::string DescribeStatus(vtkHapticDevice* device);
 
@@ -32,7 +32,7 @@ std::string DescribeStatus(vtkHapticDevice* device);
 class LateSlide
 {
 public:
-  /** Records a tick at a time (s) with a contact as in vtkHapticState::GetContact(). */
+  /** Records a tick: its time (s), and its contact as vtkHapticState::GetContact() returns it. */
   void Add(double time, int contact)
   {
     this->Last = time < this->Now ? -1.0e300 : this->Last; // a new session began

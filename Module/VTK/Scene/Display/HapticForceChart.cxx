@@ -160,7 +160,7 @@ struct Look
   bool HasUprightGrid;
 };
 // The whole force is grey. Colour-blind people can distinguish the blue, orange and green of the
-// others.
+// other curves.
 const Look PanelLook = { { 0.90, 0.92, 0.95 }, { 170, 176, 186 }, { 70, 76, 86 },
   { { 80, 165, 255 }, { 255, 160, 60 }, { 70, 215, 150 }, { 165, 170, 178 } }, "whole", 3.5f,
   false };
@@ -193,9 +193,9 @@ void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& loo
 }
 
 /**
- * Keeps the points that draw a curve to within an error. From each kept point on, it narrows the
- * range of slopes that pass all later points, until the range is empty (swinging door). Wide lines
- * cost a software renderer microseconds for each point.
+ * Keeps only the points that are needed to draw a curve to within an error, because wide lines cost
+ * a software renderer microseconds for each point. From each kept point on, it narrows the range of
+ * slopes that pass all later points, until the range is empty (swinging door).
  */
 void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable* line)
 {
@@ -255,7 +255,7 @@ void HapticForceChart::Build()
   vtkChartLegend* const legend = this->Chart->GetLegend();
   if (this->On == Ground::Panel)
   {
-    // Do not use the chart's own background: VTK 9.1 draws it in the wrong place.
+    // Do not use the chart's own background, because VTK 9.1 draws it in the wrong place.
     this->Panel->SetAutoComputeDimensions(false);
     this->Panel->GetBrush()->SetColor(15, 18, 24, PanelOpacity);
     this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, PanelOpacity);
@@ -353,7 +353,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
       this->Plots[c]->SetLegendVisibility(isNamed);
     }
   }
-  // Keep the curve of the whole force.
+  // Hide the parts of the force, but not the whole force.
   for (int c = 0; c < Whole; ++c)
   {
     this->Plots[c]->SetVisible(names.empty());
@@ -404,7 +404,7 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From &&
     scale == this->Scale)
   {
-    return false; // a chart of a fixed size lays itself out again
+    return false; // because a chart lays itself out again whenever its size is set
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;

@@ -40,7 +40,7 @@ public:
   {
     double From = 0.0; ///< s
     double To = 0.0;
-    double Force = 0.0; ///< N, from 0 on
+    double Force = 0.0; ///< N; the axis begins at 0
   };
 
   /** A time span (s), and the name of the action in it. */
@@ -83,7 +83,10 @@ public:
    * whether the chart changes.
    */
   bool Show(vtkTable* table, const Extent& extent, const std::string& title);
-  /** Names the phases above the chart and draws lines between them. Call it once, after Show. */
+  /**
+   * Writes the names of the phases above the chart, and draws lines between them. Call it once,
+   * after Show.
+   */
   void ShowPhases(const std::vector<Phase>& phases);
 
   vtkContextActor* GetActor() { return this->Actor; }
@@ -107,7 +110,7 @@ private:
   std::vector<std::string> Modes;
   double Scale = 1.0; ///< pixels for each point
   bool IsOnLight = false;
-  int Viewport[2] = { 0, 0 }; ///< pixels, like the next three members
+  int Viewport[2] = { 0, 0 }; ///< pixels; the next three members are in pixels, too
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };
   double Height = 1.0;

@@ -36,8 +36,8 @@ public:
   ~HapticModeList();
 
   /**
-   * Draws the lines from a height (pixels) downwards; call it in the overlay pass. Returns how many
-   * texts were drawn.
+   * Draws the lines from a height (pixels) downwards. Call it in the overlay pass. Returns the
+   * number of texts that were drawn.
    */
   int Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport);
   /** Removes the lines, so that a click hits none. */

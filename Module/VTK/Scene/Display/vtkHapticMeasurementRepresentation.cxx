@@ -74,8 +74,8 @@ public:
   };
 
   /**
-   * Draws labels in the overlay pass. Earlier labels get their preferred places; a label without
-   * room is left out. Returns the number of labels drawn.
+   * Draws labels in the overlay pass. Earlier labels get their preferred positions. A label for
+   * which there is no room is left out. Returns the number of labels drawn.
    */
   int Render(vtkRenderer* renderer, const std::vector<Label>& labels,
     const std::function<bool(const Box&)>& isTaken);
@@ -271,7 +271,7 @@ MeasuredShapes::MeasuredShapes(double red, double green, double blue)
     part.Ghost->GetProperty()->SetColor(red, green, blue);
     part.Ghost->GetProperty()->LightingOff();
     part.Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-    part.Ghost->ForceOpaqueOn(); // the overlay pass does not sort
+    part.Ghost->ForceOpaqueOn(); // because the overlay pass does not sort
     Begin(part.Data);
   }
 }
@@ -324,7 +324,8 @@ void MeasuredShapes::AddLine(vtkPolyData* shape)
   for (vtkIdType i = 0; i <= last; ++i)
   {
     const Vector3 point = FromArray(shape->GetPoint(i));
-    // A tube can't continue from a point to itself.
+    // Of points close together, add only one. Add the last point only if it differs, because a tube
+    // can't continue from a point to itself.
     const double least = i == last ? 0.0 : 0.5 * this->Radius;
     if (i == 0 || Norm(point - before) > least)
     {

@@ -155,7 +155,7 @@ DockEdge EditorDock::GetEdge() const
 //------------------------------------------------------------------------------
 void EditorDock::Update()
 {
-  // An editor that was removed from its renderer is not shown any more.
+  // An editor is no longer shown after it was removed from its renderer.
   const bool isShown = this->Editor->GetDocked() && this->Editor->GetVisibility() &&
     this->Editor->GetNumberOfConsumers() > 0 && this->Window;
   if (!isShown)

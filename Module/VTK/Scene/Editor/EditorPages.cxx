@@ -58,7 +58,7 @@ const EditedPage Pages[] = {
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
 
-/** The lag (m) from which on the drag is too strong: twice the lag that presets allow. */
+/** The largest lag (m) for which the drag is not too strong: twice the lag that presets allow. */
 constexpr double LongDrag = 0.01;
 
 /** Returns the value of a function at x. An empty function has the value `empty` everywhere. */

@@ -54,7 +54,7 @@ void PaintFrame(vtkContext2D* painter, const vtkRectf& box)
     EmptyColour);
 }
 
-/** Returns the longest beginning of a UTF-8 text that fits into a width (pixels). */
+/** Returns as much of the beginning of a UTF-8 text as fits into a width (pixels). */
 std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
 {
   const auto widthOf = [painter](const std::string& part)

@@ -45,7 +45,7 @@ class RayProgress
 public:
   static constexpr double LeastFraction = 0.1;
 
-  /** Called when the rays begin. `time` (s) counts from the beginning of the frame. */
+  /** Records that the rays begin. `time` (s) counts from the beginning of the frame. */
   void Begin(double time)
   {
     this->Before = time;
@@ -83,7 +83,7 @@ struct RayPace
   static constexpr double MostSteps = 6.0;
 
   /**
-   * Returns the distance between rays for the next frame (pixels). `longest`: the most time (s)
+   * Returns the distance between rays for the next frame (pixels). `longest` is the most time (s)
    * that this frame may take.
    */
   double Next(double longest)
@@ -100,7 +100,7 @@ struct RayPace
     }
     return std::exp2(0.5 * this->Steps);
   }
-  /** Records the time of a frame with all its rays, s. */
+  /** Records the time (s) of a frame with all its rays. */
   void Record(double time)
   {
     this->Time = time;
@@ -166,7 +166,7 @@ public:
   {
     None,
     Input,  ///< input came during the frame
-    Slow,   ///< too slow: the next frame casts fewer rays
+    Slow,   ///< the frame was too slow, so the next one casts fewer rays
     Resized ///< the window's size has changed, so the frame was drawn coarsely first
   };
   /**

@@ -43,8 +43,9 @@ public:
     0.03; ///< s: time for the hand to move before the first frame of a stroke
 
   /**
-   * Decides how to draw at the time `now` (s). `moves`: something has moved since the last frame.
-   * `isNew`: figures have changed. `isIdle`: no input waits.
+   * Decides how to draw at the time `now` (s). `moves`: whether something has moved since the last
+   * frame. `isNew`: whether figures have changed. `isIdle`: whether it is known that no input
+   * waits.
    */
   Frame Next(double now, bool moves, bool isNew, bool isIdle = false)
   {
@@ -56,7 +57,7 @@ public:
     }
     if (!this->IsStill)
     {
-      // A motion during a frame is seen only after it, so a slow frame waits for a longer rest.
+      // Wait longer after a slow frame, because a motion during a frame is noticed only after it.
       const double rest = std::max(Pause, 0.5 * this->Cost);
       return now - this->LastDrawn >= rest ? Frame::Still : Frame::None;
     }

@@ -73,7 +73,7 @@ private:
   bool IsInRelease = false;
 };
 
-/** A separate class, so that a watch recognises the observers of other watches. */
+/** This is a separate class, so that a watch recognises the observers of other watches. */
 class HapticWindowWatch::Observer final : public vtkCommand
 {
 public:
@@ -180,7 +180,7 @@ void HapticWindowWatch::Look()
   const bool wasDone = std::exchange(this->IsDone, this->Interactor->GetDone());
   if (!this->IsReleased)
   {
-    // A window that was never rendered has nothing to release.
+    // Do not watch a window that was never rendered, because it has nothing to release.
     const bool isRendered = window && !window->GetNeverRendered();
     this->WindowClosing->SetWindow(
       isRendered ? vtkOpenGLRenderWindow::SafeDownCast(window) : nullptr);

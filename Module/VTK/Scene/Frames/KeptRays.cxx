@@ -72,7 +72,7 @@ void AddCamera(WordWriter& to, vtkRenderer* renderer)
   to.Add(
     &camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), 0.0, 1.0)->Element[0][0],
     16);
-  to.Add(camera->GetPosition(), 3); // the headlight and the shades depend on it
+  to.Add(camera->GetPosition(), 3); // the headlight and the shades depend on the position
   to.Add(camera->GetFocalPoint(), 3);
   to.Add(renderer->GetViewport(), 4);
   to.Add(renderer->GetRenderWindow()->GetSize(), 2);
@@ -273,7 +273,7 @@ KeptRays::Words KeptRays::DescribeShades() const
   to.Add(&this->Volume->GetMatrix()->Element[0][0], 16);
   to.AddAddress(this->Volume->GetProperty());
   to.Add(this->Volume->GetProperty()->GetMTime());
-  to.AddAddress(this->Mapper->GetCurrentScalars()); // one table per component
+  to.AddAddress(this->Mapper->GetCurrentScalars()); // the mapper has one table for each component
   return std::move(to.Words);
 }
 

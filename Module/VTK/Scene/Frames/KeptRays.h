@@ -55,7 +55,7 @@ public:
   /** Whether the image still shows the current state of the volume. */
   bool IsCurrent() const;
   ///@{
-  /** Return the distances in the image: pixels between rays, and world units between samples. */
+  /** Return the distance between rays (pixels) or between samples (world units) in the image. */
   float GetImageDistance() const { return this->ImageDistance; }
   float GetSampleDistance() const { return this->SampleDistance; }
   ///@}
@@ -75,7 +75,7 @@ private:
   {
     Words Look;                ///< view and look of the image; empty: there is no image
     Words Image;               ///< how its rays are spread
-    std::vector<float> Depths; ///< depths where rays end, row by row
+    std::vector<float> Depths; ///< the depth where each ray ends, row by row
     std::vector<unsigned short> Pixels;
   };
 
@@ -121,8 +121,8 @@ private:
   vtkWeakPointer<vtkFixedPointVolumeRayCastMapper> Mapper;
   vtkSmartPointer<vtkCallbackCommand> Observer;
   vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< encoder that the mapper came with
-  Words Shades; ///< conditions of the mapper's table; empty: unknown
-  Picture Now;  ///< the mapper's image; the mapper has its pixels
+  Words Shades; ///< conditions of the mapper's table of shades; empty: not known
+  Picture Now;  ///< the mapper's image; its pixels are kept by the mapper
   Words Storage;
   Picture Coarse;
   float ImageDistance = 0.0F; ///< distances of Now

@@ -127,7 +127,7 @@ void VolumeHaptics::WakeEventLoop(vtkRenderWindow* window)
   }
   auto* const display = static_cast<Display*>(window->GetGenericDisplayId());
   XEvent event = {};
-  event.type = NoExpose; // an event about copied areas; VTK has none
+  event.type = NoExpose; // the type is an event about copied areas, which VTK does not use
   event.xnoexpose.drawable = id;
   send(display, id, False, NoEventMask, &event);
   flush(display);

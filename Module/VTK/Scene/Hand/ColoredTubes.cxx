@@ -24,7 +24,7 @@ ColoredTubes::ColoredTubes(int sides)
   this->Ghost->SetMapper(this->Mapper);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
+  // This is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Ghost->ForceOpaqueOn();
 }
 

@@ -66,7 +66,7 @@ DrawnTool::DrawnTool()
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
+  // This is drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Ghost->ForceOpaqueOn();
 }
 

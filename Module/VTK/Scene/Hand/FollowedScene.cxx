@@ -34,10 +34,10 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   , ColorCount(count)
 {
   this->DiscMapper->SetInputData(this->Discs);
-  // VTK 9.1 loses cell colours of polygons with many corners.
+  // Colour the points, because VTK 9.1 loses cell colours of polygons with many corners.
   this->DiscMapper->SetScalarModeToUsePointData();
   this->DiscMapper->SetColorModeToDirectScalars();
-  // vtkHapticRepresentation draws these shapes in the overlay pass, which does not sort.
+  // These shapes are drawn in the overlay pass (by vtkHapticRepresentation), which does not sort.
   this->Fronts->ForceOpaqueOn();
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();

@@ -165,7 +165,7 @@ constexpr double SecondHead = 0.8;
 /// Colours by contact. Colour-blind people can distinguish them, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
-/** Whether the proxy is on the viewer's side of the touched surface. */
+/** Whether the proxy is on the viewer's side of the touched surface, so that it can be seen. */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   const Vector3 sight = LineOfSight(renderer, FromArray(device->GetState()->GetProxyPosition()));
@@ -390,7 +390,7 @@ void vtkHapticRepresentation::UpdateTrail()
   {
     d.TrailMapper->SetScalarModeToUsePointFieldData();
     d.TrailMapper->SelectColorArray(this->TrailArrayName.c_str());
-    // Use the length of vectors.
+    // Colour vectors by their length.
     const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
     d.TrailMapper->SetColorModeToMapScalars();
     d.TrailMapper->GetLookupTable()->SetVectorModeToMagnitude();

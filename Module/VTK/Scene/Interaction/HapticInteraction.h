@@ -67,7 +67,7 @@ private:
 class HapticInteraction
 {
 public:
-  /** Implement the style's virtual functions. */
+  /** The virtual functions of the style. */
   struct Calls
   {
     std::function<void(bool)> DrawScene;

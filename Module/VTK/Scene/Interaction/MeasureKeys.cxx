@@ -39,7 +39,7 @@ bool IsTouching(vtkHapticDevice* device)
       Norm(FromArray(device->GetState()->GetComputedForce())) >= LeastMeasuredForce);
 }
 
-/** Interpolates between the eight samples around a position. */
+/** Returns the value at a position, interpolated between the eight samples around it. */
 double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Vector3& world)
 {
   const double at[3] = { world.X, world.Y, world.Z };
@@ -70,7 +70,7 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
   return value;
 }
 
-/** Returns a number from a column of the device's states. */
+/** Reads a number from a column of the device's states. */
 double Read(vtkTable* states, const char* column, vtkIdType row, int component = 0)
 {
   return vtkDataArray::SafeDownCast(states->GetColumnByName(column))->GetComponent(row, component);

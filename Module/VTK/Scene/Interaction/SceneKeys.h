@@ -48,7 +48,8 @@ public:
   /** Shows what the user can do next, until something is touched. */
   void UpdateHint();
 
-  std::string ApplicationKeys; ///< keys of the application, listed after the style's
+  /** keys of the application, which are listed after the keys of the style */
+  std::string ApplicationKeys;
 
 private:
   std::string ChooseHint();

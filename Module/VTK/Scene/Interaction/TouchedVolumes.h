@@ -93,7 +93,7 @@ private:
   void CopySettings();
   /** Returns the press with which surfaces are compared: four of the smallest voxels deep. */
   Press ComputePress() const;
-  /** Makes the device feel with this filter from now on. */
+  /** Makes this filter the device's filter. */
   void Feel(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
   {

@@ -38,9 +38,9 @@ bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool r
 /**
  * The workspace of a device in the scene, fixed to the camera.
  *
- * Device x, y and z are right, up and towards the user on the screen. The device's origin lies at
- * the camera's focal point plus an offset in the camera's axes, so that the clutch's shift turns
- * with the view.
+ * The device's axes x, y and z point to the right, up and towards the user on the screen. The
+ * device's origin lies at the camera's focal point plus an offset along the camera's axes, so that
+ * the clutch's shift turns with the view.
  */
 class HapticWorkspace
 {

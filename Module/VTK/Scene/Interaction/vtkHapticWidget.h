@@ -86,9 +86,9 @@ public:
 
   ///@{
   /**
-   * The device. Switching the widget on opens a closed device as "virtual" and starts it; switching
-   * the widget off stops and closes it again. Default: a device that the widget makes. nullptr is
-   * an error.
+   * The device. When the widget is switched on, it opens a closed device as "virtual" and starts
+   * it; when it is switched off, it stops and closes that device again. Default: a device that the
+   * widget makes. nullptr is an error.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();

@@ -17,11 +17,11 @@
  *
  *   mouse                 moves the tip along the surface, or in the plane of the view; see
  *                         SetTipFollowsSurface()
- *   wheel                 moves it into the screen and out of it, along the line of sight
- *   Ctrl + mouse          the same, up is into the screen
- *   Alt + mouse, wheel    turn a tool with a shape (vtkHapticPointShell), also one in a real device
- *                         that measures no orientation; the wheel about the line of sight
- *   Shift                 with any of these: five times finer
+ *   wheel                 moves the tip into the screen and out of it, along the line of sight
+ *   Ctrl + mouse          the same; a motion upwards moves the tip into the screen
+ *   Alt + mouse, wheel    turn a tool with a shape (vtkHapticPointShell), also in a real device
+ *                         that measures no orientation; the wheel turns it about the line of sight
+ *   Shift                 makes any of these motions five times finer
  *   left button           the device's button
  *   right button          rotates the camera
  *   middle button         pans the camera
@@ -30,28 +30,29 @@
  * Keys, in any mode (besides those of vtkInteractorStyle), unless SetKey() has changed them:
  *
  *   t           touch mode on and off; it begins in front of the first surface under the pointer
- *   a           arm, so that force may flow, and disarm; touch mode on arms, too. Armed inside,
- *               the hand feels nothing until it moves
+ *   a           arm, so that force may flow, or disarm; touch mode also arms. A hand that is armed
+ *               inside a body feels nothing until it moves
  *   Escape, End disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
- *   k           clutch: while held, a real device moves without the tip and without force. The
- *               force comes back with its release, unless the device was disarmed meanwhile
+ *   k           clutch: while the key is held, a real device moves without the tip and without
+ *               force. The force comes back when the key is released, unless the device was
+ *               disarmed meanwhile
  *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
- *   C           compare two settings, A and B, on one spot: see SwapSettings()
- *   M           of the modes of PRIMITIVES the next one alone; after the last one, all together. A
- *               click on a mode in the head-up display turns it on and off
- *   ? or F1     the list of the keys that do something in this scene; again, or Escape: no list
+ *   C           compare two settings, A and B, at one position: see SwapSettings()
+ *   M           feel only the next mode of PRIMITIVES; after the last one, all modes. A click on a
+ *               mode in the head-up display switches it on or off
+ *   ? or F1     show the keys that do something in this scene; again, or Escape: hide them
  *   h, g and d  head-up display: text, graph, and details in the text
  *   v and n     function editor: on and off, and the next function
  *   V           function editor beside the scene, and over it
- *   Z and Y     undo and redo, with the pointer over the function editor, or if there are no
+ *   Z and Y     undo and redo edits, if the pointer is over the function editor or there are no
  *               measurements; R takes back all edits
  *   l           materials of labels in the function editor: on, with the touched label selected,
  *               and off
- *   p           let functions propose themselves in the editor; again: take the proposal, and the
- *               filter's KernelRadius with it
+ *   p           propose functions in the editor; again: accept the proposal, and the KernelRadius
+ *               of the filter that suits it
  *   Backspace   drop the proposal
  *   s           slices: on and off
  *
@@ -136,7 +137,7 @@ public:
     ArmedEvent,                                      ///< force may flow
     DisarmedEvent,                                   ///< force may not flow; not sent after a fault
     FaultEvent,                                      ///< the safety stage has cut the force off
-    StatesEvent                                      ///< after each update with new states
+    StatesEvent                                      ///< sent after each update with new states
   };
 
   ///@{
@@ -159,15 +160,15 @@ public:
   ///@{
   /**
    * Slices beside the scene (optional), which the application has put into the window. The key s
-   * toggles them. The mouse in a slice:
+   * switches them on and off. The mouse in a slice:
    *
-   *   left button           goes there: it begins the touch mode there, or leads the tip there,
-   *                         which touches what is on its way
-   *   wheel                 moves across the slices, and so does the tip in the touch mode
-   *   right button, or Shift + left: across for the window, up and down for the level
+   *   left button           begins the touch mode at the position, or moves the tip there; the tip
+   *                         touches what lies between
+   *   wheel                 moves the slice, and in the touch mode also the tip
+   *   right button, or Shift + left: change the window (left and right) and the level (up, down)
    *
-   * A program can't move a real device: with a real device, and without any, only the slices go
-   * there, until the tip moves.
+   * A program can't move a real device. So with a real device, or without a device, only the slices
+   * move to the position, until the tip moves.
    */
   void SetSliceView(vtkHapticSliceView* slices);
   vtkHapticSliceView* GetSliceView();
@@ -177,18 +178,18 @@ public:
   /**
    * The list of measurements that the keys below fill (optional). The application shows it with a
    * vtkHapticMeasurementRepresentation, and lists it with vtkHapticHeadUpDisplay::SetMeasurements.
-   * Default nullptr: these keys do nothing. They take the position of the proxy while something is
-   * touched:
+   * Default nullptr: these keys do nothing. They measure the position of the proxy while something
+   * is touched:
    *
    *   P           a point
    *   D           the ends of a distance, one after the other
    *   A           the points of an angle; the second one is its corner
-   *   L           begins and ends a path: a sample each tick in contact, or as far apart as
-   *               vtkHapticMeasurements::SetPathSpacing says. FORCE_FIELD has no contact: L and B
-   *               record nothing there
-   *   B           begins and ends an area, painted by a brush on an isosurface: that of
-   *               SURFACE_PROXY; with other methods the one whose value is halfway between those at
-   *               the proxy and in the surface where the brush begins. See
+   *   L           begins and ends a path. It has a sample for each tick in contact, or samples at
+   *               the distance of vtkHapticMeasurements::SetPathSpacing. With FORCE_FIELD, L and B
+   *               record nothing, because it has no contact
+   *   B           begins and ends an area, which a brush paints on an isosurface. It is the one of
+   *               SURFACE_PROXY; with other methods, its value is halfway between the values at the
+   *               proxy and at the surface where the brush begins. See
    *               vtkHapticMeasurements::AddPaintedArea
    *   Z and Y     undo and redo. While a distance or an angle is incomplete, Z takes back its last
    *               point instead
@@ -214,9 +215,9 @@ public:
   /**
    * The keys of an action, separated by spaces, with the names that
    * vtkRenderWindowInteractor::GetKeySym() gives. An empty text ("") disables the action; the key
-   * then goes to vtkInteractorStyle or the application. False, with an error, if there is no such
-   * action, or if another action has one of the keys. The hint and the list of keys show the new
-   * keys.
+   * then goes to vtkInteractorStyle or the application. SetKey returns false and reports an error
+   * if there is no such action, or if another action has one of the keys. The hint and the list of
+   * keys show the new keys.
    *
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none

@@ -33,7 +33,7 @@ namespace
 using SliceColor = std::array<unsigned char, 3>;
 using SliceIndex = std::array<double, 3>;
 
-/** Colours of the axial, the coronal and the sagittal slice: those of 3D Slicer, but lighter. */
+/** Colours of the axial, the coronal and the sagittal slice, as in 3D Slicer, but lighter. */
 constexpr std::array<SliceColor, 3> PanelColors = { { { 240, 110, 96 }, { 118, 196, 108 },
   { 232, 208, 96 } } };
 

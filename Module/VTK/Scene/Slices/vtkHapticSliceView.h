@@ -109,8 +109,8 @@ public:
   ///@{
   /**
    * Whether the world's axes point to a patient's left, back and head, as in DICOM. The slices are
-   * then axial, coronal and sagittal, as radiologists look at them: the patient's right is at the
-   * left. Default off: along the index axes k, j and i.
+   * then axial, coronal and sagittal, as radiologists look at them: with the patient's right at the
+   * left. Default off: the slices are along the index axes k, j and i.
    */
   vtkSetMacro(Anatomical, bool);
   vtkGetMacro(Anatomical, bool);
@@ -145,9 +145,9 @@ public:
   ///@}
 
   /**
-   * Get the renderer of a slice: 0 (axial, or along k), 1 (coronal, j) or 2 (sagittal, i); nullptr
-   * for another number. It shows the image along the image's axes, in world units, with the index
-   * (0, 0, 0) in the origin.
+   * Get the renderer of a slice: 0 (axial, or along k), 1 (coronal, or along j) or 2 (sagittal, or
+   * along i); nullptr for another number. It shows the image along the image's axes, in world
+   * units, with the index (0, 0, 0) at the origin.
    */
   vtkRenderer* GetRenderer(int slice);
 

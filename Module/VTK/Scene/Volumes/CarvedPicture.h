@@ -166,8 +166,9 @@ public:
   CarvedPicture& operator=(const CarvedPicture&) = delete;
 
   /**
-   * Collects the changed bricks, before a frame is drawn. Returns whether the mapper has something
-   * new to show, so that a frame should be drawn. Does nothing while no tissue is removed.
+   * Collects the changed bricks. Call this before a frame is drawn. Returns whether the mapper has
+   * something new to show, so that a frame should be drawn. Does nothing while no tissue is
+   * removed.
    */
   bool Update();
   vtkVolumeMapper* GetMapper() const { return this->Mapper; }
@@ -182,7 +183,10 @@ public:
   {
     return this->Copy ? this->Copy->GetReplaced() : nullptr;
   }
-  /** Whether the mapper's texture is written to; false if there is none, or if a copy is shown. */
+  /**
+   * Whether bricks are written to the mapper's texture; false if there is no texture, or if a copy
+   * is shown.
+   */
   bool HasTexture() const { return this->Texture != nullptr; }
 
 private:

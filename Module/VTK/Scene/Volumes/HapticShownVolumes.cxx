@@ -36,7 +36,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Each kind of difference is a bit. */
+/** A difference, as a bit and as a text with its cure. */
 struct Difference
 {
   unsigned int Bit;

@@ -602,7 +602,7 @@ void TouchedVolume::Place(
   }
   if (areCells)
   {
-    // A mapper shows the value of a cell at its centre.
+    // Move the points to the centres of cells, because a mapper shows the value of a cell there.
     const int* const first = shown->GetExtent();
     double centre[3];
     place->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);

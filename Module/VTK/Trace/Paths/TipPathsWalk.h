@@ -88,7 +88,7 @@ private:
 using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
   std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
 
-/** Walks a tip path tick by tick, as the servo would. */
+/** Computes the ticks along a tip path one by one, like the servo. */
 class TipPathWalk
 {
 public:

@@ -88,7 +88,7 @@ double SpiralAngle(double length)
   return std::max(angle, 0.0);
 }
 
-/** Makes straight lines from corner to corner; there must be at least two corners. */
+/** Makes straight lines through corners, of which there must be at least two. */
 HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners)
 {
   std::vector<double> ways = { 0.0 };

@@ -80,13 +80,13 @@ public:
   ///@}
 
   ///@{
-  /** Where the LINE begins. Default (-50, 0, 0). All positions are in world units. */
+  /** The start of the LINE. Default (-50, 0, 0). All positions are in world units. */
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
   ///@}
 
   ///@{
-  /** Where the LINE ends. Default (50, 0, 0). */
+  /** The end of the LINE. Default (50, 0, 0). */
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
   ///@}
@@ -156,10 +156,10 @@ public:
 
   ///@{
   /**
-   * Where the hand presses. With -Z (default) it comes down on the face of the box with the
-   * largest z, and slides along the longer side of that face. MINUS_Z begins Clearance above that
-   * face, presses Depth into the box, slides from one end to the other through the middle of the
-   * shorter side, and lifts to where it began.
+   * The direction of the press. With -Z (default) the hand comes down on the face of the box with
+   * the largest z, and slides along the longer side of that face. MINUS_Z begins Clearance above
+   * that face, presses Depth into the box, slides from one end to the other through the middle of
+   * the shorter side, and lifts to the height at which it began.
    */
   vtkSetClampMacro(PressDirection, int, PLUS_X, MINUS_Z);
   vtkGetMacro(PressDirection, int);
