@@ -11,8 +11,7 @@ namespace
 {
 
 /**
- * A tick passes at most this many ends of the series and of intervals; the remaining time is
- * dropped.
+ * Limit of the ends of series and intervals that a tick crosses. The rest of its time is dropped.
  */
 constexpr int MostTurns = 8;
 
@@ -36,7 +35,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   Leap leap = Leap::None;
   if (!this->HasTime || !span.Has(time))
   {
-    // Another volume, or time steps at another place, have come.
+    // There is another volume, or there are time steps at another place.
     const double first = span.Series.First;
     time = !this->HasTime && span.Has(first) ? first : span.Front;
     leap = Leap::Away;
@@ -60,7 +59,7 @@ DataClock::Leap DataClock::Update(const BakedVolume& volume, const DataClockOrde
   state.DataTime = time;
   if (isNew)
   {
-    // A surface of another volume carries nothing.
+    // No surface carries the proxy from one volume to another.
     state.CarriedTo = time;
   }
   return leap;
@@ -113,7 +112,8 @@ void DataClock::Advance(
     }
     else
     {
-      // Continue at the other end, after the interval between the last and the first time step.
+      // Continue at the other end of the series, after the interval from the last time step to the
+      // first one.
       time = isBetween ? (isBackward ? series.Last : series.First) : end;
     }
     if (step == there || !span.Has(time))

@@ -45,24 +45,25 @@ enum class Playback : std::uint8_t
   PingPong
 };
 
-/** The owner's orders. */
+/** The owner's orders to the clock. */
 struct DataClockOrders
 {
   Playback Mode = Playback::Once;
   bool Plays = false;
-  double Rate = 1.0;        ///< data time per second
-  double Place = 0.0;       ///< the data time to go to; beyond the series, the series's nearest end
-  std::uint32_t Places = 0; ///< changes whenever Place is set
+  double Rate = 1.0; ///< data time per second
+  /** Data time to go to; outside the series, the nearer end of the series counts. */
+  double Place = 0.0;
+  std::uint32_t Places = 0; ///< number that changes whenever Place is set
 };
 
 /** The report of the clock after a tick. */
 struct DataClockReport
 {
-  bool IsMoving = false;    ///< whether the volume is one that moves, also while time holds
-  bool IsWaiting = false;   ///< whether time holds because time steps have not come
-  bool IsBackward = false;  ///< whether time runs backward, or would if it did not hold
-  double Wanted = 0.0;      ///< if the clock waits: the data time whose time steps are wanted
-  std::uint32_t Places = 0; ///< the value of Places in the orders that are in use
+  bool IsMoving = false;    ///< whether the volume moves; true even while time holds
+  bool IsWaiting = false;   ///< whether time holds because time steps are missing
+  bool IsBackward = false;  ///< whether time runs backward or, while it holds, would do so
+  double Wanted = 0.0;      ///< if the clock waits, the data time whose time steps it needs
+  std::uint32_t Places = 0; ///< Places of the orders that the clock has used
 };
 
 class DataClock
@@ -71,17 +72,17 @@ public:
   enum class Leap : std::uint8_t
   {
     None,
-    Within, ///< The clock went to another time of the model: the force may leap.
-    /** The last time is not in the model, or the last tick's model had only one time step. */
+    Within, ///< the clock went to another time of the model, so that the force may leap
+    /** The last time is not in the model, or the model of the last tick had only one time step. */
     Away
   };
   /**
-   * Sets state.DataTime for a tick of a period (s), and returns how the time leapt. Called before
-   * the tick. After Leap::Away, the tick has to begin at the tip.
+   * Sets state.DataTime for a tick of a period (s). Returns how the time leapt. Called before the
+   * tick. After Leap::Away, the tick must begin with the proxy at the tip.
    */
   Leap Update(const BakedVolume& volume, const DataClockOrders& orders, double period,
     ServoState& state) noexcept;
-  /** Reports that no volume moves. Called before a tick without a volume that moves. */
+  /** Reports that no volume moves. Called before a tick whose volume does not move. */
   void Rest() noexcept;
 
   const DataClockReport& GetReport() const noexcept { return this->Report; }
@@ -96,11 +97,11 @@ private:
   }
 
   DataClockReport Report;
-  std::uint64_t Number = 0; ///< BakedVolume::Number of the last tick
-  std::uint32_t Places = 0; ///< Places of the orders whose Place was reached
+  std::uint64_t Number = 0; ///< BakedVolume::Number in the last tick
+  std::uint32_t Places = 0; ///< Places of the last orders whose Place was reached
   bool HasTime = false;
-  bool IsReturning = false; ///< PingPong: whether time is on the way back
-  bool WasInstant = false;  ///< whether the last tick's model had one time step only
+  bool IsReturning = false; ///< for PingPong: whether time is on the way back
+  bool WasInstant = false;  ///< whether the model of the last tick had only one time step
 };
 
 } // namespace VolumeHaptics

@@ -28,7 +28,7 @@ bool HandTurn::Update(double period, Quaternion& orientation, bool isMeasured) n
   Quaternion turn = wish.Orientation * Conjugate(this->Now);
   turn = turn.W < 0.0 ? -1.0 * turn : turn;
   const Vector3 axis{ turn.X, turn.Y, turn.Z };
-  const double sine = Norm(axis); // the sine of half the remaining angle
+  const double sine = Norm(axis); // sine of half the remaining angle
   const double most = 0.5 * FastestTurn * period;
   if (sine <= most)
   {

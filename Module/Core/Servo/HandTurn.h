@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The orientation of a tool if the device measures none: the program turns the tool, for example by
- * the mouse.
+ * The orientation of a tool on a device that does not measure one: the program rotates the tool,
+ * for example by the mouse.
  */
 #ifndef HandTurn_h
 #define HandTurn_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Lets the orientation follow the program's orders, no faster than a hand turns, so that a tool in
- * contact is not torn through the tissue. Begins at the last orientation that a device measured.
+ * Follows the program's ordered orientations, not faster than a hand rotates, so that a tool in
+ * contact is not torn through the tissue. Begins at the last orientation that the device measured.
  */
 class HandTurn
 {
@@ -25,16 +25,16 @@ public:
 
   ///@{
   /**
-   * Orders an orientation: a unit quaternion in the device's space. There is no orientation before
-   * the first call. Called by the owner.
+   * Orders an orientation, which is a unit quaternion in the device's space. Called by the owner.
+   * Before the first call there is no orientation.
    */
   void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
   void Forget() noexcept { this->Orders.Write({}); }
   ///@}
 
   /**
-   * Sets the orientation, unless the device measured it; returns true if there is an orientation.
-   * Called by the servo, once in a tick of a period (s).
+   * Sets the orientation unless the device measured it. Returns whether there is an orientation.
+   * Called by the servo once in each tick of a period (s).
    */
   bool Update(double period, Quaternion& orientation, bool isMeasured) noexcept;
 
@@ -45,7 +45,7 @@ private:
     bool IsThere = false;
   };
   TripleBuffer<Wish> Orders;
-  Quaternion Now; ///< used by the servo
+  Quaternion Now; ///< orientation in the last tick; used only by the servo
   bool IsNow = false;
 };
 

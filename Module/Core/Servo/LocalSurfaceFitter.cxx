@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest wait between two polls of the requests (ns). */
+/** Longest time (ns) between two checks of the requests. */
 constexpr std::int64_t IdlePeriod = 10000000;
 
 } // namespace
@@ -36,7 +36,8 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     }
   }
   this->Models.LetGo(ModelExchange::Fitter);
-  // Limited, so that new models and stop requests are seen soon even if the loop is slow.
+  // Limited, so that the loop soon notices new models and a request to stop, even if its rate is
+  // low.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 
@@ -64,8 +65,8 @@ void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local)
 {
   if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
-    // Repeated in every tick until there is a result, because the fitter may have used an earlier
-    // request for another model.
+    // The request is repeated in every tick until there is a result, because the fitter may have
+    // answered an earlier request with another model.
     this->Requests.Write({ local.Request, local.Number });
   }
 }

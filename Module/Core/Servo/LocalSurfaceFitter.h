@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it fits a surface for the
- * servo's latest request HapticSettings::LocalSurfaceRate times a second.
+ * The slow loop of HapticMethod::LocalSurface. On a thread of its own, it fits a surface for the
+ * servo's latest request, HapticSettings::LocalSurfaceRate times a second.
  *
- * Requests and results go through triple buffers: neither side waits. A result is valid for the
- * request with its number, on the volume and settings that the servo uses.
+ * Triple buffers pass requests and results, so that neither thread waits. A result is valid for the
+ * request with the same number, if the servo still uses the same volume and settings.
  */
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h
@@ -27,15 +27,16 @@ public:
   }
 
   ///@{
-  /** Runs the slow loop, on the slow thread. */
+  /** Runs the slow loop on the calling thread until RequestStop(). */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
 
   ///@{
   /**
-   * PollResult returns the slow loop's latest result, without a surface if the result does not
-   * answer `local`; Send passes on the request. Called by the servo.
+   * PollResult() returns the latest result of the slow loop; it has no surface if it is not the
+   * answer to the request in `local`. Send() stores the request for the slow loop. Called by the
+   * servo.
    */
   LocalSurfaceResult PollResult(const HapticModel& model, const LocalState& local) noexcept;
   void Send(const HapticModel& model, const LocalState& local) noexcept;
@@ -51,17 +52,18 @@ private:
   {
     LocalSurface Surface;
     std::uint32_t Number = 0;
-    std::uint64_t Baked = 0; ///< BakedVolume::Number
+    std::uint64_t Baked = 0; ///< BakedVolume::Number of the model
   };
 
-  /** Fits once, if a fit is due. Returns the time until the next call (ns). */
+  /** Fits a surface if a fit is due. Returns the time (ns) until the next call. */
   std::int64_t Look() noexcept;
 
   ModelExchange& Models;
   TripleBuffer<Request> Requests;
   TripleBuffer<Result> Results;
   std::atomic<bool> StopRequested{ false };
-  std::int64_t Looked = 0; ///< used by the slow thread: when the last fit was due
+  /** Time (ns) at which the last fit was due; used only by the slow thread. */
+  std::int64_t Looked = 0;
 };
 
 } // namespace VolumeHaptics

@@ -11,11 +11,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A longer round trip (ns) is a gap, which the watchdog handles. */
+/**
+ * Longest time (ns) that counts as a round trip. A longer one is a gap, which the watchdog handles.
+ */
 constexpr std::int64_t LongestRoundTrip = 100000000;
 /**
- * A tip that moves by fewer steps than this between two reports may have rested for most of that
- * time.
+ * Least number of steps between two reports of a moving tip. With fewer steps, the tip may have
+ * rested for most of the time.
  */
 constexpr double StepsOfMotion = 3.0;
 
@@ -58,7 +60,7 @@ double LoopTiming::RecordSample(const DeviceSample& sample, std::int64_t now) no
     const std::int64_t interval = sample.Time - before.Time;
     if (interval <= 0)
     {
-      return 0.0; // a clock that stands still, or runs backwards, gives no duration
+      return 0.0; // the clock stands still or runs backwards
     }
     next.TellsPeriod = interval <= LongestPeriod &&
       (this->LeastMotion == 0.0 || Norm(sample.Tip - this->Tip) >= StepsOfMotion * LeastMotion);

@@ -51,8 +51,8 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // Read only after Next was written: a thread that already holds an older model is seen here, and
-  // a thread that does not hold one yet will see Next.
+  // Read only after Next was written: a thread that already holds an older model is then in Held,
+  // and a thread that does not hold a model yet will read Next.
   const PublishedModel* held[Holders];
   std::copy(std::begin(this->Held), std::end(this->Held), held);
   const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Models from the thread that publishes them to the servo and to the threads beside it.
+ * Passes models from the thread that publishes them to the servo and to its helper threads.
  *
  * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
- * from then on; the fitter of local surfaces, and the keeper of the samples around the tip,
- * register the model that they hold. Only the publishing thread frees models, once no thread uses
- * them.
+ * from then on. The fitter of local surfaces and the keeper of the samples around the tip register
+ * the model that they hold. Only the publishing thread frees models, when no thread uses them any
+ * more.
  *
  * A model comes with the memory of its tool (ToolMemory.h). Models with the same tool share one
  * memory, which only the servo writes.
@@ -31,7 +31,8 @@ class ToolMemory;
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
-  std::shared_ptr<ToolMemory> Tool; ///< tool's memory, for the servo; null if it needs none
+  /** Memory of the tool, for the servo; null if the tool needs none. */
+  std::shared_ptr<ToolMemory> Tool;
   std::uint64_t Generation = 0;
   MemoryLock Lock; ///< locks the tables of Model and Tool
 };
@@ -45,15 +46,15 @@ public:
   ModelExchange& operator=(const ModelExchange&) = delete;
 
   ///@{
-  /** Publishes a model, and returns the model's generation. Called by the publishing thread. */
+  /** Publishes a model and returns its generation. Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** Returns the tool memory of the model that was published last; null if the model needs none. */
+  /** Returns the tool memory of the model that was published last, or null if it needs none. */
   const std::shared_ptr<ToolMemory>& GetTool() const noexcept { return this->Kept.back()->Tool; }
-  /** Frees the models that no other thread uses. */
+  /** Frees the models that no other thread uses any more. Called by the publishing thread. */
   void Collect();
-  /** Returns whether the tables of a model could not be kept in memory. From any thread. */
+  /** Returns whether the system refused to lock the tables of a model. From any thread. */
   bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
-  /** Returns the generation that the servo has seen. */
+  /** Returns the generation that the servo has acknowledged. */
   std::uint64_t GetAcknowledged() const noexcept
   {
     return this->Acknowledged.load(std::memory_order_acquire);
@@ -62,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Called by the servo: returns the latest model, which is kept until a later one is acknowledged.
+   * Called by the servo: returns the latest model. It is not freed until the servo acknowledges a
+   * later one.
    */
   const PublishedModel* GetLatest() const noexcept
   {
@@ -76,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Called by the thread of that name: returns the latest model, which is kept until the thread
-   * releases it.
+   * Called by the thread of a holder: returns the latest model. It is not freed until the thread
+   * releases it by LetGo().
    */
   enum Holder : std::uint8_t
   {
@@ -94,10 +96,11 @@ private:
   std::atomic<std::uint64_t> Acknowledged{ 0 };
   std::atomic<const PublishedModel*> Held[Holders] = {};
   std::atomic<bool> LockRefused{ false };
-  std::vector<std::unique_ptr<const PublishedModel>> Kept; // used by the publisher, oldest first
-  std::uint64_t Generation = 0;                            // used by the publisher
-  std::shared_ptr<ToolMemory> LastTool; // used by the publisher: the last tool memory that a model
-                                        // needed
+  // used only by the publisher; oldest first
+  std::vector<std::unique_ptr<const PublishedModel>> Kept;
+  std::uint64_t Generation = 0; // used only by the publisher
+  // the last tool memory that a model needed; used only by the publisher
+  std::shared_ptr<ToolMemory> LastTool;
 };
 
 } // namespace VolumeHaptics

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An upper and a typical figure of recent durations: written by one thread, read by any, without
- * waiting.
+ * An upper and a typical value of recent durations. One thread writes them, and any thread may read
+ * them without waiting.
  *
- * They are the 95th percentile, which a few late wake-ups of a busy machine do not move, and the
- * median of the last Capacity durations, limited to those that sum to one second. Both are computed
- * with every Stride-th duration.
+ * They are the 95th percentile, which a few late wake-ups of a busy machine do not change, and the
+ * median of the last durations. The last durations are at most Capacity, and only as many as sum up
+ * to one second. Both values are computed again with every Stride-th duration.
  */
 #ifndef RecentDurations_h
 #define RecentDurations_h
@@ -24,21 +24,19 @@ class RecentDurations
 public:
   static constexpr std::size_t Capacity = 256;
   static constexpr std::size_t Stride = 16;
-  static constexpr std::int64_t Span = 1000000000; ///< ns; the figures use the latest durations
-                                                   ///< until their sum reaches this, or Capacity of
-                                                   ///< them
+  static constexpr std::int64_t Span = 1000000000; ///< sum of the durations (ns) that count
 
   ///@{
   /**
-   * Adds a duration (ns). Called by the one writer. The first figures come with the Stride-th
-   * duration.
+   * Adds a duration (ns). Called only by the writer. The first values are known after Stride
+   * durations.
    */
   void Add(std::int64_t nanoseconds) noexcept;
   void Reset() noexcept;
   ///@}
 
   ///@{
-  /** Return the figures in ns; 0 until the first figures are known. */
+  /** Return the values in ns, or 0 until they are known. */
   std::int64_t GetUpper() const noexcept { return this->Upper.load(std::memory_order_relaxed); }
   std::int64_t GetTypical() const noexcept { return this->Typical.load(std::memory_order_relaxed); }
   ///@}
@@ -46,9 +44,9 @@ public:
 private:
   void Compute() noexcept;
 
-  std::array<std::int64_t, Capacity> Last{}; ///< a ring
+  std::array<std::int64_t, Capacity> Last{}; ///< a ring buffer
   std::array<std::int64_t, Capacity> Sorted{};
-  std::uint64_t Count = 0; ///< durations so far
+  std::uint64_t Count = 0; ///< number of all durations so far
   std::atomic<std::int64_t> Upper{ 0 };
   std::atomic<std::int64_t> Typical{ 0 };
 };

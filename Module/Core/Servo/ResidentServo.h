@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Ticks on a region of a volume, some of whose samples may be missing (Residency.h).
+ * Ticks on a region of a volume, where samples may be missing (Residency.h).
  */
 #ifndef ResidentServo_h
 #define ResidentServo_h
@@ -20,40 +20,40 @@ struct ServoState;
 struct TickRecord;
 
 /**
- * Runs the ticks of a servo that may work on a region, and sets the gate's opening (ForceGate.h) by
- * the residency.
+ * Runs the ticks of a servo whose model may be a region, and sets the gate's opening (ForceGate.h)
+ * by the residency.
  *
- * The opening follows the residency, by 1 in ForceGate::FadeTime at most, up and down. If the data
- * of a tick are missing, the tick is not computed: the last force moves along with the tip and
- * fades. Then the proxy stays on the tip. When the data have come, a new force begins there, at
- * zero. For models of whole volumes this is Tick() with an opening of 1.
+ * The opening follows the residency up and down, by at most 1 in ForceGate::FadeTime. If data of a
+ * tick are missing, the tick is not computed: the last force moves along with the tip and fades,
+ * and then the proxy stays at the tip. When the data have come, a new force begins there at zero.
+ * For models of whole volumes this is Tick() with an opening of 1.
  */
 class ResidentServo
 {
 public:
   /**
-   * Runs one tick of a period (s). Computes the whole force, of which the gate's share is felt.
-   * `record` holds the record of the last tick, and receives the new record; `tool` is as for
+   * Runs a tick of a period (s). Computes the whole force, before it is multiplied by the gate's
+   * share. `record` has the record of the last tick, and receives the new one. `tool` is as for
    * VolumeHaptics::Tick.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
     ToolMemory* tool = nullptr) noexcept;
-  /** Runs a tick of a period (s) without a model. */
+  /** Runs a tick without a model. `period` is in s. */
   void Rest(double period, ForceGate& gate) noexcept;
 
-  /** Returns whether missing data reduced the last tick's force. */
+  /** Returns whether missing data have reduced the force of the last tick. */
   bool IsAwaiting() const noexcept { return this->Awaits; }
-  /** Returns whether so many data were missing that the last tick was not computed. */
+  /** Returns whether the last tick was not computed, because too many data were missing. */
   bool LacksData() const noexcept { return this->Lacks; }
 
 private:
   bool Awaits = false;
   bool Lacks = false;
-  bool IsOut = false; ///< whether the old force has to end before a new one begins
-  Vector3 Force;      ///< while IsOut: the last force
-  Vector3 Lag;        ///< while IsOut: proxy minus tip
-  TickMemory Taps;    ///< memory of the last tick
+  bool IsOut = false; ///< whether the old force must end before a new one may begin
+  Vector3 Force;      ///< the last force, while IsOut is true
+  Vector3 Lag;        ///< proxy minus tip, while IsOut is true
+  TickMemory Taps;    ///< samples of the last tick
 };
 
 } // namespace VolumeHaptics

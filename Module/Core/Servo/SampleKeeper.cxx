@@ -17,15 +17,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The time between two polls of the tip (ns). */
+/** Time (ns) between two polls of the tip. */
 constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
 /**
- * Margins in index steps along the axis of the smallest spacing; the first one with few enough
- * pages is used.
+ * Margins in index steps along the axis with the smallest spacing. The first margin whose pages are
+ * few enough is used.
  */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
 /**
- * Fractions of the reach, for the box around the proxy if even the whole reach has too many pages.
+ * Fractions of the reach that are tried for the box around the proxy if the whole reach has too
+ * many pages.
  */
 constexpr double Fractions[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
@@ -36,7 +37,7 @@ Vector3 StepsOf(const Affine3& toIndex) noexcept
   return { Norm(m.Row[0]), Norm(m.Row[1]), Norm(m.Row[2]) };
 }
 
-/** Returns the box of the samples of a view between two indices, with a reach beyond them. */
+/** Returns the box of a view's samples between two indices, extended by a reach. */
 SampleBox MakeBox(
   const VolumeView& view, const Vector3& low, const Vector3& high, const Vector3& reach) noexcept
 {
@@ -117,7 +118,8 @@ bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_
 
 void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
 {
-  // All pages at once: a single page fault lets the kernel read many unneeded pages around it.
+  // Request all pages at once, because the kernel reads many unneeded pages around a single page
+  // fault.
   for (const SamplePages& range : pages)
   {
     RequestPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
@@ -140,7 +142,8 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
     };
     return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
   };
-  // Pages that stay are locked before the old pages are unlocked, if both fit into the limit.
+  // If both fit into the limit, lock the new pages before the old ones are unlocked, so that common
+  // pages stay locked.
   std::unique_ptr<MemoryLock> next = lock();
   if (!next && kept.Lock && !this->IsStopping())
   {
@@ -258,7 +261,7 @@ void SampleKeeper::Run() noexcept
     {
       this->Look();
     }
-    catch (...) // no memory for the lists of pages
+    catch (...) // there is no memory for the lists of pages
     {
       this->Refused.store(true, std::memory_order_relaxed);
     }

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the samples around the tip in memory, on its own thread.
+ * Keeps the samples around the tip in memory. It runs on a thread of its own.
  *
- * An array may be mapped from a file that is larger than memory: a tick that reads a missing page
- * waits for the disk. This thread polls the tip, brings the pages of a box around tip and proxy
- * into memory before the tip gets there, and locks them as far as the limit of the user allows
- * (RLIMIT_MEMLOCK). It reads no other part of the volume.
+ * An array may be mapped from a file that is larger than memory, so that a tick that reads a
+ * missing page waits for the disk. This thread polls the tip, reads the pages of a box around tip
+ * and proxy into memory before the tip gets there, and locks as many of them as the user's limit
+ * allows (RLIMIT_MEMLOCK). It reads no other part of the volume.
  *
- * The box holds what a tick reads (ComputeReadReach) here and at the extrapolated tip of the next
- * poll, with a margin of up to 32 voxels, limited to SampleKeeper::MostBytes in whole pages. It is
- * renewed when the tip has used up half the margin. The labels have a separate box.
+ * The box contains the samples that a tick reads (ComputeReadReach) at the tip and at its
+ * extrapolated position at the next poll, with a margin of up to 32 voxels. It is limited to
+ * SampleKeeper::MostBytes in whole pages. It is renewed when the tip has used up half of the
+ * margin. The labels have a box of their own.
  */
 #ifndef SampleKeeper_h
 #define SampleKeeper_h
@@ -31,23 +32,23 @@ namespace VolumeHaptics
 class ModelExchange;
 struct VolumeView;
 
-/** A box of samples: its first and last indices, as the view counts them. */
+/** A box of samples: its first and last indices, as in the view. */
 struct SampleBox
 {
   std::int64_t First[3] = { 0, 0, 0 };
   std::int64_t Last[3] = { -1, -1, -1 };
 };
 
-/** A range of bytes, from the first to the last page. */
+/** A range of whole pages. */
 struct SamplePages
 {
-  std::uintptr_t Begin = 0; ///< an address
+  std::uintptr_t Begin = 0; ///< address of the first byte
   std::uintptr_t End = 0;
 };
 
 /**
- * Collects the whole pages that hold a box of samples, ascending and disjoint. If the pages have
- * more than `most` bytes, stops and returns false.
+ * Collects the whole pages that contain a box of samples, in ascending order and without overlap.
+ * Returns false, with an incomplete list, if the pages have more than `most` bytes.
  */
 bool CollectSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages);
@@ -60,19 +61,19 @@ public:
   {
   }
 
-  /** The limit for the pages of each of the two boxes. */
+  /** Limit of the pages of each of the two boxes (bytes). */
   static constexpr std::size_t MostBytes = std::size_t{ 1 } << 22;
 
   ///@{
   /**
-   * Keeps samples in memory until the loop is stopped; then unlocks all pages. Runs on the keeper's
+   * Keeps samples in memory until RequestStop(), then unlocks all pages. Called on the keeper's
    * thread.
    */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
 
-  /** Passes on tip and proxy (device). Called by the servo in every tick. */
+  /** Stores tip and proxy (device) for the thread. Called by the servo in every tick. */
   void Update(const Vector3& tip, const Vector3& proxy) noexcept
   {
     this->Places.Write({ tip, proxy });
@@ -80,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Return the number of polls that had samples to keep, and whether some samples were not locked
-   * after the last poll. From any thread.
+   * GetLooks() returns the number of polls that had samples to keep. IsLockRefused() returns
+   * whether some samples were not locked at the last poll. From any thread.
    */
   std::uint64_t GetLooks() const noexcept { return this->Looks.load(std::memory_order_acquire); }
   bool IsLockRefused() const noexcept { return this->Refused.load(std::memory_order_relaxed); }
@@ -93,17 +94,17 @@ private:
     Vector3 Tip;
     Vector3 Proxy;
   };
-  /** The samples of one array that stay in memory. */
+  /** The samples of one array that are kept in memory. */
   struct Kept
   {
-    const void* Of = nullptr; ///< the array's first sample
-    SampleBox Enough;         ///< the box stays as long as ticks read within this box
+    const void* Of = nullptr; ///< first sample of the array
+    SampleBox Enough;         ///< the box is renewed when ticks read outside this smaller box
     bool IsLocked = false;
     std::unique_ptr<MemoryLock> Lock;
   };
 
   void Look();
-  /** Keeps the samples around tip and proxy. `reach` is in index steps. */
+  /** Keeps the samples around tip and proxy in memory. `reach` is in index steps. */
   void Keep(const VolumeView& view, const Affine3& deviceToIndex, const Vector3& reach, Kept& kept);
   void Lock(const std::vector<SamplePages>& pages, Kept& kept);
   bool IsStopping() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
@@ -114,13 +115,13 @@ private:
   std::atomic<bool> Refused{ false };
   std::atomic<std::uint64_t> Looks{ 0 };
 
-  // Members that only the thread uses.
+  // Members that only the keeper's thread uses.
   bool HasPlace = false;
   Vector3 LastTip;
-  Vector3 NextTip; ///< the expected place of the tip at the next poll
+  Vector3 NextTip; ///< expected position of the tip at the next poll
   Kept Scalars;
   Kept Labels;
-  Kept LabelFractions; ///< the fractions of FineLabels
+  Kept LabelFractions; ///< for the fractions of FineLabels
 };
 
 } // namespace VolumeHaptics

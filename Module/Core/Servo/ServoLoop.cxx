@@ -13,26 +13,29 @@ namespace
 {
 
 /**
- * The ring of ticks has room for this time (s), and for at least this many ticks; its collector
- * polls every 5 ms. A larger ring would cost time and locked memory at every start: a user may lock
- * 8 MiB by default.
+ * Time (s) for whose ticks the ring has room, and its least number of ticks. The ring's reader
+ * polls every 5 ms. A larger ring would need more time and locked memory at every start; by default
+ * a user may lock 8 MiB.
  */
 constexpr double LongestWait = 0.4;
 constexpr double LeastTicks = 1024.0;
-/** More stack (bytes) than any method needs; the rest of the stack is not locked. */
+/**
+ * Stack (bytes) that is locked. It is more than any method needs; the rest of the stack is not
+ * locked.
+ */
 constexpr std::size_t StackSize = 1 << 18;
 /**
- * A new model carries the proxy by at most this way (m); if it would have to go farther, the proxy
- * begins at the tip.
+ * Longest way (m) by which a new model carries the proxy. If the way is longer, the proxy begins at
+ * the tip instead.
  */
 constexpr double FarthestCarry = 3e-3;
 /**
- * A new model may change the force by this fraction of its maximum, and by at most what the slew
- * limit allows in this time (s). After a larger change, the force begins again at zero.
+ * Largest change of the force by a new model, as a fraction of the maximum force, and as a time (s)
+ * in which the slew limit allows it. After a larger change, the force begins again at zero.
  */
 constexpr double LargestJump = 0.25;
 constexpr double JumpTime = 0.05;
-/** The rate is averaged over at least this long (ns). */
+/** Shortest time (ns) over which the rate is averaged. */
 constexpr std::int64_t RateSpan = 100000000;
 
 } // namespace
@@ -50,7 +53,7 @@ ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::LockMemory(MemoryLock& lock) noexcept
 {
-  // The largest part comes last: a user's limit often allows only the others.
+  // The largest part comes last, because a user's limit often allows only the smaller ones.
   const bool own = lock.Add(this, sizeof(*this));
   const bool stack = lock.AddStack(StackSize);
   const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
@@ -88,7 +91,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
     {
       return;
     }
-    // The number of changes is in the bits below the orders, and wraps around there.
+    // The number of changes is in the bits below the number of orders, where it wraps around.
     const std::uint64_t changes = (last + ClutchStep) % OrderStep & ~(ClutchStep - 1);
     next = OrdersOf(last) * OrderStep | changes | (clutched ? ClutchBit : 0) |
       static_cast<std::uint64_t>(OrderOf(last));
@@ -98,7 +101,8 @@ void ServoLoop::SetClutched(bool clutched) noexcept
 void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 {
   const std::uint64_t seen = std::exchange(this->ArmCommandSeen, command);
-  // If several orders came at once, a Disarm may be hidden behind the last one.
+  // If several orders came at once, only the last one is known, and one before may have been
+  // Disarm.
   const auto orders = static_cast<std::uint32_t>(OrdersOf(command) - OrdersOf(seen));
   bool isArmed = false;
   if (orders != 0)
@@ -116,8 +120,8 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
         break;
     }
   }
-  // Handled after the orders: an Arm during the clutch is stored, and a clutch that was set and
-  // released since the last tick still removes the force.
+  // Handle the clutch after the orders, because an Arm during the clutch is stored. A clutch that
+  // was set and released since the last tick still ends the force.
   if (ClutchesOf(command) != ClutchesOf(seen))
   {
     this->Gate.SetClutched(true);
@@ -131,10 +135,10 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
 
 void ServoLoop::ApplyCommands() noexcept
 {
-  // Read first, so that the orders that came before a release are seen with it.
+  // Read first, so that the orders before a release are seen together with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   this->ApplyOrders(this->ArmCommand.load(std::memory_order_acquire));
-  // Read after the orders, because the confirmation was required before Arm.
+  // Read after the orders, because a confirmation is required before Arm().
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {
     this->SignAxes = axes;
@@ -201,7 +205,7 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   this->MotionTime = this->Timing.RecordSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
   {
-    // The user has to arm while the device is ready: force never begins by itself.
+    // Force never begins by itself, so the user must arm again when the device is ready.
     this->Gate.ReportNotReady();
   }
   return sample;
@@ -213,7 +217,7 @@ void ServoLoop::UpdateDataClock(double period) noexcept
   if (model && model->Baked->IsMoving())
   {
     DataClockOrders orders = this->ClockOrders.Read();
-    // A surface must not pass a hand that can't feel it.
+    // A surface must not move past a hand that can't feel it.
     orders.Plays = orders.Plays && !this->Servo.LacksData();
     const DataClock::Leap leap = this->Clock.Update(*model->Baked, orders, period, this->State);
     this->IsModelNew = this->IsModelNew || leap != DataClock::Leap::None;
@@ -228,14 +232,14 @@ void ServoLoop::UpdateDataClock(double period) noexcept
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
-  // The proxy begins at the tip, without force, for the following four reasons. Tick() does so
-  // after a tip that is not finite, ResidentServo after missing data.
+  // The proxy begins at the tip, without a force, for one of the following four reasons. Tick() and
+  // ResidentServo do the same after a tip that is not finite, and after missing data.
   const bool isContactNew = std::exchange(this->IsContactNew, false);
-  // The loop stood still, but the hand did not.
+  // The loop did not run, but the hand moved on.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
-  // The stylus was taken up here, so the proxy must not start at a tip that no hand has held.
+  // The stylus was just taken up, so the proxy must not be at a tip that no hand held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
-  // The hand moved on while the gate let nothing through: see the table of ForceGate.h.
+  // The hand moved while the gate let no force through (see the table of ForceGate.h).
   const bool isGateNew = this->Gate.DrainRestart();
   if (isContactNew || stood || isTakenUp || isGateNew)
   {
@@ -277,7 +281,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
-  // Written last: from now on the snapshot belongs to another thread.
+  // Written last, because another thread may use the snapshot from now on.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -286,7 +290,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const Vector3 before = s.Record.Force;
-  // The tick carried out a request: the hand now feels another volume.
+  // The tick has served a request, so that the hand now feels another volume.
   this->IsModelNew = this->IsModelNew || s.Record.IsServed;
   if (const HapticModel* const model = this->Current->Model.get())
   {
@@ -327,7 +331,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   }
 }
 
-/** Returns the push of the check of the device's signs, while the gate waits for the verdict. */
+/** Returns the push of the sign check while the gate waits for its verdict. */
 Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
 {
   const bool isUnderWay =
@@ -339,7 +343,7 @@ Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
   }
   if (this->Signs.GetVerdict().Result != SignResult::Pending)
   {
-    // Begins again after any verdict but Confirmed.
+    // The check begins again after any verdict except Confirmed.
     this->Signs.Begin(this->SignAxes, this->ConfirmForce.load(std::memory_order_relaxed));
   }
   const Vector3 push = this->Signs.Step(sample.Tip, sample.Fresh || sample.Alive, elapsed);
@@ -376,7 +380,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Force = s.Record.Force;
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
-    // If data are missing, the force comes from an earlier tick.
+    // If data are missing, the force is from an earlier tick.
     input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }
   input.Torque = s.Record.Torque;
@@ -390,7 +394,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.MotionTime = this->MotionTime;
   input.RoundTrip = this->Timing.GetRoundTrip();
   input.IsNew = std::exchange(this->IsForceNew, false);
-  // A loss that Write found takes effect in the next tick.
+  // If Write reported that the device is lost, the loss counts in the next tick.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   const SafetyLimits& limits = this->Limits.Read();
   s.Command = this->Safety.Apply(input, limits, this->Gate);
@@ -406,7 +410,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   {
     this->Timing.RecordTaken({ sample.Time, ServoClock::Now() });
   }
-  // Only after the device has received the order.
+  // Stored only after the device has received the force.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {
@@ -458,7 +462,7 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
 void ServoLoop::Run() noexcept
 {
   ServoClock::BlockSignals();
-  MemoryLock lock; // locked until the loop ends
+  MemoryLock lock; // holds its locks until the loop ends
   this->LockMemory(lock);
   this->Priority.Raise();
   const std::int64_t begin = ServoClock::Now();
@@ -479,7 +483,8 @@ void ServoLoop::Run() noexcept
     planned += this->Period;
     if (done > planned)
     {
-      // Too late for the next tick: stay in step with the clock instead of catching up in a burst.
+      // It is too late for the next tick: skip ticks, so that the loop does not catch up in a
+      // burst.
       const std::int64_t missed = (done - planned) / this->Period + 1;
       this->MissedTicks.store(
         this->MissedTicks.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(missed),

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The servo loop: one tick after the other at a fixed rate, on its own thread.
+ * The servo loop: it runs one tick after the other at a fixed rate, on a thread of its own.
  *
  * The loop never waits for its inputs and outputs:
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - a slow thread fits the local surfaces (LocalSurfaceFitter.h);
- * - a second slow thread brings the samples around the tip into memory (SampleKeeper.h);
- * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - orders to the clock of a moving volume come through a triple buffer (DataClock.h);
+ * - a second slow thread reads the samples around the tip into memory (SampleKeeper.h);
+ * - a triple buffer passes the latest state out and, while recording, a ring passes every state;
+ * - a triple buffer passes the orders to the clock of a moving volume (DataClock.h);
  * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
- * and RunSampleKeeper to the slow threads; AskRealtimeKit to one that may wait; ReadState to one
- * reader; Drain to one recorder; everything else to the owner (the GUI thread).
+ * and RunSampleKeeper to the slow threads; AskRealtimeKit to a thread that may wait; ReadState to
+ * one reader; Drain to one recorder; all other functions to the owner (the GUI thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
@@ -47,34 +47,36 @@
 namespace VolumeHaptics
 {
 
-/** Everything about one tick, for displays and recordings. */
+/** All data of one tick, for displays and recordings. */
 struct ServoSnapshot
 {
-  TickRecord Record;            ///< computed by the tick, before the safety stage
-  ServoState Before;            ///< state before the tick; the force is 0 if it is not enabled
-  bool IsKept = false;          ///< whether the tool's memory keeps a copy for Before
-  ModeForces Modes{};           ///< N, per mode of PRIMITIVES, before the safety stage
-  Vector3 Command;              ///< N, sent to the device
-  Vector3 Torque;               ///< N m, sent to the device
-  double Time = 0.0;            ///< s since the loop started
-  std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
-  std::uint64_t Generation = 0; ///< the generation of the model; 0 without a model
+  TickRecord Record; ///< result of the tick, before the safety stage
+  ServoState Before; ///< state before the tick; if it is not enabled, the force is 0
+  /** Whether this tick copied the tool's memory, for a recording that begins with Before. */
+  bool IsKept = false;
+  ModeForces Modes{};           ///< force in N of each mode of PRIMITIVES, before the safety stage
+  Vector3 Command;              ///< force in N that was sent to the device
+  Vector3 Torque;               ///< torque in N m that was sent to the device
+  double Time = 0.0;            ///< time in s since the loop started
+  std::uint64_t Tick = 0;       ///< number of the tick, from 0; only executed ticks count
+  std::uint64_t Generation = 0; ///< generation of the model; 0 without a model
   std::uint32_t Buttons = 0;
-  Vector3 Turn;                ///< rad/s, see DeviceSample
-  Quaternion Orientation;      ///< the stylus's, see DeviceSample; tools turn with it
-  bool HasOrientation = false; ///< Orientation is valid; it is always a unit quaternion
-  bool IsOrdered = false;      ///< whether Orientation comes from ServoLoop::TurnHand
+  Vector3 Turn; ///< angular velocity in rad/s (DeviceSample::Turn)
+  /** Orientation of the stylus, with which tools rotate (DeviceSample::Orientation). */
+  Quaternion Orientation;
+  bool HasOrientation = false; ///< whether Orientation is valid; then it is a unit quaternion
+  bool IsOrdered = false;      ///< whether Orientation is from ServoLoop::TurnHand
   GateState Gate = GateState::Disarmed;
-  GateReason Reason = GateReason::Ordered; ///< why Share is not 1
+  GateReason Reason = GateReason::Ordered; ///< reason why Share is below 1
   bool Stale = false;                      ///< whether the tip is older than the watchdog allows
-  bool IsSoft = false;                     ///< see SafetyStage::IsSoft
-  bool Awaiting = false;                   ///< whether missing data held force back
-  double Share = 0.0;                      ///< the share of Record.Force that the gate let through
-  double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
-  std::uint32_t Orders = 0;                ///< orders seen by the tick: see ServoLoop::GetOrders
+  bool IsSoft = false;      ///< whether a wall feels softer than wanted (SafetyStage::IsSoft)
+  bool Awaiting = false;    ///< whether missing data reduced the force
+  double Share = 0.0;       ///< fraction of Record.Force that the gate let through
+  double Residency = 1.0;   ///< opening of the gate, that is, Share without the ramp
+  std::uint32_t Orders = 0; ///< number of orders that the tick has seen (ServoLoop::GetOrders)
   DeviceState Device = DeviceState::Running;
-  SignVerdict Signs;     ///< the verdict of the check since RequireConfirmation
-  DataClockReport Clock; ///< the clock's report, for a volume that moves
+  SignVerdict Signs;     ///< verdict of the sign check since RequireConfirmation
+  DataClockReport Clock; ///< report of the clock if the volume moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return ComputeFault(this->Gate, this->Reason); }
@@ -83,31 +85,34 @@ struct ServoSnapshot
 class ServoLoop
 {
 public:
-  /** Makes a loop. The back end must be open, and outlive the loop. */
+  /** Makes a loop. The back end must be open, and must outlive the loop. */
   ServoLoop(DeviceBackend& backend, double rate);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /** Runs the loop: returns after RequestStop, with zero force sent. */
+  /** Runs the loop. Returns after RequestStop(), when zero force has been sent. */
   void Run() noexcept;
   /**
-   * Runs the slow worker; without it LOCAL_SURFACE has no surface. It also returns after
-   * RequestStop.
+   * Runs the slow loop of LOCAL_SURFACE, without which there is no surface. Returns after
+   * RequestStop().
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
   /**
-   * Wakes Run up on another processor if its own processor does not do so in time. Returns after
-   * RequestStop.
+   * Wakes Run() on another processor if its own one does not wake it in time. Returns after
+   * RequestStop().
    */
   void WatchSleep() noexcept { this->Sleep.Watch(); }
   /** See WatchedSleep::GetRescues. */
   std::uint64_t GetRescues() const noexcept { return this->Sleep.GetRescues(); }
-  /** Requests a real-time class for Run if the kernel refuses it: see ServoPriority. */
+  /**
+   * Requests a real-time class for Run() from RealtimeKit if the kernel has refused it
+   * (ServoPriority).
+   */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   /**
-   * Keeps the samples around the tip in memory; otherwise a tick may wait for the disk if the
-   * volume is mapped from a file. Returns after RequestStop, after it has unlocked the samples.
+   * Keeps the samples around the tip in memory. Without it, a tick may wait for the disk if the
+   * volume is mapped from a file. Returns after RequestStop(), when it has unlocked the samples.
    */
   void RunSampleKeeper() noexcept { this->Samples.Run(); }
   void RequestStop() noexcept
@@ -119,35 +124,35 @@ public:
     this->Samples.RequestStop();
   }
 
-  /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
+  /** Publishes a model for the next tick. With nullptr, nothing is felt. Returns its generation. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model)
   {
     return this->Models.Publish(std::move(model));
   }
-  /** See ModelExchange::GetTool. Called by the owner. */
+  /** Returns ModelExchange::GetTool(). Called by the owner. */
   std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
-  /** Returns the generation that the loop has adopted. */
+  /** Returns the generation of the model that the loop uses. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** Returns the lowest generation of any state that is yet to be read or drained. */
+  /** Returns the lowest generation among the states that are still to be read or drained. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Lets force flow, after a ramp; clears a fault. Changes nothing if force flows already. */
+  /** Makes force flow after a ramp, and clears a fault. Does nothing if force flows already. */
   void Arm() noexcept
   {
     this->Attend();
     this->Command(ArmOrder::Arm);
   }
-  /** Stops the force from the next tick on. */
+  /** Ends the force in the next tick. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
   /**
-   * Returns whether the last of these orders was Arm, even if the loop has not seen it yet, and no
-   * clutch delays it.
+   * Returns whether the last of these orders was Arm and no clutch delays it. The loop need not
+   * have seen the order yet.
    */
   bool IsArmOrdered() const noexcept
   {
@@ -155,24 +160,25 @@ public:
     return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
   }
   /**
-   * Returns the number of these orders, modulo 2^32, which shows the orders that a tick has seen.
+   * Returns the number of these orders, modulo 2^32. ServoSnapshot::Orders tells which orders a
+   * tick has seen.
    */
   std::uint32_t GetOrders() const noexcept
   {
     return static_cast<std::uint32_t>(OrdersOf(this->ArmCommand.load(std::memory_order_relaxed)));
   }
   /**
-   * Brings the force to zero within ForceGate::FadeTime; then disarms. Changes nothing if the last
-   * order was Disarm, even one of another thread at the same time.
+   * Lowers the force to zero within ForceGate::FadeTime, then disarms. Does nothing if the last
+   * order was Disarm, even if another thread gave it at the same time.
    */
   void FadeOut() noexcept { this->Command(ArmOrder::FadeOut); }
 
   ///@{
   /**
-   * Hold ends the force until Release, whatever other orders say. The force falls to zero as with
-   * FadeOut, but the loop stays armed, and AttentionTime does not count. After Release and the end
-   * of the fade, if the loop is armed and has no fault, the force rises as after Arm, with the
-   * proxy on the tip. Called by the owner.
+   * Hold() ends the force until Release(), whatever other orders are given. The force falls to zero
+   * as with FadeOut(), but the loop stays armed, and AttentionTime does not count. After Release()
+   * and the end of the fade, the force rises as after Arm(), with the proxy at the tip, if the loop
+   * is armed and has no fault. Called by the owner.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept
@@ -180,22 +186,22 @@ public:
     this->Attend();
     this->HoldWanted.store(false, std::memory_order_release);
   }
-  /** Returns whether the loop is held and has sent zero. */
+  /** Returns whether the loop is held and has sent zero force. */
   bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
   ///@}
 
   ///@{
   /**
-   * Sets whether the loop is clutched. A clutched loop sends no force, from the next tick on.
-   * Afterwards, force rises as after Arm if the loop was armed before the clutch or the last order
-   * was Arm: see the table of ForceGate.h.
+   * Sets whether the loop is clutched. A clutched loop sends no force, beginning with the next
+   * tick. Afterwards the force rises as after Arm() if the loop was armed before the clutch or if
+   * the last order was Arm (see the table of ForceGate.h).
    */
   void SetClutched(bool clutched) noexcept;
   bool IsClutched() const noexcept
   {
     return IsClutched(this->ArmCommand.load(std::memory_order_relaxed));
   }
-  /** Returns whether force returns after the clutch, according to the orders. */
+  /** Returns whether force returns after the clutch, as far as orders decide it. */
   bool ReturnsAfterClutch() const noexcept
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
@@ -204,16 +210,16 @@ public:
   ///@}
 
   /**
-   * Reports that the owner is present. If SafetyLimits::AttentionTime is set, the loop is armed,
-   * and neither this nor Arm is called for that long, the force fades out as with FadeOut. The
-   * fault Unattended then holds until Arm.
+   * Reports that the owner is present. If the loop is armed and neither this nor Arm() is called
+   * for SafetyLimits::AttentionTime, the force fades out as with FadeOut(), and then the fault
+   * Unattended lasts until Arm(). An AttentionTime of 0 means no limit.
    */
   void Attend() noexcept;
 
   /**
-   * Makes the volume unfelt from the next tick on, until the loop, once it is armed, has confirmed
-   * that the device moves with the force (SignCheck.h). Called by the owner, before Arm; `axes` and
-   * `force` (N) come from DeviceLimits.
+   * Requires a check of the device's signs (SignCheck.h). From the next tick the volume is not
+   * felt, until the armed loop has confirmed that the device moves with the force. Called by the
+   * owner before Arm(). `axes` and `force` (N) are from DeviceLimits.
    */
   void RequireConfirmation(unsigned axes, double force) noexcept
   {
@@ -223,16 +229,16 @@ public:
 
   ///@{
   /**
-   * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
-   * see HandTurn.h.
+   * Sets how the hand holds its tool, in the device's space, for a device that does not measure an
+   * orientation (HandTurn.h).
    */
   void TurnHand(const Quaternion& orientation) noexcept { this->Hand.Order(orientation); }
   void ForgetTurn() noexcept { this->Hand.Forget(); }
   ///@}
 
   /**
-   * Spins a burr, with or without its button, as long as force flows: not while the loop is
-   * disarmed, held or confirming, and not after a fault.
+   * Spins a burr, whether its button is pressed or not. It spins only while force flows: not while
+   * the loop is disarmed, held or confirming, and not after a fault.
    */
   void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
 
@@ -243,27 +249,27 @@ public:
   const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
 
   /**
-   * Copies the tool's memory (ToolMemory::Keep), and completes the snapshot of a removal, in the
-   * next tick that has a model and can do so: a recording begins with that tick. Call it only after
-   * the last copy has been read.
+   * Orders a copy of the tool's memory (ToolMemory::Keep) and the end of a removal's snapshot. The
+   * next tick that has a model and can do both does so, and a recording begins with that tick. Must
+   * only be called when the last copy has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
-  /** Returns whether the copy has yet to be made. If not, the loop has released the snapshot. */
+  /** Returns whether the copy is still to be made. If not, the loop no longer uses the snapshot. */
   bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
-  /** Withdraws the order, from the next tick on. */
+  /** Cancels the order, beginning with the next tick. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
   std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
 
-  /** Returns the number of ticks executed since the start: a heartbeat for watchdogs. */
+  /** Returns the number of executed ticks since the start, as a heartbeat for watchdogs. */
   std::uint64_t GetTickCount() const noexcept
   {
     return this->TickCount.load(std::memory_order_relaxed);
   }
 
   ///@{
-  /** Return the timing since the last ResetStatistics. */
+  /** Return the durations of ticks and the delays of wake-ups since the last ResetStatistics(). */
   const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
   const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
   /** Returns the number of ticks in which the solver spent its budget (PreciseSolver.h). */
@@ -272,7 +278,7 @@ public:
     return this->UnfinishedTicks.load(std::memory_order_relaxed);
   }
   /**
-   * Returns the number of ticks whose force was held back because data were missing (Residency.h).
+   * Returns the number of ticks whose force was reduced because data were missing (Residency.h).
    */
   std::uint64_t GetAbsentTicks() const noexcept
   {
@@ -283,8 +289,8 @@ public:
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
   /**
-   * Returns how old the positions behind the forces are. This depends on how the device is read and
-   * written, not on the ticks.
+   * Returns how old the positions are from which forces are computed. This depends on how the
+   * device is read and written, not on the duration of ticks.
    */
   const LoopTiming& GetTiming() const noexcept { return this->Timing; }
   double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
@@ -299,9 +305,9 @@ public:
   };
   RealTimeGrant GetRealTimePriority() const noexcept { return this->Priority.GetGrant(); }
   /**
-   * Returns whether the loop's own memory stays in memory while it runs: this object with its
-   * buffers, the loop's stack, and the tables of the models. The program's code, meshes, and the
-   * memory of a back end and its driver are never locked.
+   * Returns whether the loop's own memory is locked while it runs: this object with its buffers,
+   * the loop's stack, and the tables of the models. The program's code, meshes, and the memory of
+   * back ends and drivers are never locked.
    */
   Privilege GetLockedMemory() const noexcept
   {
@@ -309,8 +315,8 @@ public:
     return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
   }
   /**
-   * Returns whether the samples around the tip stay in memory; Unknown if there are no such
-   * samples, or if RunSampleKeeper does not run.
+   * Returns whether the samples around the tip are locked. Returns Unknown if there are no such
+   * samples, or if RunSampleKeeper() does not run.
    */
   Privilege GetLockedSamples() const noexcept
   {
@@ -318,7 +324,7 @@ public:
       : this->Samples.IsLockRefused()    ? Privilege::Refused
                                          : Privilege::Granted;
   }
-  /** See SampleKeeper::GetLooks. */
+  /** Returns SampleKeeper::GetLooks(). */
   std::uint64_t GetLooksAtSamples() const noexcept { return this->Samples.GetLooks(); }
 
 private:
@@ -330,9 +336,9 @@ private:
   };
   ///@{
   /**
-   * The parts of ArmCommand: the last order in two bits, whether the loop is clutched, how often
-   * the clutch has changed, and in the upper half the number of orders. All parts are in one word,
-   * so that a tick sees a consistent state of them.
+   * ArmCommand has four parts: the last order (two bits), whether the loop is clutched (one bit),
+   * how often the clutch has changed, and the number of orders (upper half). All are in one word,
+   * so that a tick reads a consistent state.
    */
   static constexpr std::uint64_t ClutchBit = 4;
   static constexpr std::uint64_t ClutchStep = 8;
@@ -348,7 +354,7 @@ private:
   }
   static std::uint64_t OrdersOf(std::uint64_t command) noexcept { return command / OrderStep; }
   ///@}
-  /** Replaces the last order. From any thread. */
+  /** Gives an order, which replaces the last one. From any thread. */
   void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
@@ -357,7 +363,7 @@ private:
     {
       if (order == ArmOrder::FadeOut && OrderOf(last) == ArmOrder::Disarm)
       {
-        return; // no force is left to fade
+        return; // there is no force to fade
       }
       next = ((last & ~std::uint64_t(3)) | static_cast<std::uint64_t>(order)) + OrderStep;
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
@@ -369,8 +375,8 @@ private:
   void UpdateAttention(std::int64_t now) noexcept;
   ///@{
   /**
-   * TickOnce is a tick; the other functions are the steps of a tick, in their order. `woken` is in
-   * ns of ServoClock, `start` in ns since the loop started, durations are in s.
+   * TickOnce() runs a tick; the other functions are its steps, in order. `woken` is in ns of
+   * ServoClock, `start` in ns since the loop started, and durations are in s.
    */
   void TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept;
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
@@ -386,7 +392,7 @@ private:
   void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
 
   DeviceBackend& Backend;
-  const std::int64_t Period; // ns
+  const std::int64_t Period; // in ns
 
   ModelExchange Models;
   LocalSurfaceFitter Fitter{ this->Models };
@@ -400,28 +406,28 @@ private:
   std::atomic<bool> ResetRequested{ false };
   std::atomic<bool> HoldWanted{ false };
   std::atomic<bool> AtRest{ false };
-  std::atomic<std::uint64_t> ArmCommand{ 0 }; // see OrderOf
-  std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
-  LoopTiming Timing;                          // written by the servo
-  std::atomic<unsigned> ConfirmAxes{ 0 };     // from RequireConfirmation, until the loop has seen
-                                              // it
+  std::atomic<std::uint64_t> ArmCommand{ 0 }; // see ClutchBit
+  std::atomic<std::int64_t> AttendedAt{ 0 };  // time (ns) of ServoClock
+  LoopTiming Timing;                          // written only by the servo
+  std::atomic<unsigned> ConfirmAxes{ 0 }; // from RequireConfirmation, until the loop has seen it
   std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<DataClockOrders> ClockOrders;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
 
-  // Used by the servo only.
+  // Members that only the servo uses.
   const PublishedModel* Current = nullptr;
   ServoState State;
-  bool IsModelNew = false;   ///< whether the model is new since the last tick
-  bool IsForceNew = false;   ///< the force changed in this tick, but not by the tip's motion
-  bool IsContactNew = false; ///< a new model makes the proxy begin at the tip
+  bool IsModelNew = false; ///< whether the model has changed since the last tick
+  /** Whether the force changed in this tick for a reason other than the tip's motion. */
+  bool IsForceNew = false;
+  bool IsContactNew = false; ///< whether a new model makes the proxy begin at the tip
   DataClock Clock;
   ResidentServo Servo;
-  HandTurn Hand; ///< the orientation that the owner orders
+  HandTurn Hand; ///< orientation ordered by the owner
   ///@{
-  /** The device's orientation in the last tick. */
+  /** Orientation that the device measured in the last tick. */
   Quaternion MeasuredOrientation;
   bool HasMeasured = false;
   ///@}
@@ -429,9 +435,9 @@ private:
   ForceGate Gate;
   SafetyStage Safety;
   TorqueStage Torques;
-  double MotionTime = 0.0; ///< s: SafetyInput::MotionTime
+  double MotionTime = 0.0; ///< SafetyInput::MotionTime in s
   SignCheck Signs;
-  unsigned SignAxes = 0; ///< axes to be confirmed
+  unsigned SignAxes = 0; ///< axes whose signs must be confirmed
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
   bool WriteLost = false;

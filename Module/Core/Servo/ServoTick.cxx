@@ -10,14 +10,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Makes one tick of the method: what a point feels. */
+/** Computes a tick of the method, which feels with a point. */
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
   GetMethod(model.Baked->Settings).Step(model, state, record, { result, memory });
 }
 
-/** The tick of a tool that may feel with the method's point. */
+/** The tick of a tool. The tool may also feel with the method's point. */
 class MethodTick final : public ToolTick
 {
 public:
@@ -39,7 +39,7 @@ private:
   TickMemory* const Taps;
 };
 
-/** Rests without force: tissue may come back where the hand is. */
+/** Ends the force, because removed tissue may be restored at the hand's position. */
 void Rest(
   const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept
 {
@@ -67,7 +67,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     state.Enabled = false;
     return;
   }
-  // The methods below do not always write these numbers.
+  // The methods below do not write these members in every tick.
   record.Tip = tip;
   record.DataTime = state.DataTime;
   record.Force = Vector3{};
@@ -99,7 +99,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   if (model.Baked->Removal)
   {
-    // Read now, because a later tick may remove tissue here.
+    // Read the value now, because a later tick may remove tissue here.
     record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;
@@ -154,7 +154,7 @@ void CarryState(
   if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another region of the same volume, or other time steps: the felt force does not change.
+    // For another region of the same volume, or other time steps, the felt force does not change.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
@@ -173,8 +173,8 @@ void CarryState(
   {
     to.Baked->Tool->Begin(state);
   }
-  // A coarse image that stands in and the data that it replaces have surfaces at different places:
-  // the proxy must not change sides.
+  // A coarse image and the data that replace it have surfaces at different positions. The proxy
+  // must not get to the other side of the surface.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
     was.Method == HapticMethod::SurfaceProxy && is.Method == HapticMethod::SurfaceProxy &&
     IsOutsideSurface(from, state.Proxy, state.DataTime);
@@ -190,7 +190,7 @@ void CarryState(
   const bool isOther = was.Method != is.Method;
   if (isOther || was.Solver != is.Solver || beginsAnew)
   {
-    // Methods and solvers keep only their own state up to date.
+    // Methods and solvers update only their own state.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
   }
@@ -202,7 +202,7 @@ void CarryState(
   }
   if (isOther || from.Baked->Number != to.Baked->Number)
   {
-    // The forces belong to other primitives.
+    // The forces belong to the old volume's primitives.
     state.Primitives = PrimitiveMemory{};
   }
   // The level that holds the proxy is a value of the old volume.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Durations, counted in fixed buckets: written by one thread, read by any, without waiting.
+ * A histogram of durations in fixed buckets. One thread writes it, and any thread may read it
+ * without waiting.
  *
- * There are eight buckets per octave, from 1 ns to more than an hour: a percentile is exact to 1/8.
+ * There are eight buckets per octave, from 1 ns to more than an hour, so that a percentile is exact
+ * to 1/8.
  */
 #ifndef TimeHistogram_h
 #define TimeHistogram_h
@@ -19,7 +21,7 @@ namespace VolumeHaptics
 class TimeHistogram
 {
 public:
-  /** Counts a duration. Called by the one writer. */
+  /** Counts a duration. Called only by the writer. */
   void Add(std::int64_t nanoseconds) noexcept
   {
     std::atomic<std::uint64_t>& bucket = this->Count[Bucket(nanoseconds)];
@@ -27,14 +29,14 @@ public:
   }
 
   /**
-   * Returns the duration in ns below which a fraction (0 to 1) of the durations lie: the upper edge
-   * of that duration's bucket. 0 if nothing was counted.
+   * Returns the duration (ns) below which a fraction (0 to 1) of all durations lie. It is the upper
+   * edge of a bucket. Returns 0 if nothing was counted.
    */
   double GetPercentile(double fraction) const noexcept;
 
   std::uint64_t GetTotal() const noexcept;
 
-  /** Called by the writer as well. */
+  /** Clears all buckets. Called only by the writer. */
   void Reset() noexcept;
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes every value from one thread to another, in order, without waiting: a single-producer,
- * single-consumer ring. If the ring is full, a value is counted as lost.
+ * Passes every value from one thread to another, in order and without waiting: a ring for one
+ * producer and one consumer. If the ring is full, a value is counted as lost.
  */
 #ifndef TraceRing_h
 #define TraceRing_h
@@ -26,8 +26,8 @@ class TraceRing
 
 public:
   /**
-   * Makes a ring; the capacity is rounded up to a power of two. Allocates; the other members do
-   * not.
+   * Makes a ring. The capacity is rounded up to a power of two. This allocates; no other member
+   * does.
    */
   explicit TraceRing(std::size_t capacity)
     : Slot(RoundUp(capacity))
@@ -35,7 +35,10 @@ public:
   {
   }
 
-  /** Called by the producer. If the ring is full, returns false and counts a lost value. */
+  /**
+   * Adds a value. Returns false and counts a lost value if the ring is full. Called by the
+   * producer.
+   */
   bool Push(const T& value) noexcept
   {
     const std::uint64_t head = this->Head.load(std::memory_order_relaxed);
@@ -53,7 +56,7 @@ public:
     return true;
   }
 
-  /** Called by the consumer: takes the oldest value; returns false if the ring is empty. */
+  /** Removes the oldest value. Returns false if the ring is empty. Called by the consumer. */
   bool Pop(T& value) noexcept
   {
     const std::uint64_t tail = this->Tail.load(std::memory_order_relaxed);
