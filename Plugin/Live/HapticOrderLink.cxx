@@ -27,7 +27,7 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<HapticOrderLink*>(self)->ApplyDisarm(); });
-  // Be called after other observers, which may disarm the device because of a clutch.
+  // Observe after other observers, because these may disarm the device for a clutch.
   device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
 }
 

@@ -169,7 +169,7 @@ void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
   this->WindowOnProcessor.reset();
   if (this->Window)
   {
-    // Be called after FrameQuality, which recognizes motion by the rate that ParaView has set.
+    // Observe after FrameQuality, because it recognizes motion by the rate that ParaView has set.
     constexpr float priority = -1.0F;
     for (const auto event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::AbortCheckEvent })

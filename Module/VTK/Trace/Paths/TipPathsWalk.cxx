@@ -76,7 +76,7 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
     recording ? recording->InitialTissue : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
-  // If the tool removes no tissue, make no room for more.
+  // If the tool removes no tissue, make no room for more removed tissue.
   const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(fractions.size(), 1));
   auto removal = isChanged
     ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
