@@ -28,6 +28,18 @@ def test_every_method_is_known():
     assert "IsA" not in device and "Update" in chaos.methods(module.vtkHapticStateSource, module)
 
 
+def test_errors_with_false_are_read_from_the_documentation():
+    """Other words in the documentation must not end the check for silent failures unnoticed."""
+    for cls, names in (
+            (module.vtkHapticDevice, ("Open", "Start", "Publish")), (module.vtkHapticSetup, ("Save", "Load")),
+            (module.vtkHapticRegionSource, ("OpenFile", "OpenDataSet")), (module.vtkHapticProperty, ("ApplyPreset",)),
+            (module.vtkHapticLabelTable, ("ReadFile", "WriteFile")), (module.vtkVolumeHapticsFilter, ("SetMethodByName",)),
+            (module.vtkInteractorStyleHaptic, ("TouchVolume", "NextMethod")), (module.vtkHapticMeasurements, ("WriteFile",))):
+        for name in names:
+            documented = " ".join(getattr(cls, name).__doc__.split())
+            assert chaos.ERROR_WITH_FALSE.search(documented), f"{cls.__name__}.{name}: {documented}"
+
+
 @pytest.mark.parametrize("fault, words", (
     ("crash", "Segmentation fault"), ("hang", "Timeout"), ("force", "above its limit of 4.0 N"), ("silence", "without text")))
 def test_what_goes_wrong_is_found(tmp_path, fault, words):
