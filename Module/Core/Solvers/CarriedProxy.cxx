@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * Levels and gradients with a smaller relative difference belong to the same material:
- * displacements in single precision are no more precise.
+ * Relative difference of levels or gradients below which they belong to the same material.
+ * Displacements in single precision are not more precise.
  */
 constexpr double SameMaterial = 1e-6;
 
@@ -27,15 +27,18 @@ struct Change
 };
 
 /**
- * Returns whether levels are the estimator's: PRECISE holds its proxy on levels of the estimator's
- * own value, but PAPER reads V.
+ * Returns whether the levels are the estimator's. PRECISE holds its proxy on levels of the
+ * estimator's own value, whereas PAPER reads V.
  */
 bool HasOwnLevels(const HapticModel& model) noexcept
 {
   return model.Baked->Settings.Solver == HapticSolver::Precise;
 }
 
-/** Returns whether a sample belongs to the same material after a motion, apart from rounding. */
+/**
+ * Returns whether two samples belong to the same material, before and after a motion, apart from
+ * rounding.
+ */
 bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double levelB) noexcept
 {
   const double slope = std::abs(a.Gradient.X) + std::abs(a.Gradient.Y) + std::abs(a.Gradient.Z);
@@ -46,7 +49,7 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
 
 /**
  * Computes the change of the volume at the proxy.
- * @param from, index of the proxy, before and after its motion with the material
+ * @param from, index the proxy's index before and after its motion with the material
  */
 Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
   const Vector3& from, const Vector3& index) noexcept
@@ -56,8 +59,8 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    old = before.Gradient(from); // read first, because the gradient belongs to the older of both
-                                 // blends
+    // read first, because the gradient belongs to the older of both blends
+    old = before.Gradient(from);
     change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
     change.LevelNow = change.Now.Value;
@@ -71,7 +74,7 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
     change.LevelNow = levels.Second;
     if (!isShifted && change.LevelBefore != change.LevelNow)
     {
-      return change; // the result then does not depend on the gradient
+      return change; // the gradient has no effect on the result then
     }
     old = before.Gradient(from);
   }
@@ -82,8 +85,8 @@ Change ComputeChange(const HapticModel& model, const FieldAtTime& before, const 
 }
 
 /**
- * Returns whether a surface of the scalars holds the proxy, or could hold it, judging by the last
- * tick.
+ * Returns whether a surface of the scalars holds the proxy, or could hold it, as the last tick
+ * shows.
  */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {
@@ -99,8 +102,8 @@ Surface ComputeThere(const HapticModel& model, ServoState& state, const FieldAtT
 }
 
 /**
- * Carries state.Proxy to a level of the estimator; reads the surface there again after each step.
- * @return the distance (m) from where the surface was read
+ * Moves state.Proxy to a level of the estimator, and reads the surface again after each step.
+ * Returns the distance (m) from the place where the surface was read.
  */
 double CarryToOwnLevel(const HapticModel& model, ServoState& state, const FieldAtTime& now,
   const Change& change, Surface& there) noexcept

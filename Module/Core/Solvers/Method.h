@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The interface of a method for ticks, regions and the safety stage. Methods/Methods.cxx has one
- * row a method.
+ * The interface by which ticks, regions and the safety stage use a method. Methods/Methods.cxx
+ * lists the methods, one in each row.
  */
 #ifndef Method_h
 #define Method_h
@@ -19,19 +19,17 @@ struct TickMemory;
 struct TickRecord;
 
 /**
- * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between tip
- * and proxy, and one voxel more.
+ * Number of additional voxels in a reach: for the taps of a kernel beyond its radius, for motions
+ * off the line between tip and proxy, and one voxel more.
  */
 constexpr double ResidencySpare = 3.0;
 
-/**
- * The samples that a tick can read: the samples between two corners (index steps), and a margin.
- */
+/** The box of the samples that a tick may read: from Low to High (index), extended by a margin. */
 struct ReadBox
 {
   Vector3 Low;
   Vector3 High;
-  Vector3 Margin; ///< margin along each axis, on either side
+  Vector3 Margin; ///< margin on both sides along each axis
 
   void Include(const Vector3& index) noexcept
   {
@@ -40,43 +38,49 @@ struct ReadBox
   }
 };
 
-/** Further input of a method, beside model, state and record. */
+/** Input of a method in addition to model, state and record. */
 struct MethodInput
 {
   const LocalSurfaceResult& Result; ///< result of the slow loop
-  TickMemory* Memory;               ///< saves time; may be null
+  TickMemory* Memory;               ///< samples of the last tick, which save time; may be null
 };
 
-/** A method, or one of the solvers of PROXY. All functions run in the servo's tick. */
+/** A method, or a solver of the method PROXY. All functions run in the servo's tick. */
 struct Method
 {
-  /** Computes the force at record.Tip; writes all of the record that Tick() has not written. */
+  /**
+   * Computes the force at record.Tip, and writes all members of the record that Tick() has not
+   * written.
+   */
   void (*Step)(const HapticModel&, ServoState&, TickRecord&, const MethodInput&) noexcept;
-  /** Returns the reach (index steps along each axis) of the samples read around tip and proxy. */
+  /** Returns how far (index steps along each axis) around tip and proxy a tick reads samples. */
   Vector3 (*Reach)(const HapticModel&) noexcept;
   /**
-   * Adds to a box the samples that a tick reads beside the path between tip and proxy; null: none.
+   * Adds to a box the samples that a tick reads away from the path between tip and proxy. Null if
+   * there are none.
    */
   void (*Include)(const HapticModel&, const ServoState&, ReadBox&) noexcept = nullptr;
   /**
-   * Returns the dissipative part (N) of a tick's force, against the hand's motion; null: there is
-   * none. The state is the one before the tick.
+   * Returns the dissipative part (N) of a tick's force, which opposes the hand's motion. Null if
+   * there is none. The state is that before the tick.
    */
   Vector3 (*Drag)(const HapticModel&, const ServoState&, const TickRecord&) noexcept = nullptr;
-  bool HasProxy = true; ///< if false, samples are read at the tip alone
+  /** Whether the method has a proxy; if not, it reads samples only at the tip. */
+  bool HasProxy = true;
 };
 
 ///@{
 /**
- * Return reaches that several methods have: ResidencySpare plus the radius of the kernel; and a
- * distance in metres, but at least the samples around a place.
+ * Return reaches that several methods use. GetKernelReach() returns ResidencySpare plus the radius
+ * of the kernel. FindValueReach() returns that of values at a distance `aside` (m), but at least
+ * `around`.
  */
 Vector3 GetKernelReach(const HapticModel& model) noexcept;
 Vector3 FindValueReach(const HapticModel& model, double aside, const Vector3& around) noexcept;
 ///@}
 /**
- * Returns the distance (m) from a proxy at which materials are read; at a wall between labels, at
- * least a voxel of the label image.
+ * Returns the largest distance (m) from a proxy at which materials are read: KernelLength or, if
+ * labels are felt, the larger one of KernelLength and LabelReach.
  */
 double FindMaterialReach(const HapticModel& model) noexcept;
 

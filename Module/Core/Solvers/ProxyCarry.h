@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The steps that carry a proxy to a level: shared by CarriedProxy.cxx and PAPER's shorter way.
+ * The steps that move a proxy to a level, for CarriedProxy.cxx and for PAPER's shorter way.
  */
 #ifndef ProxyCarry_h
 #define ProxyCarry_h
@@ -16,33 +16,35 @@
 namespace VolumeHaptics
 {
 
-/** The result of carrying a proxy. */
+/** The result of moving a proxy to a level. */
 struct ProxyCarry
 {
-  Vector3 Proxy;     ///< m
-  double Away = 0.0; ///< m, the way along the normal
+  Vector3 Proxy;     ///< position in m
+  double Away = 0.0; ///< length (m) of the motion along the normal
 };
 
 namespace Carrying
 {
 constexpr int MostSteps = 3;
-/** The longest step (voxels). */
+/** Longest step (voxels). */
 constexpr double LongestStep = 0.25;
 /**
- * After a step s as short as this (voxels), the level is reached: the remaining error is at most
- * s^2 / (2 sigma), for an edge of width sigma. A level that holds the proxy is the same in all
- * ticks, so that the next tick corrects the error; without such a level, errors add up.
+ * Length (voxels) of a step s after which the level is reached. The remaining error is at most s^2
+ * / (2 sigma), for an edge of width sigma. A level that holds the proxy is the same in all ticks,
+ * so that the next tick corrects the error, and ShortStepToLevel suffices. Otherwise errors would
+ * add up.
  */
 constexpr double ShortStep = 0.01;
 constexpr double ShortStepToLevel = 0.06;
 /**
- * After a carry of at most this many voxels, the surface is not read again: its normal and gradient
- * hardly change within it.
+ * Length (voxels) of a motion up to which the surface is not read again, because normal and
+ * gradient hardly change.
  */
 constexpr double SameSurface = 0.06;
 
 /**
- * Returns whether a surface that fades holds the proxy, or could hold it, judging by the last tick.
+ * Returns whether a surface holds the proxy, or could hold it, as the last tick shows. `fade` is
+ * the surface's Surface::Fade.
  */
 inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
 {
@@ -55,7 +57,7 @@ inline bool IsSameSurface(const HapticModel& model, double away) noexcept
   return std::abs(away) * model.MostVoxelsPerMeter <= SameSurface;
 }
 
-/** Returns the energy (J) that a motion of the proxy from `start` adds to the spring. */
+/** Returns the energy (J) that a motion of the proxy adds to the spring. */
 inline double ComputeWork(
   const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
 {
@@ -64,15 +66,15 @@ inline double ComputeWork(
   return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
 }
 
-/** Returns the rise of the estimator's level per metre along the gradient. */
+/** Returns the rise of the estimator's value per metre along the gradient. */
 inline double ComputeSlope(const HapticModel& model, double gradientMagnitude) noexcept
 {
   return gradientMagnitude * model.WorldUnitsPerMeter;
 }
 
 /**
- * Returns the step (m) along the gradient over which the level rises by `rise`, given its `slope`
- * per metre; not inward past the tip.
+ * Returns the step (m) along the gradient over which the value rises by `rise`. `slope` is the rise
+ * per metre. The step does not lead inward past the tip.
  */
 inline double ComputeStep(const HapticModel& model, const Vector3& normal, double rise,
   double slope, const Vector3& lag, bool isHeld) noexcept
@@ -83,7 +85,7 @@ inline double ComputeStep(const HapticModel& model, const Vector3& normal, doubl
   const bool isTwoSided = model.Baked->Settings.Side == SurfaceSide::Both;
   if (isTwoSided && !isHeld)
   {
-    return step; // the structure is on the approaching side
+    return step; // the surface may be touched from either side, so the tip does not limit the step
   }
   const double push = Dot(lag, normal);
   return Law::IsDescending(model, lag, normal) ? std::max(step, std::min(push, 0.0))
@@ -91,8 +93,8 @@ inline double ComputeStep(const HapticModel& model, const Vector3& normal, doubl
 }
 
 /**
- * Returns the slope of V, from its rise over the last step. If this slope and the estimator's slope
- * differ by more than a factor of four, as where V is flat, returns the estimator's slope.
+ * Returns the slope of V from its rise over the last step. If it differs from the estimator's slope
+ * by more than a factor of four, as where V is flat, returns the estimator's slope.
  */
 inline double ComputeSlopeOfValue(double estimated, double rise, double step) noexcept
 {
@@ -102,8 +104,8 @@ inline double ComputeSlopeOfValue(double estimated, double rise, double step) no
 }
 
 /**
- * Follows a level of V from state.Proxy on, along a normal, by the secant method.
- * @param levels V before the motion, and after it
+ * Moves the proxy from state.Proxy along a normal to a level of V, by the secant method.
+ * @param levels V before the volume's motion, and after it
  * @param findValue returns V at an index
  */
 template <typename ValueFunction>

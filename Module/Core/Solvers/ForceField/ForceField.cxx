@@ -69,11 +69,12 @@ Vector3 FindFieldDrag(
   {
     return {};
   }
-  // Only the hand's motion: where the material moves, it may give energy.
+  // Only damping by the hand's motion takes energy. Where the material moves, damping may give
+  // some.
   const Vector3 drag = ComputeFieldDamping(model, before.PreviousTip, record);
   const Vector3 material = ComputeFieldDamping(model, ComputeFieldPlace(model, before), record);
   const double whole = Norm(ComputeFieldPush(model, record) + material);
-  // The force may be clamped.
+  // The force may be clamped, so reduce the drag by the same factor.
   return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
 

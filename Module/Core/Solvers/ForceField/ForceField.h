@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The paper's eq. 1: a force against the gradient at the tip, and damping. There is no proxy.
+ * The paper's eq. 1: a force opposite to the gradient at the tip, with damping and without a proxy.
  */
 #ifndef ForceField_h
 #define ForceField_h
@@ -12,27 +12,27 @@
 namespace VolumeHaptics
 {
 
-/** Computes one tick from record.Tip; writes all of the record. */
+/** Computes a tick for record.Tip, and writes the whole record. */
 void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 
-/** Returns the damping force (N) on a tip that has come from a place within one tick. */
+/** Returns the damping force (N) on a tip that has moved from a place within one tick. */
 Vector3 ComputeFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
 
 /**
- * Returns where the material at the last tick's tip is now: damping acts against the motion
- * relative to the material. Returns the last tip itself if displacements are not known
+ * Returns where the material that was at the last tick's tip is now, because the damping acts on
+ * motion relative to the material. Returns the last tip itself if displacements are not known
  * (CarriedProxy.h).
  */
 Vector3 ComputeFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 
-/** Returns the force (N) against the gradient. */
+/** Returns the force (N) opposite to the gradient. */
 Vector3 ComputeFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
 
-/** See Method::Reach. */
+/** Returns Method::Reach. */
 Vector3 FindFieldReach(const HapticModel& model) noexcept;
-/** See Method::Drag. */
+/** Returns Method::Drag. */
 Vector3 FindFieldDrag(
   const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept;
 

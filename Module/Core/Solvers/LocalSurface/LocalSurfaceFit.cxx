@@ -9,17 +9,23 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Steps of the search along a ray (voxels). */
+/** Step of the search along a ray (voxels). */
 constexpr double RayStep = 0.5;
-/** Feet closer together than this (voxels) count as one; so do the ends of a crossing. */
+/**
+ * Distance (voxels) below which two feet count as one, and distance below which the ends of a
+ * crossing do.
+ */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
-/** The step (voxels) to either side of a foot that shows in which direction V rises. */
+/**
+ * Distance (voxels) to both sides of a foot at which V is compared, to find the direction in which
+ * it rises.
+ */
 constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
 
-/** Returns a b' + b a', times a factor. */
+/** Returns the symmetric matrix factor (a b' + b a'). */
 Symmetric3 Product(const Vector3& a, const Vector3& b, double factor) noexcept
 {
   return { (2.0 * factor) * Vector3{ a.X * b.X, a.Y * b.Y, a.Z * b.Z },
@@ -31,7 +37,7 @@ Symmetric3 Sum(const Symmetric3& a, const Symmetric3& b) noexcept
   return { a.Diagonal + b.Diagonal, a.Mixed + b.Mixed };
 }
 
-/** The isosurface of a model, in the world. */
+/** Finds the isosurface of a model in the world. */
 class IsoSurfaceFinder
 {
 public:
@@ -66,8 +72,8 @@ public:
     }
     this->SolveFoot(foot, normal);
     const bool isBoth = this->Model.Baked->Settings.Side == SurfaceSide::Both;
-    // Because of rounding, the proxy may lie on either side of the surface that holds it. And if a
-    // structure is thinner than the kernel, the gradient may belong to the structure behind it.
+    // By rounding, the proxy may be on either side of the surface that holds it. And if a structure
+    // is thinner than the kernel, the gradient may belong to the structure behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)
@@ -91,7 +97,7 @@ private:
     return this->Field.Value(this->WorldToIndex(x)) - this->Model.Baked->Settings.IsoValue;
   }
 
-  /** Computes the unit normal into the structure; returns false without a gradient. */
+  /** Computes the unit normal into the structure. Returns false if there is no gradient. */
   bool ComputeNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
@@ -101,7 +107,7 @@ private:
     }
     const Vector3 gradient = this->GradientToWorld * this->Field.Gradient(index).Gradient;
     const double norm = Norm(gradient);
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (!(norm > 0.0 && std::isfinite(norm)))
     {
       return false;
@@ -110,14 +116,17 @@ private:
     return true;
   }
 
-  /** Returns the increase of V across a position. */
+  /** Returns the rise of V along the normal at a position. */
   double Rise(const Vector3& x, const Vector3& normal) const noexcept
   {
     const Vector3 step = (RiseStep * this->Voxel) * normal;
     return this->Excess(x + step) - this->Excess(x - step);
   }
 
-  /** Halves the segment between two positions whose excesses have different signs. */
+  /**
+   * Returns where the isosurface is between two positions whose excesses have different signs.
+   * Halves the segment between them.
+   */
   Vector3 Narrow(Vector3 a, Vector3 b, double atA) const noexcept
   {
     for (int i = 0; i < MostHalvings && Norm(b - a) > SameCrossing * this->Voxel; ++i)
@@ -129,7 +138,7 @@ private:
     return 0.5 * (a + b);
   }
 
-  /** Uses the first crossing along a ray from Position, if it is the nearest so far. */
+  /** Stores the first crossing along a ray from Position if it is the nearest one so far. */
   void LookAlong(const Vector3& ray, int steps, double& nearest, Vector3& crossing) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -181,7 +190,7 @@ private:
     return nearest < HUGE_VAL;
   }
 
-  /** Moves from a crossing to the point of the surface that is nearest to Position. */
+  /** Goes from a crossing to the point of the surface that is nearest to Position. */
   void SolveFoot(Vector3& foot, Vector3& normal) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -212,18 +221,19 @@ private:
   }
 
   /**
-   * Returns the change of the normal across the foot; 0 if there is no normal a kernel radius away.
+   * Returns the change of the normal along the surface at the foot, or 0 if there is no normal at a
+   * kernel radius from it.
    */
   Symmetric3 ComputeCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
     const double step = this->Model.Baked->Kernel.Radius * this->Model.Baked->LargestSpacing;
-    // Any two directions at right angles to the normal: away from its largest component.
+    // Two directions perpendicular to the normal, away from its largest component.
     const bool isAlongX = std::abs(normal.X) > 0.7;
     const Vector3 side = Cross(normal, isAlongX ? Vector3{ 0, 1, 0 } : Vector3{ 1, 0, 0 });
     const Vector3 first = (1.0 / Norm(side)) * side;
     const Vector3 axes[2] = { first, Cross(normal, first) };
     Vector3 change[2];
-    double reach[2]; // length of the kernel along each axis
+    double reach[2]; // length of the kernel along each direction
     for (int i = 0; i < 2; ++i)
     {
       reach[i] = this->Model.HasLengthByDirection
@@ -244,7 +254,7 @@ private:
     const Symmetric3 curvature =
       Sum(Sum(Product(axes[0], axes[0], 0.5 * a), Product(axes[1], axes[1], 0.5 * b)),
         Product(axes[0], axes[1], mixed));
-    // A bend tighter than the kernel is noise.
+    // If the surface bends more tightly than the kernel, the bend is noise.
     const double bendA = a * (reach[0] / step);
     const double bendB = b * (reach[1] / step);
     const double twist = mixed * (std::sqrt(reach[0] * reach[1]) / step);
@@ -259,9 +269,9 @@ private:
   const Affine3 IndexToWorld;
   const Affine3 WorldToIndex;
   const Matrix3 GradientToWorld;
-  const double Voxel; ///< the smallest spacing of the samples
+  const double Voxel; ///< smallest spacing of the samples
   const bool IsKnown;
-  double Sign = 1.0; ///< 1 or -1: turns the gradient into the structure
+  double Sign = 1.0; ///< 1 or -1, so that Sign times the gradient points into the structure
 };
 
 } // namespace

@@ -12,29 +12,35 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A surface whose slope (1 at its centre) is less than this can't be followed. */
+/** Smallest slope of a surface (1 at its centre) that the proxy can follow. */
 constexpr double LeastSlope = 0.1;
 /**
- * The fraction of the depth below which the proxy has arrived, and the fraction of friction that
- * counts as the whole.
+ * Fraction of the depth below which the proxy has arrived at the surface, and relative tolerance of
+ * the friction.
  */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
-/** Half the distance over which V's slope is measured, and the longest carry (voxels). */
+/**
+ * Half of the distance (voxels) over which the slope of V is measured, and the longest motion of a
+ * surface in a tick (voxels).
+ */
 constexpr double CarryStep = 0.25;
 constexpr double LongestFollow = 1.0;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
-/** A step turns the normal by at most this (radian), and is at most 4 Newton steps long. */
+/**
+ * Limits of a step: the largest angle (radian) by which it turns the normal, and the least
+ * stiffness, which makes it at most 4 Newton steps long.
+ */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
-/** A change of the lag by at most this many times the tip's motion is no jump. */
+/** Largest change of the lag that is not a jump, as a multiple of the tip's motion. */
 constexpr double MostFollowing = 2.0;
-/** A period counts as whole from this fraction on, because of rounding. */
+/** Fraction from which a period counts as complete, because of rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
-/** Moves a point back to the surface, along the slope; returns false if that is not possible. */
+/** Moves a point back to the surface along the slope. Returns false if that is not possible. */
 bool Return(const Quadric& shape, Vector3& x) noexcept
 {
   for (int i = 0; i < MostReturns; ++i)
@@ -50,7 +56,10 @@ bool Return(const Quadric& shape, Vector3& x) noexcept
   return true;
 }
 
-/** Moves a point on the surface to the surface point nearest to the tip (Newton's method). */
+/**
+ * Moves a point on the surface to the surface point nearest to the tip (Newton's method). Returns
+ * false if that fails.
+ */
 bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
 {
   for (int i = 0; i < MostSteps; ++i)
@@ -87,7 +96,8 @@ Vector3 ComputeEntry(const Quadric& shape, const Vector3& from, const Vector3& t
 }
 
 /**
- * Returns by how much the tangential lag of a proxy on the surface exceeds friction (world units).
+ * Returns the length (world units) by which the tangential lag of a proxy on the surface exceeds
+ * friction.
  */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
@@ -98,7 +108,10 @@ double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double f
   return Norm(lag - along * normal) - friction * std::max(0.0, along);
 }
 
-/** Moves the proxy on the surface; returns false if the surface does not hold it. */
+/**
+ * Moves the proxy on the surface, as if nothing were cut away. Returns false if the surface does
+ * not hold it.
+ */
 bool HoldWhole(
   const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
 {
@@ -127,8 +140,8 @@ bool HoldWhole(
   }
   local.Position = goal;
   contact = ContactState::Sliding;
-  // Moves to the farthest point from the goal at which friction holds (Illinois method), and uses
-  // the last point that friction holds.
+  // Move to the point nearest to the goal at which friction still holds (Illinois method). Use the
+  // last point at which it does.
   double low = 0.0;
   double atLow = Slip(shape, tip, goal, friction);
   const double near = -CloseToCone * atLow;
@@ -153,7 +166,7 @@ bool HoldWhole(
   return true;
 }
 
-/** Does the same as HoldWhole, but cut-away parts hold nothing. */
+/** Does the same as HoldWhole, except that parts that are cut away hold nothing. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -169,12 +182,12 @@ bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalSt
   return true;
 }
 
-/** Makes a jump of the lag fade in. */
+/** Spreads a jump of the lag over time. */
 void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) noexcept
 {
   const double period = model.Baked->Settings.TickPeriod;
   local.Fading = local.Fading - jump;
-  // A jump that is already fading must not take longer.
+  // A jump must not make an earlier jump last longer.
   local.Fall = std::max(
     local.Fall, Norm(local.Fading) * period / std::max(model.Baked->Settings.RecoveryTime, period));
 }
@@ -186,8 +199,8 @@ Vector3 LagOf(const LocalState& local) noexcept
 
 /**
  * Returns the motion (world) of a surface with a moving volume. The surface's centre moves with the
- * material if displacements are known, and then along the normal, by Newton's method, to its old
- * level.
+ * material if displacements are known, and then along the normal to its old level, by a Newton
+ * step.
  */
 Vector3 ComputeCarry(
   const HapticModel& model, const LocalSurface& surface, double from, double to) noexcept
@@ -202,21 +215,21 @@ Vector3 ComputeCarry(
   const Vector3 there = baked.TrackMaterial(index, from, to);
   const FieldAtTime now = baked.At(to);
   const Vector3& normal = surface.Shape.Gradient;
-  const Vector3 along = worldToIndex.Linear * normal; // voxels in a world unit
+  const Vector3 along = worldToIndex.Linear * normal; // voxels per world unit
   const double voxels = Norm(along);
   const Vector3 step = (CarryStep / voxels) * along;
   const double change = now.Value(there) - baked.At(from).Value(index);
   const ValuePair sides = now.Values(there, step);
   const double carry = -2.0 * CarryStep * change / (sides.Ahead - sides.Behind);
-  // Also chosen if the slope is 0.
+  // The condition is false for a slope of 0, too.
   const double length =
     std::isfinite(carry) ? std::clamp(carry, -LongestFollow, LongestFollow) : 0.0;
   return baked.IndexToWorld.Linear * (there - index) + (length / voxels) * normal;
 }
 
 /**
- * Carries the surface and the proxy that it holds. Returns the distance (world), and writes the
- * work (J) against the spring.
+ * Moves the surface, and the proxy that it holds, with the volume from one data time to another.
+ * Returns the distance moved (world), and writes the work (J) on the spring.
  */
 double Carry(const HapticModel& model, double from, double to, double stiffness, LocalState& local,
   double& work) noexcept
@@ -238,7 +251,10 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
   return Norm(motion);
 }
 
-/** Moves the tip and the proxy over the present surface, which was carried by this distance. */
+/**
+ * Moves the tip, and the proxy on the present surface. `carried` is the distance that the surface
+ * has moved with the volume.
+ */
 void Solve(const HapticModel& model, const Vector3& tip, double carried, double friction,
   LocalState& local, ContactState& contact) noexcept
 {
@@ -257,7 +273,7 @@ void Solve(const HapticModel& model, const Vector3& tip, double carried, double 
   const bool isLeft = left > local.Fall;
   local.Fading = isLeft ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
   local.Fall = isLeft ? local.Fall : 0.0;
-  // A hand that leaves before the surface has come up completely must not be pulled in.
+  // A hand that moves out before the surface has fully appeared must not be pulled in.
   const double norm = Norm(lag);
   if (norm > 0.0)
   {
@@ -267,12 +283,12 @@ void Solve(const HapticModel& model, const Vector3& tip, double carried, double 
   }
 }
 
-/** Adopts another surface, without a change of the felt force. */
+/** Replaces the surface without changing the felt force. */
 void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
   const Quadric& shape = found.Shape;
-  // The far side of a thin structure does not hold the proxy.
+  // The far side of a thin structure must not hold the proxy.
   const bool isFar = local.IsHeld && found.IsThere &&
     Dot(local.Surface.Shape.Slope(shape.Centre), shape.Gradient) <= 0.0;
   const Vector3 before = LagOf(local);
@@ -305,7 +321,7 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
 void Request(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
-  // The result comes one period from now, and stays for another.
+  // The result comes after one period, and is used for another one.
   const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
   const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
   local.Request.Position = local.IsHeld ? local.Position : local.Tip;
@@ -314,7 +330,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Request.Position);
   // A proxy near a surface that it has not come through is outside, even if the value there is
-  // inside: a part of the structure lies behind a plane that is tangent to a hollow.
+  // inside: behind a plane that touches a hollow, there is a part of the structure.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {
     local.Request.Normal = (1.0 / Norm(slope)) * slope;
@@ -323,7 +339,10 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   ++local.Number;
 }
 
-/** Returns the reach (world units) of the search for a surface, without the ray ahead. */
+/**
+ * Returns how far (world units) around a position the search for a surface reads, not counting the
+ * ray ahead of the tip.
+ */
 double FindSearchReach(const HapticModel& model) noexcept
 {
   return LocalCornerReach * model.Baked->LargestSpacing;
@@ -333,7 +352,7 @@ double FindSearchReach(const HapticModel& model) noexcept
 
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
 {
-  // The result of an earlier request is not valid for this one.
+  // A new number, because the result of an earlier request must not be used.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;
@@ -396,7 +415,7 @@ void IncludeLocalSurface(const HapticModel& model, const ServoState& state, Read
 {
   const LocalSurfaceRequest& request = state.Local.Request;
   box.Include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
-  // The nearest point of a surface ahead may lie on any side.
+  // The surface nearest to the point ahead may be on any side of it.
   const double most = LocalReachAhead * model.Baked->LargestSpacing;
   const double ahead = std::fmin(Norm(request.Ahead), most) - FindSearchReach(model);
   box.Margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;

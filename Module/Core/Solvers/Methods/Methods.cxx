@@ -19,7 +19,10 @@ namespace
 
 constexpr Method PaperRow = { &StepPaper, &FindPaperReach };
 
-/** The methods in the order of HapticMethod. The row of PROXY has its default solver, PRECISE. */
+/**
+ * The methods in the order of HapticMethod. The row of PROXY is that of its default solver,
+ * PRECISE.
+ */
 constexpr Method Rows[] = {
   { &StepPrecise, &FindPreciseReach, &IncludePrecise },
   { &StepForceField, &FindFieldReach, nullptr, &FindFieldDrag, false },

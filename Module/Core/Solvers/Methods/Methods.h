@@ -13,7 +13,7 @@ namespace VolumeHaptics
 {
 struct HapticSettings;
 
-/** Returns the method that settings choose, and its solver if it has several. */
+/** Returns the method of the settings; for PROXY, the row of its solver. */
 const Method& GetMethod(const HapticSettings& settings) noexcept;
 
 } // namespace VolumeHaptics

@@ -16,8 +16,8 @@ namespace
 {
 
 /**
- * Returns the proxy's new place by the law, and writes the forces. With a cut, the proxy stops at
- * its faces.
+ * Returns the proxy's new position by the law, and writes the forces. The proxy stops at the faces
+ * of a cut.
  */
 template <bool MayHaveCut>
 VOLUME_HAPTICS_INLINE Vector3 Advance(
@@ -31,7 +31,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
   if (threshold == 0.0 && record.Viscosity == 0.0)
   {
-    // Nothing holds the proxy: the law would move it to the tip, apart from rounding.
+    // Nothing holds the proxy. The law would move it to the tip, too, but with rounding.
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
@@ -51,8 +51,8 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
 }
 
 /**
- * Makes a tick from the proxy on. `found` is the surface through the proxy; null if that surface is
- * not known.
+ * Computes a tick that begins at the proxy. `found` is the surface through the proxy, or null if it
+ * is not known.
  */
 void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
@@ -63,18 +63,18 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = found ? *found : Law::ComputeSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
-  // Computed before the materials, so that the processor has the result when they are there.
+  // Computed before the materials are read, so that the processor does both at the same time.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance<true>(model, position, split, record) : tip;
 }
 
 /**
- * Computes the rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. Gives
- * the result of Step, to the bit, but without a Surface and a FieldAtTime, whose numbers in memory
- * would have to wait for one another.
- * @param slope slope at the proxy; turned towards the structure
- * @param fade fade of the surface
+ * Computes the rest of a tick in a plain volume (BakedVolume::IsPlain), given the surface. The
+ * result is that of Step, to the bit. It uses no Surface and no FieldAtTime, because their members
+ * in memory would have to wait for one another.
+ * @param slope slope at the proxy; is turned towards the structure
+ * @param fade factor of the surface's strength (Surface::Fade)
  */
 template <typename Field>
 VOLUME_HAPTICS_INLINE void FeelPlain(const HapticModel& model, const Vector3& position,
@@ -98,7 +98,7 @@ VOLUME_HAPTICS_INLINE void FeelPlain(const HapticModel& model, const Vector3& po
   record.Proxy = Advance<false>(model, position, split, record);
 }
 
-/** Computes a tick in a plain volume that stands still, with an enabled state. */
+/** Computes a tick in a plain volume that does not move. The state must be enabled. */
 void StepPlain(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
@@ -116,8 +116,8 @@ void StepPlain(
 }
 
 /**
- * Makes a tick in a plain volume that moves, with an enabled state; the result equals the result of
- * a tick with CarryProxy, to the bit. Returns false if CarryProxy has to make the tick.
+ * Computes a tick in a plain volume that moves. The state must be enabled. The result is that of a
+ * tick with CarryProxy, to the bit. Returns false if CarryProxy must be used instead.
  */
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept
@@ -133,7 +133,7 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const FractionPair levels = field->Values(index);
   if (levels.First == levels.Second)
   {
-    return false; // perhaps nothing has changed
+    return false; // the volume may not have changed
   }
   double fade = model.BorderFade(index);
   const Vector3 start = state.Proxy;
@@ -180,7 +180,7 @@ void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record,
     }
   }
   const FieldAtTime field = model.Baked->At(state.DataTime, memory);
-  // A CarriedProxy is large: make one only if the volume moves.
+  // A CarriedProxy is large, so make one only if the volume moves.
   if (!isMoving || !state.Enabled)
   {
     Step(model, state, record, field, nullptr);

@@ -10,38 +10,38 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A smaller rise counts as zero: its reciprocal would not be finite. */
+/** Smallest rise that is not zero. The reciprocal of a smaller one might not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
-/** Returns a step that rises from 0 at `low` to 1 at `high`, without a kink. */
+/** Returns a smooth step that rises from 0 at `low` to 1 at `high`. */
 double SmoothStep(double low, double high, double x) noexcept
 {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
-/** The walk to one side. */
+/** A walk to one side. */
 struct Walk
 {
-  double Far;    ///< the value so far
+  double Far;    ///< value of the side so far
   double Last;   ///< V at the last sample
-  double Valley; ///< Far at the smallest rise since the largest
-  double Rise;   ///< the rise of V along the gradient in this step; before the first step, the rise
-                 ///< of the gradient
+  double Valley; ///< Far at the smallest rise since the largest one
+  /** Rise of V along the gradient in this step; before the first step, the gradient's rise. */
+  double Rise;
   double Weight = 1.0;
-  double Change = 0.0; ///< the change of V in this step
+  double Change = 0.0; ///< change of V in this step
   double Largest = 0.0;
-  double LargestBefore = 0.0; ///< the largest rise, without this step
-  double First = 0.0;         ///< the rise of the first step
+  double LargestBefore = 0.0; ///< largest rise before this step
+  double First = 0.0;         ///< rise of the first step
   int Steps = 0;
-  double Smallest = std::numeric_limits<double>::infinity(); ///< the smallest rise since the
-                                                             ///< largest one
-  double Pair = 0.0; ///< the rise of the current pair of steps
+  /** Smallest rise since the largest one. */
+  double Smallest = std::numeric_limits<double>::infinity();
+  double Pair = 0.0; ///< rise of the present pair of steps
   double LeastPair = std::numeric_limits<double>::infinity();
   double LargestPair = 0.0;
 
   /**
-   * Makes a step to the next sample.
+   * Takes a step to the next sample.
    * @param sign 1 if V rises in the direction of this walk, else -1
    */
   void Step(double value, double sign) noexcept
@@ -59,7 +59,10 @@ struct Walk
     }
   }
 
-  /** Counts a last step without a partner, if the walk stopped at the border, as half a pair. */
+  /**
+   * Counts the last step if it has no partner, because the walk stopped at the border. It counts as
+   * half of a pair.
+   */
   void AddRest() noexcept
   {
     if (this->Steps % 2 != 0)
@@ -76,7 +79,7 @@ struct Walk
   }
 
   /**
-   * Adds the step to the value.
+   * Adds the step to the side's value.
    * @param opposite the walk to the other side, after the same step
    */
   void Add(const Walk& opposite, double inverseOfMost) noexcept
@@ -84,8 +87,8 @@ struct Walk
     const bool isLargest = this->Rise >= this->Largest;
     const bool isValley = isLargest || this->Rise <= this->Smallest;
     this->Smallest = std::min(this->Smallest, this->Rise);
-    // Between two edges, the position belongs to the edge on whose flank it lies, unless it lies on
-    // a plateau.
+    // Between two edges, the position belongs to the edge on whose flank it is, unless it is on a
+    // plateau.
     const double flank = SmoothStep(FarSide::Flat, FarSide::Steep, this->First * inverseOfMost);
     const double hill =
       std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
@@ -101,14 +104,15 @@ struct Walk
 
 /**
  * Computes how even a ramp is.
- * @param rise the rise of a pair of steps, by the gradient
+ * @param rise rise of a pair of steps according to the gradient
  */
 double ComputeEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 {
   const double found = std::min(ahead.LeastPair, behind.LeastPair);
-  const double least = std::isfinite(found) ? found : rise; // without any step inside the volume
+  // no pair of steps was inside the volume
+  const double least = std::isfinite(found) ? found : rise;
   const double largest = std::max(rise, std::max(ahead.LargestPair, behind.LargestPair));
-  // False if a rise or a ratio is not a number.
+  // The condition is false if a rise or a ratio is NaN.
   return least > 0.0 && largest > LeastRise && least <= largest ? least / largest : 0.0;
 }
 
@@ -151,7 +155,8 @@ FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const V
     }
     const bool isDone =
       (!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0);
-    // Ripple can take all weight, too, but a ramp is judged as a whole.
+    // Ripple can reduce both weights to 0, too, but the evenness of a ramp is judged over the whole
+    // walk.
     if (isDone && ComputeEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
     {
       break;

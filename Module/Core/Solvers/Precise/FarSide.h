@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The values on either side of a blurred edge: MaterialPlacement::FarSide.
+ * Measures the values on both sides of a blurred edge, for MaterialPlacement::FarSide.
  *
- * A scanner blurs the edge between two tissues to a ramp. A kernel radius inside the proxy the
- * value is somewhere on that ramp, and its material belongs to neither tissue; it changes with
- * every wiggle of the edge. The far side is the value that the ramp leads to:
+ * A scanner blurs the edge between two tissues to a ramp. At a kernel radius inside the proxy, the
+ * value is somewhere on that ramp. Its material belongs to neither tissue, and changes with every
+ * irregularity of the edge. The far side is the value to which the ramp leads:
  *
  *   const FarValues far = MeasureFarSide(field, index, reach, radius, rise, isDescending);
  *
  * ## The walk
  *
- * From the proxy x_p, the walk goes along the normal to both sides, in steps of a quarter of the
- * kernel radius (in voxels along the normal) and FarSide::MostSteps at most: three radii. Let a_j
- * be the rise of V in step j, m the largest rise of both sides so far or that of the estimator's
- * gradient, l the smallest rise of this side since its largest one, in the step that ended at F_l,
- * and h_j the smaller one of a_j and the largest rise before, of this side or, if x_p is on the
- * flank of an edge, of the other side. The value F of a side goes on from F_0 = V(x_p) as
+ * From the proxy x_p, the walk goes along the normal to both sides. It takes at most
+ * FarSide::MostSteps steps of a quarter of the kernel radius (in voxels along the normal), that is,
+ * three radii. Let a_j be the rise of V in step j, m the largest rise of both sides so far or that
+ * of the estimator's gradient, l the smallest rise of this side since its largest one, in the step
+ * that ended at F_l, and h_j the smaller one of a_j and the largest rise before, of this side or,
+ * if x_p is on the flank of an edge, of the other side. The value F of a side begins with F_0 =
+ * V(x_p) and changes by
  *
  *   F_j = F_l + v_j (F_j-1 - F_l) + w_j (V_j - V_j-1),   w_j = w_j-1 v_j u_j,   w_0 = 1.
  *
@@ -27,10 +28,10 @@
  * not read through the scalp, even if the scalp is too thin for a plateau. On an edge that is
  * blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2) F is the plateau's value
  * within 2.5 % of the edge's height. At the border of the volume the walk of a side stops, as if V
- * went on in the same way beyond it: a ramp that is even up to the border counts as even.
+ * continued in the same way outside: a ramp that is even up to the border counts as even.
  *
- * An even ramp leads nowhere: there the values are the kernel's, a radius to either side of each
- * position, as if MaterialPlacement were Kernel. The walk as a whole measures how even a ramp is:
+ * An even ramp has no edge. There the values are the kernel's, at a radius to both sides of each
+ * position, as if MaterialPlacement were Kernel. The whole walk measures how even a ramp is:
  *
  *   E = min(p_i)/max(p_i),   p_i = a_2i-1 + a_2i of both sides.
  *
@@ -50,11 +51,11 @@
  * A walk is valid for FarSide::WalkInterval voxels of the path. So the material never jumps along a
  * surface, whatever the walk reads: noise, or an edge that forks. The medium follows more slowly,
  * because its drag is a force by itself: on bone, where a layer of a few millimetres drags, it is
- * often more than the surface takes. It goes on following when the proxy has left the surface and
+ * often more than the surface takes. It continues to follow when the proxy has left the surface and
  * only the drag takes a force, so that the drag does not jump there.
  *
- * A new contact begins with the values of its own place. So does a walk that has met another edge,
- * or no edge, for example after a proxy has gone through a surface.
+ * A new contact begins with the values at its own position. So does a contact whose walk finds
+ * another edge or no edge, for example after the proxy has gone through a surface.
  */
 #ifndef FarSide_h
 #define FarSide_h
@@ -71,32 +72,35 @@ namespace FarSide
 {
 constexpr double StepsPerRadius = 4.0;
 constexpr int MostSteps = 12;
-/** The farthest samples of a walk, in kernel radii. */
+/** Distance of a walk's farthest samples in kernel radii. */
 constexpr double FarthestRadii = MostSteps / StepsPerRadius;
 ///@{
-/** Fractions of the largest rise. */
+/** Limits as fractions of the largest rise, explained above. */
 constexpr double Flat = 0.03;
 constexpr double Steep = 0.12;
 constexpr double Rise = 0.05;
 constexpr double NextEdge = 0.2;
 ///@}
 ///@{
-/** Voxels of the proxy's path along a surface. */
+/** Lengths of the proxy's path along a surface in voxels. */
 constexpr double PathLength = 2.5;
 constexpr double MediumPathLength = 8.0;
 constexpr double WalkInterval = 0.5;
 ///@}
 /**
- * IsSameEdge(): a walk is on the touched edge if its range of values overlaps at least this
- * fraction of the edge's range.
+ * Least overlap of a walk's range of values with the touched edge's range, as a fraction of the
+ * latter, for which IsSameEdge() returns true.
  */
 constexpr double SharedHeight = 0.3;
-/** A ramp that is at most this even is an edge. */
+/** Largest evenness of a ramp that counts as an edge. */
 constexpr double EdgeEvenness = 0.42;
-/** A ramp that is at least this even leads nowhere. */
+/** Least evenness of a ramp that has no edge at all. */
 constexpr double RampEvenness = 0.52;
 
-/** Returns 0 for an edge, rising to 1 for an even ramp, which has no edge. */
+/**
+ * Returns how even a ramp is: 0 for an edge, 1 for an even ramp without an edge, and a linear ramp
+ * between.
+ */
 inline double ComputeEvenFraction(const FarValues& far) noexcept
 {
   return std::clamp((far.Evenness - EdgeEvenness) / (RampEvenness - EdgeEvenness), 0.0, 1.0);
@@ -105,15 +109,15 @@ inline double ComputeEvenFraction(const FarValues& far) noexcept
 
 /**
  * Returns the values of the plateaus ahead and behind. `reach` points along the normal (index
- * steps), `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along
- * `reach`; with isDescending, V falls.
+ * steps), and `radius` is the kernel radius (voxels). By the gradient, V changes by `rise` over
+ * `reach`. isDescending: whether V falls along `reach`.
  */
 FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept;
 
 /**
- * Returns whether a walk has met the edge of the touched surface again, and not the plateau behind
- * it or the next edge: a walk on the same edge has a part of that edge's values.
+ * Returns whether a walk has found the edge of the touched surface again, and not the plateau
+ * behind it or the next edge. A walk on the same edge has some of this edge's values.
  */
 inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
 {
@@ -122,7 +126,10 @@ inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexc
   return std::min(high, farHigh) - std::max(low, farLow) >= FarSide::SharedHeight * (high - low);
 }
 
-/** Returns the values of a surface after a path of some voxels, on which a walk has given `far`. */
+/**
+ * Returns the values of a surface after the proxy has moved along a path of some voxels, on which a
+ * walk has found `far`.
+ */
 inline ValuePair ComputeFarSide(
   const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
 {

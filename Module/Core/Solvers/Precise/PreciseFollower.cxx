@@ -9,40 +9,46 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest step of tip and proxy (voxels); or this fraction of the lag, if that is more. */
+/**
+ * Longest step of tip and proxy (voxels), and the fraction of the lag that replaces this limit if
+ * it is longer.
+ */
 constexpr double LongestStep = 0.25;
 constexpr double SpringFraction = 0.02;
-/** Motions as short as this (voxels) are not judged at their end. */
+/** Length (voxels) up to which a motion is not judged at its end. */
 constexpr double ShortStep = 1e-3;
 /**
- * Motions up to this length (voxels) are not judged either, if the following motions are not
- * longer.
+ * Length (voxels) up to which a motion is not judged if the next motions are not longer than
+ * LongestRest.
  */
 constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * The cached sample is used until the proxy has moved this far from it (voxels). Every tick counts
- * as at least the second length, so that a sample from another model, when a recording is replayed,
- * does not last.
+ * Distance (voxels) of the proxy up to which the cached sample is used. Each tick counts as at
+ * least LeastSampleDistance, so that a sample of another model is not used for long when a
+ * recording is replayed.
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
-/** LongestSampleDistance at walls of labels, which have bumps of a tenth of a voxel anyhow. */
+/**
+ * LongestSampleDistance at walls of labels. It is larger, because these have bumps of a tenth of a
+ * voxel anyway.
+ */
 constexpr double LongestWallDistance = 4e-3;
 
-/** Predictions beyond these limits do not save the sample that judges them. */
+/** Limits of a prediction. A prediction beyond them would not save the sample that judges it. */
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
-/** The learned part of a tick's prediction: the remainder appears in the next tick. */
+/** Fraction of a tick's prediction that is learned. The rest is learned in the next ticks. */
 constexpr double LearnedFraction = 0.5;
 
-/** A smaller change of the force (N) is no leap. */
+/** Change of the force (N) below which it is no leap. */
 constexpr double LeastLeap = 0.02;
 
-/** Tolerance of a quotient: rounding on another machine must not add a step. */
+/** Tolerance of a quotient, so that rounding on another machine does not add a step. */
 constexpr double Rounding = 1e-9;
-/** The most motions at one tip that may lengthen the spring. */
+/** Limit of the motions at one tip that make the spring longer. */
 constexpr int MostSetbacks = 8;
 
 } // namespace
@@ -118,13 +124,14 @@ void PreciseFollower::WriteLeap(
 {
   record.MayLeap = true;
   record.ForceBefore = before.Force;
-  // Without a leap, the force changes by as much as its spring, and friction changes with it.
+  // Without a leap, the force changes at most by its spring's change, and by the friction that goes
+  // with it.
   const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(record.Tip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  // A change by another model is no leap. In the same model, the tissue at the proxy can only
-  // change because of a motion in the last tick at whose end no sample was taken.
+  // A change by another model is no leap. With the same model, the tissue at the proxy can only
+  // change by a motion in the last tick at whose end no sample was taken.
   const Vector3 change = record.Force -
     (before.IsOfAnotherModel ? this->Refreshed.value_or(before.Force) : before.Force);
   const double square = Dot(change, change);
@@ -164,8 +171,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // Makes the whole spring slack except for the tip's step: a proxy that follows the tip carries
-    // no force along.
+    // Makes the spring slack except for the tip's step, because a proxy that follows the tip has no
+    // force.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -200,8 +207,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Record(voxels);
-    // Motions at one tip shrink at a constant rate, which gives the sum of this motion and all
-    // later motions.
+    // Motions at one tip shrink at a constant rate. From it follows the sum of this motion and all
+    // later ones.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)
@@ -228,7 +235,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
       motion, fraction, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
-    // Only the return to the level makes the spring longer, and only a few times.
+    // Only a return to the level may make the spring longer, and only a few times.
     setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
     lastVoxels = fraction * voxels;
     lastDisplacement = motion.Displacement;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One tick of solver PRECISE (PreciseSolver.h).
+ * Computes a tick of solver PRECISE (PreciseSolver.h).
  */
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
@@ -30,13 +30,13 @@ struct SpringBefore
   }
 
   bool IsOfAnotherModel;
-  Vector3 Tip;      ///< the hand's tip, even where the solver has not reached it
-  Vector3 Force;    ///< N
-  double Stiffness; ///< N/m, without slack
+  Vector3 Tip;      ///< position of the hand's tip, even if the solver has not reached it
+  Vector3 Force;    ///< force in N
+  double Stiffness; ///< stiffness in N/m, without slack
   double Friction;
 };
 
-/** Moves the tip and, after it, the proxy. Changes all of the state except its proxy. */
+/** Moves the tip, and the proxy after it. Changes all of the state except state.Proxy. */
 class PreciseFollower
 {
 public:
@@ -49,50 +49,48 @@ public:
   {
   }
 
-  /** Takes over the surface to which the proxy was carried by a motion (m), for a moving volume. */
+  /** Sets the surface to which the proxy was moved with the volume. `motion` (m) is that motion. */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
-  /** Moves the tip straight to a position, and lets the proxy follow. */
+  /** Moves the tip straight to a position, and the proxy by the law. */
   void Solve(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
   /**
-   * Writes the part of the force's change that comes from leaps of the proxy: neither the tip's
-   * motion explains this part, nor the proxy's motion with the volume (`carried`, m).
+   * Writes the part of the force's change that comes from leaps of the proxy. Neither the tip's
+   * motion nor the proxy's motion with the volume (`carried`, m) explains this part.
    */
   void WriteLeap(const SpringBefore& before, double carried, TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
   /**
-   * Returns the material at the proxy, if its surface or drag takes a part of the spring's force.
+   * Returns the material at the proxy if its surface or its drag holds a part of the spring's
+   * force.
    */
   TouchedMaterial ComputeTouched(const Vector3& lag) const noexcept;
-  /**
-   * Samples the material at the proxy; `touched` has the same meaning as in
-   * PreciseSurroundings::Look.
-   */
+  /** Samples the material at the proxy. `touched` is as in PreciseSurroundings::Look. */
   void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
-   * Takes over a change of the tissue at the proxy since the last tick, if no motion has caused the
-   * change.
+   * Adopts a change of the tissue at the proxy since the last tick, if it was not caused by motion.
+   * `lag` is in m.
    */
   void Refresh(double lag) noexcept;
   /**
-   * Moves the proxy until the law leaves it in place; returns false if the budget does not suffice.
+   * Moves the proxy until the law no longer moves it. Returns false if the budget does not suffice.
    */
   bool Settle(const Vector3& tip) noexcept;
   /**
-   * Returns the motion that the law demands at the proxy's point. `tipBefore` is null if the tip
-   * stays.
+   * Returns the motion that the law requires at the proxy. `tipBefore` is null if the tip does not
+   * move.
    */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
-  /** Records the kind of contact. */
+  /** Stores the kind of contact. `voxels` is the length of the motion. */
   void Record(double voxels) noexcept;
-  /** Lengthens a motion, if the material at its end still holds the spring. */
+  /** Makes a motion longer if the material at its end still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
   /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */
   void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
-  /** Makes a motion that is too short to be judged at its end. */
+  /** Performs a motion that is too short to be judged at its end. */
   void Creep(const Motion& motion, const Vector3& tip) noexcept;
 
   PreciseSurroundings Field;
@@ -105,7 +103,7 @@ private:
   bool WentThrough = false;
   bool Slid = false;
   bool LooksAreSpent = false;
-  std::optional<Vector3> Refreshed; ///< N, the force before the tip's motion, if something is felt
+  std::optional<Vector3> Refreshed; ///< force (N) before the tip's motion; none if nothing is felt
 };
 
 } // namespace VolumeHaptics

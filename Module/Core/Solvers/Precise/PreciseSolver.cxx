@@ -12,8 +12,8 @@ namespace
 {
 
 /**
- * Moves the tip to its place, and lets the proxy follow.
- * @param carried the distance (m) by which the volume has carried the proxy before
+ * Moves the tip to its position, and the proxy by the law.
+ * @param carried distance (m) that the proxy has moved with the volume before
  */
 void Solve(const HapticModel& model, const SpringBefore& before, double carried,
   PreciseFollower& follower, TickRecord& record) noexcept
@@ -40,7 +40,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
     state.Precise.ReachedTip = record.Tip;
   }
   const SpringBefore spring(state);
-  // A CarriedProxy is large: make one only if the volume moves.
+  // A CarriedProxy is large, so make one only if the volume moves.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Solver PRECISE: the paper's material law in balance at the proxy's end point.
+ * Solver PRECISE: the paper's material law, in balance at the proxy's end point.
  *
- * PAPER takes one explicit step with the material at the beginning of a tick's motion; PRECISE
- * makes the law hold at its end.
+ * PAPER takes one explicit step with the material at the beginning of a tick's motion, whereas
+ * PRECISE makes the law hold at the end of the motion.
  *
  * ## Equations
  *
@@ -14,21 +14,21 @@
  *   x' = 0                  while surface, friction and drag take the force F = k (x_tip - x),
  *   F  = q + R x'/|x'|      else, with q the force that surface and friction take at x,
  *
- * with normal, material and thresholds at the proxy x.
+ * with the normal, the material and the thresholds at the proxy x.
  *
  * ## Method
  *
  * The tip moves in steps of a quarter of a voxel or 2 % of the lag. After each step the proxy moves
- * until the law leaves it in place. A motion is the one of Law::Move, at most a quarter of a voxel
+ * until the law no longer moves it. A motion is that of Law::Move, at most a quarter of a voxel
  * long, and is judged at its end: if the material there holds more than the spring pulls, the end
- * is drawn back to the point at which both are equal (regula falsi, along the normal and across it;
- * at a step of a transfer function, bisection to a thousandth of a voxel, on the side that holds).
- * While a surface holds, the proxy stays on the level of the estimator's own value that it met
- * first (a Newton step after each motion), so that it does not drift. If friction or drag turn a
- * motion, it takes the mean of its first and last direction (second order).
+ * is moved back to the point at which both are equal (regula falsi, along the normal and
+ * perpendicular to it; at a step of a transfer function, bisection to a thousandth of a voxel, on
+ * the side that holds). While a surface holds, the proxy stays on the level of the estimator's own
+ * value that it met first (a Newton step after each motion), so that it does not drift. If friction
+ * or drag turn a motion, it takes the mean of its first and last direction (second order).
  *
  * A sliding hand repeats its motion from tick to tick, which saves most samples. The last sample is
- * cached until the proxy is 1e-3 voxels away from it, or 4e-3 with the geometry from labels. While
+ * cached until the proxy is 1e-3 voxels away from it (4e-3 if labels make the geometry). While
  * a surface holds, a tick's first motion is lengthened by the ratio that the last ticks have shown
  * (PreciseState::StepPrediction). A tick of a tenth of a voxel then takes one or two samples. Cache
  * and prediction only propose motions; judgements do not depend on them.
@@ -45,8 +45,8 @@
  * A tick takes at most MaximumLooks samples. If these do not suffice (for a tip at tens of voxels a
  * tick), the proxy stays at the point that it has reached, the force is that of the earlier tip
  * with which this proxy is in balance, and the next tick goes on from there. So the force neither
- * jumps nor exceeds the material's strength, no point is skipped, and TickRecord::IsUnfinished is
- * set.
+ * jumps nor exceeds the material's strength, and no point is skipped. TickRecord::IsUnfinished is
+ * then set.
  */
 #ifndef PreciseSolver_h
 #define PreciseSolver_h
@@ -56,16 +56,16 @@
 namespace VolumeHaptics
 {
 
-/** The largest number of samples in a tick. */
+/** Limit of the samples in a tick. */
 constexpr int MaximumLooks = 256;
 
-/** Computes one tick from record.Tip; writes the record and all of the state except its proxy. */
+/** Computes a tick for record.Tip. Writes the record, and all of the state except its proxy. */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 
-/** See Method::Reach. */
+/** Returns Method::Reach. */
 Vector3 FindPreciseReach(const HapticModel& model) noexcept;
-/** See Method::Include. */
+/** Does the same as Method::Include. */
 void IncludePrecise(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept;
 
 } // namespace VolumeHaptics

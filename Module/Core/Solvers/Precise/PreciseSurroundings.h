@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the end
- * point of a motion.
+ * Computes single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the
+ * end point of a motion.
  */
 #ifndef PreciseSurroundings_h
 #define PreciseSurroundings_h
@@ -18,47 +18,52 @@
 namespace VolumeHaptics
 {
 
-/** A planned motion of the proxy, computed with the material law from the material at the proxy. */
+/** A planned motion of the proxy. The material law gives it for the material at the proxy. */
 struct Motion
 {
-  Vector3 Displacement; ///< m
-  bool IsHeld = false;  ///< whether a surface holds the proxy, which then keeps the surface's level
-  bool IsFree = false;  ///< whether no material holds the proxy
+  Vector3 Displacement; ///< displacement in m
+  /** Whether a surface holds the proxy, so that the proxy stays on the surface's level. */
+  bool IsHeld = false;
+  bool IsFree = false; ///< whether no material holds the proxy
 };
 
-/** The material in contact before a motion, for MaterialPlacement::FarSide. */
+/** The material that was in contact before a motion, for MaterialPlacement::FarSide. */
 struct TouchedMaterial
 {
-  const PrecisePoint* Point = nullptr; ///< null without a touched material
+  const PrecisePoint* Point = nullptr; ///< null if no material was in contact
   /**
-   * Whether the surface takes a force. If not, the surface took one earlier, and only its medium
-   * drags now.
+   * Whether the surface holds a force. If not, it did so earlier, and now only its medium drags.
    */
   bool IsSurface = false;
 };
 
-/** The beginning of a motion. */
+/** The state at the beginning of a motion. */
 struct Departure
 {
   Vector3 Proxy;
   PassiveSpring Spring;
-  double Level; ///< the level of the surface, if the motion is held
+  double Level; ///< level of the surface, if the motion is held
   TouchedMaterial Touched;
 };
 
-/** The end of a motion. */
+/** The state at the end of a motion. */
 struct Arrival
 {
   Vector3 Proxy;
   PrecisePoint There;
-  double CachedSampleDistance; ///< an upper bound (voxels) of the distance from the sampled point
+  double CachedSampleDistance; ///< upper bound (voxels) of the distance from the sampled point
   PassiveSpring Spring;
 };
 
-/** Passes the proxy on to tissue of another stiffness (N/m), with the tip `lag` (m) away. */
+/**
+ * Changes the spring's stiffness (N/m) to that of other tissue. `lag` (m) is the distance to the
+ * tip.
+ */
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
-/** Samples the volume around a proxy, and counts the samples: a tick has a budget of them. */
+/**
+ * Samples the volume around a proxy. It counts the samples, because a tick has a budget of them.
+ */
 class PreciseSurroundings
 {
 public:
@@ -74,15 +79,18 @@ public:
   }
 
   /**
-   * Returns the material at a proxy. With two-sided surfaces the normal follows the lag. `touched`
-   * is the material that was in contact some voxels of path earlier: see FarSide.h.
+   * Returns the material at a proxy. If surfaces are two-sided, the normal is on the side of the
+   * lag. `touched` is the material that was in contact before the proxy's last `voxels` of path
+   * (FarSide.h).
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
-  /** Returns the same if the surface through the proxy is known. */
+  /** Returns the same if the surface through the proxy is already known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
-  /** Limits the drag of a point, for a proxy with this spring to a tip `lag` (m) away. */
+  /**
+   * Limits the drag of a point for a proxy with this spring. `lag` (m) is the distance to the tip.
+   */
   void LimitDrag(const PassiveSpring& spring, double lag, PrecisePoint& point) const noexcept
   {
     Law::LimitDrag(this->Model, spring.Tension < 1.0 ? (1.0 - spring.Tension) * lag : 0.0, point);
@@ -90,7 +98,7 @@ public:
   /** Returns whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
-  /** Returns ProxyDisplacement::LongestMean, or no limit for materials of the kernel. */
+  /** Returns ProxyDisplacement::LongestMean, or no limit for the placement Kernel. */
   double GetLongestMean() const noexcept
   {
     return this->HasWalks ? ProxyDisplacement::LongestMean
@@ -103,12 +111,12 @@ public:
     return this->Model.StepsOf(displacement);
   }
 
-  /** Returns the voxels per metre along the axis of the smallest spacing. */
+  /** Returns the number of voxels per metre along the axis with the smallest spacing. */
   double GetVoxelsPerMeter() const noexcept { return this->Model.MostStepsPerMeter; }
 
   /**
-   * Returns whether a level can belong to the surface at a point: walls between labels have other
-   * levels than the scalars, and the next wall has another level than the last.
+   * Returns whether a level can belong to the surface at a point. Walls between labels have other
+   * levels than the scalars, and each wall has its own level.
    */
   bool IsOfLevel(const PrecisePoint& here, double level) const noexcept
   {
@@ -117,7 +125,7 @@ public:
       FarthestLevel * std::abs(here.Slope);
   }
 
-  /** Returns whether both positions lie beyond the same face of the volume. */
+  /** Returns whether both positions are outside the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
   /**
@@ -130,29 +138,33 @@ public:
     const double most = FarthestLevel / this->Model.MostStepsPerMeter;
     const double push = Dot(lag, here.Normal);
     const double displacement = (level - here.Value) / here.Slope;
-    // At most to the tip, and outwards only as far as the surface can still hold the spring.
+    // Inward it ends at the tip. Outward it ends where the surface can no longer hold the spring.
     const double in = std::clamp(push, 0.0, most);
     const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
     return std::clamp(displacement, -out, in);
   }
 
   /**
-   * Makes a part of a motion, or less if the material there allows no more; returns where it ends.
+   * Performs a fraction of a motion, or less if the material there allows no more. Returns where it
+   * ends.
    */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;
 
 private:
-  /** The largest distance (voxels) from a proxy to its level. */
+  /** Largest distance (voxels) of a proxy from its level. */
   static constexpr double FarthestLevel = 0.25;
 
-  /** A walk, for the members Far and FarLasts of PrecisePoint. */
+  /** The result of a walk: PrecisePoint::Far and PrecisePoint::FarLasts. */
   struct FarWalk
   {
     FarValues Far;
     double Lasts = 0.0;
   };
-  /** The remaining spring (m) along the parts of a motion; negative if the motion went too far. */
+  /**
+   * The rest of the spring (m) along both components of a motion. Negative if the motion went too
+   * far.
+   */
   struct Remainder
   {
     double Normal;
@@ -170,49 +182,50 @@ private:
   PrecisePoint LookAt(const Vector3& index, Surface surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /**
-   * Sets the strength of a point on a surface with alignment Edge; `join` returns the material
-   * between two values.
+   * Sets the surface strength of `point` for ContactAlignment EDGE: none before the middle of an
+   * edge. `join` returns the material between two values.
    */
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
-  /** Does the same as LeaveMedium, at a wall between labels. */
+  /** Does the same as LeaveMedium at a wall between labels. */
   void LeaveWall(const Vector3& index, const Surface& surface,
     const DistinctnessTable::Values& distinct, const ValuePair& values,
     PrecisePoint& point) const noexcept;
   /**
-   * Ends the drag of a medium behind an edge that the proxy has passed, if there is less drag at
-   * the proxy. When a proxy comes out of a body, the body is behind the edge, and air is around the
-   * proxy.
+   * Ends the drag of the medium behind an edge that the proxy has passed, if there is less drag at
+   * the proxy. For example, when a proxy comes out of a body, the body is behind the edge, and the
+   * proxy is in air.
    */
   template <typename Join>
   void LeaveMedium(
     const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
-  /** Whether a value is not hidden. */
+  /** Returns whether a value is visible. */
   bool IsSeen(double value) const noexcept;
   /**
-   * The fraction of an edge's strength that holds a proxy at a hidden value: an edge may be wide,
-   * and a part of what it leads to hidden, but the hand meets it where the eye does.
+   * Returns the fraction of an edge's strength that holds a proxy at a hidden value. If an edge is
+   * wide and some of its values are hidden, the hand must meet it where the eye does.
    */
   double ComputeSeenFraction(const Vector3& index, const Law::Slope& slope) const noexcept;
-  /** Returns the change of V over the kernel radius, by the gradient. */
+  /** Returns the change of V over the kernel radius according to the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
-   * Returns the rise that the gradient predicts for an edge, over the kernel radius. For a spline
-   * the rise is over one voxel, because a spline is always as wide as the Gaussian of radius 1.
+   * Returns the rise of an edge over the kernel radius according to the gradient. For a spline it
+   * is the rise over one voxel, because a spline is always as wide as the Gaussian of radius 1.
    */
   double ComputePromise(const Law::Slope& slope) const noexcept;
   /**
-   * Returns the values that give the material of a surface, by MaterialPlacement; with a fraction
-   * of 0, the kernel's values. Writes the walk of a point if there is one.
+   * Returns the values from which a surface gets its material, by MaterialPlacement. With a
+   * fraction of 0, these are the kernel's values. Writes the walk of a point if there is one.
    */
   ValuePair ComputeValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
     double fraction, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
 
   const HapticModel& Model;
   const FieldAtTime Field;
-  const bool IsPlain;      ///< whether BakedVolume::IsPlain() holds and the volume stands still
-  const bool HasWalks;     ///< whether values need the proxy's path: for MaterialPlacement::FarSide
+  const bool IsPlain; ///< whether BakedVolume::IsPlain() holds and the volume does not move
+  /** Whether values depend on the proxy's path, as for MaterialPlacement::FarSide. */
+  const bool HasWalks;
   const bool LeavesMedium; ///< whether surfaces are felt from both sides
   LabelMemory& Labels;
   int Looks = 0;

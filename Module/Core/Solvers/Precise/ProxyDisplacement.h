@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The displacement of a proxy while the tip makes one step, by the law of one material point.
+ * The displacement of a proxy during one step of the tip, by the law of one material point.
  *
- * Inlined, like the law: a step of usual length has one part, which every tick needs.
+ * It is inlined, like the law, because every tick needs it; a step of usual length has only one
+ * part.
  */
 #ifndef ProxyDisplacement_h
 #define ProxyDisplacement_h
@@ -21,31 +22,31 @@ namespace VolumeHaptics
 namespace ProxyDisplacement
 {
 /**
- * Lengths of the parts of a tip's step, as fractions of the lag: for parts with a mean direction,
- * and for parts without.
+ * Lengths of the parts of a tip's step, as fractions of the lag: CirclePart for parts with a mean
+ * direction, FreePart for other parts. MostParts limits their number.
  */
 constexpr double CirclePart = 0.1;
 constexpr double FreePart = 0.005;
 constexpr double MostParts = 64.0;
-/** The fraction of a circle's radius beyond which a spring has a direction. */
+/** Fraction of a circle's radius from which a spring's direction is known. */
 constexpr double OnCircle = 0.9;
 /**
- * The longest spring, in radii, that has a mean direction: beside a step of q radii, a small angle
- * between spring and step changes by the factor 1/2 + 1/(2 + 2 q) - q/2, which for q above 3.2
- * makes an angle of rounding grow.
+ * Longest spring (in radii) for which a mean direction is used. During a step of q radii, a small
+ * angle between spring and step changes by the factor 1/2 + 1/(2 + 2 q) - q/2. For q above 3.2 this
+ * would enlarge an angle caused by rounding.
  */
 constexpr double LongestMean = 2.0;
 
 /**
  * The part of a spring that the surface does not hold, and the circle within which friction and
- * drag hold it.
+ * drag hold this part.
  */
 struct UnheldSpring
 {
-  Vector3 Lag;   ///< m
-  double Length; ///< the length of Lag
-  double Radius; ///< m, the radius of the circle in which friction and drag hold the tip
-  bool IsCircle; ///< false if they hold more in some directions
+  Vector3 Lag;   ///< in m
+  double Length; ///< length of Lag
+  double Radius; ///< radius (m) of the circle in which friction and drag hold the tip
+  bool IsCircle; ///< whether they hold equally in all directions
 };
 
 VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
@@ -65,7 +66,7 @@ VOLUME_HAPTICS_INLINE UnheldSpring ComputeUnheldSpring(
 }
 
 /**
- * Returns the displacement by one part of a step: in the mean direction if there is one, else
+ * Returns the displacement by one part of a step: in the mean direction if there is one, otherwise
  * `plain()`.
  */
 template <typename Plain>
@@ -81,13 +82,13 @@ VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compl
   const UnheldSpring before = ComputeUnheldSpring(here, compliance, lagBefore, splitBefore);
   if (!(before.Length > OnCircle * before.Radius))
   {
-    return plain(); // no direction yet
+    return plain(); // the direction is not known yet
   }
   const Vector3 sum = (1.0 / before.Length) * before.Lag + (1.0 / now.Length) * now.Lag;
   const double square = Dot(sum, sum);
   if (square < 1.0)
   {
-    return plain(); // the mean of two directions that are more than a right angle apart is useless
+    return plain(); // the directions differ by more than a right angle, so their mean is useless
   }
   const Vector3 direction = (1.0 / std::sqrt(square)) * sum;
   const double along = Dot(now.Lag, direction);
@@ -96,17 +97,17 @@ VOLUME_HAPTICS_INLINE Vector3 ComputePart(const PrecisePoint& here, double compl
   return half > 0.0 ? (along - std::sqrt(half)) * direction : plain();
 }
 
-/** Returns the displacement by a step in more than one part. */
+/** Returns the displacement by a step that is divided into parts. */
 Vector3 ComputeInParts(const PrecisePoint& here, double k, double longest, const Vector3& lagBefore,
   const Vector3& lag, double parts) noexcept;
 
 /**
- * Returns the displacement of a proxy (m) while the tip's step takes the spring of stiffness k
- * (N/m) from one lag (m) to another, whose split is given, too.
+ * Returns the displacement of a proxy (m) while the tip's step changes the lag (m) from `lagBefore`
+ * to `lag`. k (N/m) is the spring's stiffness, and `split` the split of `lag`.
  *
- * The result is of second order in the step if friction and drag hold all directions alike.
- * `plain()` returns the displacement by the law at the last lag alone, for steps without a mean
- * direction, and for parts whose spring is longer than `longest` radii of the circle.
+ * The result is of second order in the step if friction and drag hold equally in all directions.
+ * `plain()` returns the displacement by the law at the last lag alone. It is used for steps without
+ * a mean direction, and for parts whose spring is longer than `longest` radii of the circle.
  */
 template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double longest,
@@ -114,7 +115,8 @@ VOLUME_HAPTICS_INLINE Vector3 Compute(const PrecisePoint& here, double k, double
 {
   const SplitLag before = Law::Split(lagBefore, here.Normal);
   const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
-  // No circle if the tip leaves or meets the surface.
+  // If the tip touches, leaves or breaks through a surface with friction in this step, no circle
+  // bounds the spring, so short parts are used.
   const bool isCircle =
     here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
   const double fraction = isCircle ? CirclePart : FreePart;

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A place this near to its anchor (voxels) is on the line. */
+/** Distance (voxels) from its anchor within which a place is on the line. */
 constexpr double OnLine = 1e-4;
 
 } // namespace
@@ -123,7 +123,7 @@ bool FollowedShapes::FindStart(int mode, Vector3& place)
     Vector3 motion = line->Anchor - place;
     motion = motion - Dot(motion, line->Direction) * line->Direction;
     const Primitive* const wall = this->FindPrimitive(PrimitiveKind::Plane, 0.0);
-    // Far from the core of a vortex, only the way to the core is known.
+    // Far from the core of a vortex, only the direction to the core is known.
     if (kind == ModeKind::VortexTube && wall && !(Norm(motion) > 0.0))
     {
       motion = this->Voxel * wall->Direction;
@@ -133,12 +133,12 @@ bool FollowedShapes::FindStart(int mode, Vector3& place)
     {
       return std::isfinite(length);
     }
-    // A ridge may be some voxels away. If Newton's search takes a longer step, the step is wrong.
+    // A ridge may be some voxels away. If Newton's search takes a longer step, that step is wrong.
     const double longest = (kind == ModeKind::VortexTube ? 1.0 : 32.0) * this->Voxel;
     place = place + std::min(1.0, longest / length) * motion;
     if (kind == ModeKind::Guide)
     {
-      return true; // this is the nearest place; a further step might leave it
+      return true; // this is the nearest place; another step might leave it
     }
   }
   return kind == ModeKind::Ridge;

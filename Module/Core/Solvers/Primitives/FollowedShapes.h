@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lines and fronts on which the modes of a model hold the hand, near a place, to be drawn.
+ * Finds the lines and fronts near a place on which a model's modes hold the hand, to draw them.
  *
- * They are made of the primitives that a tick reads (ModePrimitives.h), so that what is seen is
- * what is felt:
+ * They are made of the primitives that a tick reads (ModePrimitives.h), so that the hand feels what
+ * is drawn:
  *
  * | mode          | shape                                                     |
  * | ------------- | --------------------------------------------------------- |
@@ -19,8 +19,8 @@
  * | GuideSurface  | its tangent plane, as a front                             |
  * | Surface       | nothing: the volume shows it                              |
  *
- * A line is given by one of its points and its direction there. The caller traces it with
- * FollowedShapes::Turn() and Return(). For the GUI thread: this allocates.
+ * A line is described by one of its points and its direction there. The caller traces it with
+ * FollowedShapes::Turn() and Return(). These classes allocate, so they are for the GUI thread.
  */
 #ifndef FollowedShapes_h
 #define FollowedShapes_h
@@ -43,35 +43,38 @@ enum class FollowedForm
 struct FollowedShape
 {
   FollowedForm Form = FollowedForm::Line;
-  int Mode = 0;   ///< number of the mode
-  Vector3 Centre; ///< m; on the line
-  /** A unit vector along the line, or normal to the front: to its free side, if it has one. */
+  int Mode = 0;   ///< number of the shape's mode
+  Vector3 Centre; ///< a point (m) of the line or front
+  /**
+   * Unit vector along the line, or normal of the front. If the front has a free side, the normal
+   * points to it.
+   */
   Vector3 Direction;
-  Matrix3 Tensor; ///< in world axes: divided by its first eigenvalue, which is positive
+  Matrix3 Tensor; ///< tensor in world axes, divided by its first eigenvalue, which is positive
 };
 
 class FollowedShapes
 {
 public:
-  /** Borrows the model. Ignores friction of surfaces, and the tip. */
+  /** Keeps a reference to the model. Ignores the tip and the friction of surfaces. */
   explicit FollowedShapes(const HapticModel& model);
   FollowedShapes(const FollowedShapes&) = delete;
   FollowedShapes& operator=(const FollowedShapes&) = delete;
 
   /**
-   * Returns the shapes at a place (m). None for modes that hold nothing there, and for methods
+   * Returns the shapes at a place (m). Modes that hold nothing there have none, and so have methods
    * other than Primitives.
    */
   std::vector<FollowedShape> Collect(const Vector3& place);
 
   /**
-   * Replaces `direction` by the unit vector along a mode's line at a place, in the sense that is
-   * closer to `direction`. Returns false if there is no line.
+   * Replaces `direction` by the unit vector along a mode's line at a place. Of the two possible
+   * directions it chooses the one closer to `direction`. Returns false if there is no line.
    */
   bool Turn(int mode, const Vector3& place, Vector3& direction);
   /**
-   * Moves a place near a mode's line back to the line, if the line has its own anchor, since a step
-   * along the direction leaves the line. Returns false if the line ends there.
+   * Moves a place near a mode's line back to the line if the line has an anchor of its own, because
+   * a step along the direction leaves the line. Returns false if the line ends there.
    */
   bool Return(int mode, Vector3& place);
 
@@ -79,22 +82,22 @@ private:
   void CollectOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
   void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
   ModeKind KindOf(int mode) const;
-  /** Reads the primitives of a mode; returns false if no primitive holds. */
+  /** Reads the primitives of a mode. Returns false if none of them holds. */
   bool Read(int mode, const Vector3& place);
-  /** Returns the front among the primitives that were read; null if there is none. */
+  /** Returns the front among the primitives that were read, or null if there is none. */
   const Primitive* FindFront(ModeKind kind) const;
   /**
-   * Returns the line among the primitives that were read. For a vortex, returns the core, wherever
+   * Returns the line among the primitives that were read. For a vortex, it is the core, wherever
    * the hand is.
    */
   const Primitive* FindLine(ModeKind kind) const;
-  /** Returns the first primitive of a kind whose strength is larger than a number. */
+  /** Returns the first primitive of a kind whose strength exceeds `strength`. */
   const Primitive* FindPrimitive(PrimitiveKind kind, double strength) const;
-  /** Moves a place to a mode's line; returns false if there is no line. */
+  /** Moves a place to a mode's line. Returns false if there is no line. */
   bool FindStart(int mode, Vector3& place);
 
   const HapticModel& Model;
-  const double Voxel; ///< m
+  const double Voxel; ///< length of a voxel in m
   LabelMemory Memory;
   const ModeField Modes;
   PrimitiveSet Set;

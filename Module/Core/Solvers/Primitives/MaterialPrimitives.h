@@ -24,7 +24,10 @@
 namespace VolumeHaptics
 {
 
-/** Adds the surface, friction and drag of a material point for a spring from `anchor` to `tip`. */
+/**
+ * Adds the surface, friction and drag of a material point. The spring of stiffness k (N/m) leads
+ * from `anchor` to `tip`.
+ */
 inline void AddMaterial(const MaterialPoint& point, double k, const Vector3& anchor,
   const Vector3& tip, PrimitiveSet& set) noexcept
 {

@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds the primitives of a mode. A primitive that can't be read has the strength 0, but keeps its
- * place.
+ * Adds the primitives of a mode. A primitive that can't be read gets the strength 0, but still
+ * counts.
  */
 class ModeReader
 {
@@ -101,20 +101,20 @@ private:
   }
 
   /**
-   * Computes the displacement (world) to the core. Returns the fraction of the strength with which
-   * the core holds; 0 if it is far away.
+   * Computes the displacement (world) to the core of a vortex. Returns the fraction of the strength
+   * with which the core holds; 0 if it is far away.
    */
   double ComputeCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
-    // Newton's step is at least as long as the vector across the axis divided by the norm of the
-    // Jacobian.
+    // A lower bound of Newton's step is the length of the vector across the axis, divided by the
+    // norm of the Jacobian.
     constexpr double far = ModeField::CoreSight * ModeField::CoreSight;
     const double along = Dot(v, axis);
     const double slopes =
       Dot(j.Row[0], j.Row[0]) + Dot(j.Row[1], j.Row[1]) + Dot(j.Row[2], j.Row[2]);
     const double reach = far * this->Mode.Field.GetSquaredVoxel() * slopes;
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (!(std::abs(Dot(v, v) - along * along) <= reach))
     {
       return 0.0;
@@ -128,7 +128,7 @@ private:
     const double ba = Dot(b, ja);
     const double bb = Dot(b, jb);
     const double determinant = aa * bb - ab * ba;
-    // No core where the flow is a shear rather than a rotation.
+    // There is no core where the flow is rather a shear than a rotation.
     if (!(determinant > 0.0))
     {
       return 0.0;
@@ -148,7 +148,7 @@ private:
     Matrix3 j;
     const bool isThere = this->Mode.Field.Read(this->Index, v, j);
     const SymmetricEigen rates = ComputeEigen(SymmetricPart(j));
-    // A pure rotation has no direction of stretch, apart from rounding.
+    // A pure rotation has no direction of stretch, but rounding may produce one.
     const double least = LeastFraction * (Norm(j.Row[0]) + Norm(j.Row[1]) + Norm(j.Row[2]));
     const bool stretches = isThere && rates.Value[0] > least;
     const double strength = stretches ? this->StrengthAt(0, rates.Value[0]) : 0.0;
@@ -177,7 +177,7 @@ private:
   void ReadRidge() noexcept
   {
     const FieldSampler& scalars = this->Modes.Model->Baked->Field;
-    // The differences need some samples more.
+    // The differences need samples one voxel farther away.
     this->SetFade(scalars.DistanceToBorder(this->Index) - 1.0);
     Vector3 toRidge;
     Vector3 along{ 1.0, 0.0, 0.0 };
@@ -189,10 +189,13 @@ private:
     this->Add(PrimitiveKind::Line, along, strength, this->Place + this->ToDevice(toRidge));
   }
 
-  /** Computes the direction and the displacement (world) to the ridge; returns the strength (N). */
+  /**
+   * Computes the direction of the ridge and the displacement (world) to it. Returns the strength
+   * (N).
+   */
   double ComputeRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
   {
-    constexpr double half = 0.5; // voxels
+    constexpr double half = 0.5; // in voxels
     const auto slope = [&](double x, double y, double z)
     {
       const Vector3 ahead = scalars.Gradient(this->Index + Vector3{ x, y, z }).Gradient;
@@ -207,7 +210,7 @@ private:
     const Vector3 gradient = sign * (turned * scalars.Gradient(this->Index).Gradient);
     const SymmetricEigen eigen =
       ComputeEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
-    // A bright line has two negative eigenvalues, and one of smaller magnitude.
+    // At a bright line, two eigenvalues are negative, and the third has a smaller magnitude.
     const double h1 = eigen.Value[0];
     const double h2 = eigen.Value[1];
     const double h3 = eigen.Value[2];
@@ -265,7 +268,7 @@ private:
     AddMaterial(point, this->Modes.Stiffness, this->Place, this->Modes.Tip, this->Set);
   }
 
-  /** Eigenvalues whose relative difference is smaller than this give no direction. */
+  /** Relative difference of two eigenvalues below which they have no directions. */
   static constexpr double LeastFraction = 1e-9;
 
   static Matrix3 SymmetricPart(const Matrix3& m) noexcept
@@ -293,7 +296,7 @@ private:
   }
   double StrengthAt(int channel, double x) const noexcept { return this->StrengthsAt(x)[channel]; }
 
-  /** Maps a displacement from the world. */
+  /** Maps a displacement from the world to the device. */
   Vector3 ToDevice(const Vector3& displacement) const noexcept
   {
     return this->Modes.WorldToDevice.Linear * displacement;
@@ -305,7 +308,7 @@ private:
 
   ///@{
   /**
-   * Adds a primitive with a direction in the world. The anchor is this place, or is given (device).
+   * Adds a primitive with a direction in the world. Its anchor is this place, or `anchor` (device).
    */
   void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
   {

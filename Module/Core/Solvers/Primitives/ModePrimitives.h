@@ -19,24 +19,24 @@
  *
  * ## The core of a vortex
  *
- * v has no direction on the core line, and n turns over there. With J' and v' the parts of Jacobian
- * and vector across omega, the core is at -J'^-1 v' from a place nearby (Newton's step). Within
- * CoreReach of it, a LINE through it along omega stands in for the plane, so that the hand comes to
- * rest on the core itself.
+ * v has no direction on the core line, and n reverses there. Let J' and v' be the components of
+ * Jacobian and vector perpendicular to omega. Then the core is at -J'^-1 v' from a place nearby
+ * (Newton's step). Within CoreReach of it, a LINE through it along omega replaces the plane, so
+ * that the hand comes to rest on the core itself.
  *
  * ## Ridges
  *
- * H is the Hessian of the scalars, of differences of gradients half a voxel to either side, and g
- * their gradient. A ridge goes along e_1, whose eigenvalue has the smallest magnitude; across it,
- * the scalars fall to all sides (rise, if it is dark), with eigenvalues h_2 and h_3. The ridge is
- * at -(e_2 (e_2.g)/h_2 + e_3 (e_3.g)/h_3) from the place. Its hold fades between once and twice
- * SnapDistance.
+ * H is the Hessian of the scalars, computed from gradients half a voxel to both sides, and g is
+ * their gradient. A ridge is along e_1, whose eigenvalue has the smallest magnitude. Perpendicular
+ * to it the scalars fall to all sides (rise, if it is dark), with eigenvalues h_2 and h_3. The
+ * ridge is at -(e_2 (e_2.g)/h_2 + e_3 (e_3.g)/h_3) from the place. Its hold fades between once and
+ * twice SnapDistance.
  *
  * ## All modes
  *
- * Strengths fade to 0 over FadeDistance at the border of the volume, so that nothing pops there.
+ * Strengths fade to 0 over FadeDistance at the border of the volume, so that no force jumps there.
  * Where there is no vector, no direction, or a sample that is not finite, nothing is felt. The sign
- * of an eigenvector does not matter: tensors are interpolated, never their eigenvectors.
+ * of an eigenvector has no effect, because tensors are interpolated, and never their eigenvectors.
  */
 #ifndef ModePrimitives_h
 #define ModePrimitives_h
@@ -49,42 +49,46 @@ namespace VolumeHaptics
 {
 class HapticModel;
 
-/** A volume's modes, in the order in which their primitives are added; borrows the modes. */
+/**
+ * The modes of a volume, in the order in which their primitives are added. Keeps references to the
+ * modes.
+ */
 class ModeField
 {
 public:
   static constexpr int Most = PrimitiveSet::Most;
-  /** Distance (voxels) from the border of the volume over which strengths fade. */
+  /** Distance (voxels) from the volume's border over which strengths fade. */
   static constexpr double FadeDistance = 2.0;
-  /** Distance (voxels) from the core of a vortex within which a line stands in for the plane. */
+  /** Distance (voxels) from the core of a vortex within which a line replaces the plane. */
   static constexpr double CoreReach = 0.1;
-  /** Distance (voxels) up to which the core is searched. */
+  /** Distance (voxels) within which the core is searched. */
   static constexpr double CoreSight = 4.0;
 
   /**
-   * Makes an empty field for a device that is placed in the world by a similarity, world units per
-   * metre. The field is without ridges and surfaces, which need the scalars of a model.
+   * Makes an empty field for a device whose placement in the world is a similarity, with the world
+   * units per metre as its factor. Modes that need the scalars of a model (ridges and surfaces) are
+   * not felt in this field.
    */
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
   /**
-   * Makes a field of the modes of a model, in their order. Friction and drag of a surface depend on
-   * a spring of stiffness k to a tip (m). Borrows the model and the memory.
+   * Makes a field of a model's modes, in their order. Friction and drag of a surface are those for
+   * a spring of stiffness k (N/m) to a tip (m). Keeps references to the model and the memory.
    */
   ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 
   /**
-   * Adds a mode. Returns false if there are too many primitives or the mode is not valid; the mode
-   * is then not felt. A mode that is not active always fits.
+   * Adds a mode. Returns false if there would be too many primitives or if the mode is not valid;
+   * then the mode is not felt. An inactive mode can always be added.
    */
   bool Add(const BakedMode& mode) noexcept;
 
-  /** Returns the field of all modes, which borrows this object. */
+  /** Returns the field of all modes. It refers to this object. */
   PrimitiveField GetField() const noexcept { return { &ModeField::Collect, this }; }
 
   int GetCount() const noexcept { return this->Count; }
-  /** Adds the primitives of one mode at a place (m); none if the mode is not felt. */
+  /** Adds the primitives of one mode at a place (m). Adds none if the mode is not felt. */
   void Read(int mode, const Vector3& place, PrimitiveSet& set) const noexcept;
-  /** Returns the force of one mode (N, on the hand), given the forces of all primitives. */
+  /** Returns the force (N, on the hand) of one mode. `forces` has the forces of all primitives. */
   Vector3 ForceOf(int mode, const PrimitiveForces& forces) const noexcept;
 
 private:
@@ -93,14 +97,14 @@ private:
   static void Collect(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
 
   const BakedMode* Modes[Most] = {};
-  int First[Most + 1] = {}; ///< the number of the first primitive of a mode
+  int First[Most + 1] = {}; ///< number of the first primitive of each mode
   int Count = 0;
   Affine3 DeviceToIndex;
   Affine3 DeviceToWorld;
   Affine3 WorldToDevice;
-  Matrix3 Turn; ///< turns directions from the world to the device
+  Matrix3 Turn; ///< rotates directions from the world to the device
   ///@{
-  /** Needed for ridges and surfaces; null without a model. */
+  /** For ridges and surfaces; null if there is no model. */
   const HapticModel* Model = nullptr;
   LabelMemory* Memory = nullptr;
   double Stiffness = 0.0;

@@ -9,18 +9,18 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the usable strength: 0 for an invalid strength. */
+/** Returns the strength to use, which is 0 if the given one is not valid. */
 double UsableStrength(const Primitive& primitive) noexcept
 {
   const double s = primitive.Strength;
   if (!(s > 0.0) || (primitive.Kind == PrimitiveKind::Force && std::isinf(s)))
   {
-    return 0.0; // also for NaN; and a push must have a limit
+    return 0.0; // NaN is not valid, nor is an infinite push
   }
   return std::fmin(s, PrimitiveSet::MostStrength);
 }
 
-/** Gives a direction unit length. Returns false if the length is 0, too large or not finite. */
+/** Scales a direction to unit length. Returns false if the length is 0, too large or not finite. */
 bool Normalise(Vector3& direction) noexcept
 {
   constexpr double safe = 1e100;
@@ -36,7 +36,7 @@ bool Normalise(Vector3& direction) noexcept
   {
     return false;
   }
-  // Squares overflow or vanish, and the reciprocal of a tiny number may be infinite.
+  // The squares would overflow or vanish, and the reciprocal of a tiny number may be infinite.
   direction = { direction.X / largest, direction.Y / largest, direction.Z / largest };
   direction = (1.0 / Norm(direction)) * direction;
   return true;
@@ -45,7 +45,7 @@ bool Normalise(Vector3& direction) noexcept
 bool IsNearEnough(const Vector3& anchor) noexcept
 {
   constexpr double most = PrimitiveSet::FarthestAnchor;
-  // False for NaN, too.
+  // The condition is false for NaN, too.
   return std::abs(anchor.X) <= most && std::abs(anchor.Y) <= most && std::abs(anchor.Z) <= most;
 }
 

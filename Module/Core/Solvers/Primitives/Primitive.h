@@ -39,9 +39,9 @@ enum class PrimitiveKind : std::uint8_t
 struct Primitive
 {
   PrimitiveKind Kind = PrimitiveKind::Force;
-  Vector3 Direction;     ///< direction of any length but 0; Point has none
-  Vector3 Anchor;        ///< m; Force has none
-  double Strength = 0.0; ///< N
+  Vector3 Direction;     ///< direction of any length except 0; not used by Point
+  Vector3 Anchor;        ///< anchor in m; not used by Force
+  double Strength = 0.0; ///< strength in N
 };
 
 /** The primitives of a tick. Neither allocates nor throws. */
@@ -49,16 +49,16 @@ class PrimitiveSet
 {
 public:
   static constexpr int Most = MostPrimitives;
-  /** N. Larger strengths hold as firmly as this one. */
+  /** Largest strength in use (N). Larger strengths are reduced to it. */
   static constexpr double MostStrength = 1e6;
-  /** m. A farther anchor is an error. */
+  /** Largest coordinate of an anchor (m). An anchor farther away is an error. */
   static constexpr double FarthestAnchor = 1e9;
 
   /**
-   * Adds a primitive, with a direction of unit length. A primitive without a valid strength,
-   * direction or anchor (0, negative, NaN, or infinite) keeps its place in the set, but has the
-   * strength 0; an infinite strength holds with MostStrength, unless it pushes. Without a strength
-   * the direction stays as given. Returns false if the set is full.
+   * Adds a primitive, and gives its direction unit length. A primitive whose strength, direction or
+   * anchor is not valid (0, negative, NaN or infinite) still counts, but has the strength 0. An
+   * infinite strength becomes MostStrength, except for a push. If the strength is 0, the direction
+   * does not change. Returns false if the set is full.
    */
   bool Add(const Primitive& primitive) noexcept;
 
@@ -68,7 +68,7 @@ public:
   const Primitive* begin() const noexcept { return this->Items.data(); }
   const Primitive* end() const noexcept { return this->Items.data() + this->Size; }
 
-  /** Returns the sum of all strengths (N): the largest sum of the primitives' forces. */
+  /** Returns the sum of all strengths (N), which is the largest possible sum of the forces. */
   double SumStrengths() const noexcept;
 
 private:

@@ -11,13 +11,13 @@ namespace
 {
 
 /**
- * The largest correction of a step's end (fraction of the step) towards where the stages show that
- * the way ends. Away from the end of the step, the weights of the stages lose an order.
+ * Largest correction of a step's end, as a fraction of the step, towards the end of the way that
+ * the stages show. Farther from the step's end, the weights of the stages lose an order.
  */
 constexpr double Farthest = 0.1;
 
 /**
- * Returns the end of the way, as a fraction of a step: the zero of the quadratic through the
+ * Returns where the way ends, as a fraction of a step. It is the zero of the quadratic through the
  * remaining lengths at 0, 1/2 and 3/4 of the step.
  */
 double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
@@ -26,16 +26,16 @@ double ComputeEnd(double atBegin, double atMiddle, double late) noexcept
   const double bend = (4.0 / 3.0) * (4.0 * (late - atMiddle) - early);
   const double atEnd = atBegin + early + 0.5 * bend;
   const double slope = early + 1.5 * bend;
-  // Also false for NaN.
+  // The condition is false for NaN, too.
   return slope < 0.0 ? 1.0 + std::clamp(-atEnd / slope, -Farthest, Farthest) : 1.0;
 }
 
 constexpr double LeastRate = 0.25;
-constexpr double MostRate = 1e12; // the largest rate: a picometre from the axis of a vortex
-/** A step whose middle shows a rate larger by this factor begins again. */
+constexpr double MostRate = 1e12; // largest rate, as near as a picometre to the axis of a vortex
+/** Ratio of the rate at a step's middle to the expected rate above which the step begins again. */
 constexpr double RateExcess = 1.01;
 
-/** A proxy on its way to the balance with one tip. */
+/** The way of a proxy to the balance with one tip. */
 class Way
 {
 public:
@@ -50,7 +50,7 @@ public:
     this->Arrive(from, memory.Towards);
   }
 
-  /** Makes one step; returns the rate that the step has met. */
+  /** Takes one step. Returns the rate that the step has measured. */
   double Step(double rate, double longest) noexcept
   {
     const double across = this->ComputeRateAcross();
@@ -61,12 +61,12 @@ public:
       : this->StepFar(rate, longest);
   }
 
-  /** Return the remaining part of the lag, and its length (m). */
+  /** Return the rest of the motion and its length (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
   bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
   const Vector3& GetPlace() const noexcept { return this->Place; }
-  /** Returns the balance at the place. */
+  /** Returns the balance at the present place. */
   const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
 
 private:
@@ -84,7 +84,7 @@ private:
     const double most = longest / length;
     const double fraction =
       std::min(ComputeEnd(before, Dot(middle, second), Dot(late, third)), most);
-    // The direction, at the end of the step, of the quadratic through the stages; and its
+    // Compute the direction of the quadratic through the stages at the end of the step, and its
     // integrals.
     const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
     const double square = fraction * fraction;
@@ -104,18 +104,18 @@ private:
   }
 
   /**
-   * Returns the rate at which the rest of a long step ends, across its way, as the stages show it;
-   * 0 if they do not show it. With m the ratio of this rate to the rate along the way, the weights
-   * of the stages leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the
-   * quadratic through the stages shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of
-   * both gives m.
+   * Returns the rate of the rest of a long step across its way, as the stages show it, or 0 if they
+   * do not show it. Let m be the ratio of this rate to the rate along the way. The weights of the
+   * stages leave the fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic
+   * through the stages shows (1 - m) (1 - 2 m) of it at the end of the step. The ratio of both
+   * gives m.
    */
   double ComputeRateAcross() const noexcept
   {
     const double shown = Dot(this->Shown, this->Shown);
     const double ratio = Dot(this->Rest, this->Shown) / shown;
     const Vector3 other = this->Rest - ratio * this->Shown;
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (!(ratio < -0.5 && ratio > -1.0) || Dot(other, other) > 0.01 * this->Length * this->Length)
     {
       return 0.0;
@@ -126,8 +126,8 @@ private:
   }
 
   /**
-   * Goes to the end of the rest of a step, or a little less far, because a hold would keep an
-   * excess.
+   * Takes a step to slightly before the end of the rest, because a primitive would hold the proxy
+   * if it went too far.
    */
   double StepAcross(double rate) noexcept
   {
@@ -138,7 +138,7 @@ private:
     return Rate((before - Dot(this->Rest, first)) / length);
   }
 
-  /** Makes a step by the midpoint method, to where D ends at the rate of the middle. */
+  /** Takes a step by the midpoint method, to where D ends if it falls at the rate of the middle. */
   double StepShortly(double rate) noexcept
   {
     const Vector3 from = this->Place;
@@ -147,8 +147,8 @@ private:
     double length = before / rate;
     const Vector3 middle = this->ComputeMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
-    // Goes at most as far as the middle is valid, because a hold would keep the proxy where it went
-    // too far.
+    // The step ends where the middle is valid, because a primitive would hold the proxy if it went
+    // farther.
     const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
     length = std::min(end, (1.0 + Farthest) * length);
     this->Arrive(from + length * second, second);
@@ -156,14 +156,17 @@ private:
     return Rate((before - Dot(this->Rest, second)) / length);
   }
 
-  /** Computes the rest in the middle of a step from the place. Shortens a step that is too long. */
+  /**
+   * Computes the rest at the middle of a step. If the step is too long, shortens it and computes
+   * the rest again.
+   */
   Vector3 ComputeMiddle(const Vector3& first, double rate, double& length) noexcept
   {
     const double before = this->Length;
     const Vector3 middle = this->SolveRest(this->Place + (0.5 * length) * first, first);
     const double met = (before - Dot(middle, first)) / (0.5 * length);
     const double shorter = before / std::min(met, MostRate);
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     if (met > RateExcess * rate && shorter < length)
     {
       length = shorter;
@@ -172,13 +175,13 @@ private:
     return middle;
   }
 
-  /** Limits a measured rate to its bounds. */
+  /** Limits a measured rate to the range LeastRate to MostRate. */
   static double Rate(double met) noexcept
   {
     return met > LeastRate ? std::min(met, MostRate) : LeastRate;
   }
 
-  /** Returns the direction of the rest, forwards; the direction before if there is no rest. */
+  /** Returns the direction of the rest, forwards, or `before` if there is no rest. */
   static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
   {
     const double length = Norm(rest);
@@ -186,8 +189,8 @@ private:
   }
 
   /**
-   * Computes the balance at a place, and returns the rest.
-   * @param towards the expected direction of the rest
+   * Computes the balance at a place. Returns the rest of the motion.
+   * @param towards expected direction of the rest
    */
   Vector3 SolveRest(const Vector3& place, const Vector3& towards) noexcept
   {
@@ -212,10 +215,11 @@ private:
   PrimitiveMemory& Memory;
   Vector3 Place;
   Vector3 Rest;
-  Vector3 Shown; ///< the rest by the stages of a long step that ended the way; else 0
+  /** Rest that the stages of a long step show, if the step ended the way; otherwise 0. */
+  Vector3 Shown;
   double EndRate = 0.0;
   double Length = 0.0;
-  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< sweeps left in the tick
+  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< number of sweeps that the tick may still use
   PrimitiveBalance Balance;
 };
 
@@ -224,18 +228,18 @@ private:
 PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double longestStep,
   const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept
 {
-  // Also false for NaN.
+  // The condition is false for NaN, too.
   if (!(longestStep > 0.0) || !IsFinite(from))
   {
     memory = {};
     return { tip, {}, 0, false };
   }
-  // The memory may come from a file.
+  // The memory may be from a file, so limit it.
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedFraction * longestStep;
-  // The next tick takes about the same way as this one; the corrections at its end do not count.
+  // The next tick's way will be similar to this one. The corrections at its end do not count.
   const double told = PrimitiveFollower::ShortFraction * way.GetLength();
   double rate = memory.Rate;
   while (

@@ -4,10 +4,11 @@
  * @file
  * The motion of a proxy through a field of primitives during a tick.
  *
- * The primitives of a mode are read where the proxy is, so they change along its way: a flow turns,
- * and strengths rise and fall. With b(x) the balance of the primitives at x (PrimitiveSolver.h),
- * D(x) = b(x) - x is the rest of the motion, and the proxy is at rest where D = 0. One step by D a
- * tick would leave a bent line by its tangent, and drift. So the proxy goes along the lines of D:
+ * The primitives of a mode are read at the proxy, so they change along its way: a flow turns, and
+ * strengths rise and fall. Let b(x) be the balance of the primitives at x (PrimitiveSolver.h). Then
+ * D(x) = b(x) - x is the rest of the motion, and the proxy is at rest where D = 0. A single step by
+ * D in each tick would leave a bent line along its tangent, and drift. So the proxy goes along the
+ * lines of D:
  * along the lines of the flow as far as the spring pulls along them, and across them where the
  * spring exceeds the local strength.
  *
@@ -16,16 +17,16 @@
  * A step goes along D/|D| by Ralston's method of third order, whose stages are at 0, 1/2 and 3/4 of
  * it, and not where D ends. It is a quarter voxel long at most: on a circle of 20 voxels the proxy
  * leaves its line by less than 0.001 voxels in a hundred turns. The length of the last step is
- * |D|/r, with r the rate at which D falls along the way: 1 in a uniform field, less or more where
- * lines bend around the tip, or strengths change. r is learned from step to step; a step that turns
- * out too long at its middle begins again, since a rising strength would hold the proxy where it
- * went too far; and the end is moved by up to a tenth to where the stages show that D ends, so that
- * one step a tick is mostly enough. Where primitives yield, the rest across the way after such a
- * step follows a known rule, which gives its rate: one more evaluation ends it. Other corrections
- * are short, and use the midpoint method, with the same limit. Steps end when D is less than
- * FinishedFraction of a step. After MostSteps, or if the sweeps of a tick are spent, the next tick
- * goes on; the force then belongs to the balance at the reached place, so it never exceeds the
- * strengths.
+ * |D|/r, where r is the rate at which D falls along the way: 1 in a uniform field, less or more
+ * where lines bend around the tip or strengths change. r is learned from step to step. A step that
+ * proves too long at its middle begins again, because a rising strength would hold the proxy where
+ * it went too far. The end of a step is moved by up to a tenth to where the stages show that D
+ * ends, so that one step in a tick is mostly enough. Where primitives yield, the rest across the
+ * way after such a step follows a known rule, which gives its rate, so that one more evaluation
+ * ends it. Other corrections are short, and use the midpoint method with the same limit. Steps end
+ * when D is less than FinishedFraction of a step. After MostSteps, or if the sweeps of a tick are
+ * used up, the next tick continues. The force then belongs to the balance at the reached place, so
+ * that it never exceeds the strengths.
  */
 #ifndef PrimitiveFollower_h
 #define PrimitiveFollower_h
@@ -35,10 +36,12 @@
 namespace VolumeHaptics
 {
 
-/** The primitives as a function of the place. Borrows the context. */
+/** The primitives as a function of the place. Keeps only a pointer to the context. */
 struct PrimitiveField
 {
-  /** Adds the primitives at a place (m) to an empty set, mostly with that place as their anchor. */
+  /**
+   * Adds the primitives at a place (m) to an empty set. The place is the anchor of most of them.
+   */
   using Function = void (*)(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
   Function Collect = nullptr;
   const void* Context = nullptr;
@@ -46,32 +49,33 @@ struct PrimitiveField
 
 struct PrimitiveMotion
 {
-  Vector3 Proxy; ///< m
-  Vector3 Force; ///< N, on the hand
+  Vector3 Proxy; ///< in m
+  Vector3 Force; ///< force on the hand in N
   int Steps = 0;
-  bool IsUnfinished = false; ///< whether the tick spent its steps
+  bool IsUnfinished = false; ///< whether the tick took all its steps without reaching the balance
 };
 
 namespace PrimitiveFollower
 {
 constexpr int MostSteps = 32;
-/** Steps shorter than this fraction of the longest one use the midpoint method. */
+/** Length, as a fraction of the longest step, below which a step uses the midpoint method. */
 constexpr double ShortFraction = 0.1;
-/** A last step that is shorter than this fraction of the longest one needs no stages. */
+/** Length, as a fraction of the longest step, below which the last step needs no stages. */
 constexpr double FinishedFraction = 1e-3;
 } // namespace PrimitiveFollower
 
 /**
- * How far (voxels) a mode's push, or a bent line, can lead the proxy out of the box around proxy
- * and tip.
+ * Distance (voxels) by which a mode's push, or a bent line, can move the proxy out of the box
+ * around proxy and tip.
  */
 constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**
- * Computes the proxy's motion from a place to the balance with a tip (m).
+ * Computes the proxy's motion from a place (m) to the balance with a tip (m).
  *
- * @param longestStep m; a quarter voxel
- * If the tip is not finite, or k or the step is not a positive number, the proxy is the tip.
+ * @param longestStep a quarter voxel, in m
+ *
+ * If the tip is not finite, or if k or longestStep is not a positive number, the result is the tip.
  */
 PrimitiveMotion SolvePrimitives(const PrimitiveField& field, double k, double longestStep,
   const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept;

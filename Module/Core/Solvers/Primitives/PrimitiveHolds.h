@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the state that a primitive has in a balance, from forces that are close to the balance.
+ * Determines the state of a primitive in a balance from forces that are close to the balance.
  */
 #ifndef PrimitiveHolds_h
 #define PrimitiveHolds_h
@@ -22,7 +22,7 @@ inline Vector3 AtMost(const Vector3& force, double most) noexcept
 }
 
 /**
- * Returns the force in C_i, the set of the primitive's possible forces, that is nearest to a force.
+ * Returns the force in C_i, the set of the primitive's possible forces, that is nearest to `force`.
  */
 inline Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
 {
@@ -49,12 +49,13 @@ enum class HoldState : std::uint8_t
 };
 
 /**
- * Returns the state of a primitive with a force.
- * @param isOld the force comes from another tick: almost a whole strength counts as a whole one
+ * Returns the state of a primitive that exerts a force.
+ * @param isOld whether the force is from another tick, where nearly the whole strength counts as
+ * all of it
  */
 inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) noexcept
 {
-  // Forces that were cut to the strength count as full.
+  // A force that was limited to the strength counts as full, in spite of rounding.
   const double full = (isOld ? 0.99 : 1.0 - 1e-12) * p.Strength;
   const double square = Dot(force, force);
   return square >= full * full                        ? HoldState::Yields
@@ -62,7 +63,7 @@ inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) n
                                                       : HoldState::Holds;
 }
 
-/** Returns the rounding of a condition (N). */
+/** Returns the rounding error (N) of a condition. */
 inline double RoundingOf(const HeldPrimitives& held) noexcept
 {
   double largest = 0.0;

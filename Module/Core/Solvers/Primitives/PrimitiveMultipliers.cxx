@@ -13,17 +13,17 @@ namespace
 {
 
 /**
- * The penalty m. A larger penalty increases the rounding of primitives that hold; a smaller one
- * increases the number of rounds.
+ * The penalty m. With a larger penalty, holding primitives have larger rounding errors; with a
+ * smaller one, more rounds are needed.
  */
 constexpr double Penalty = 1000.0;
 /**
- * A round that changes no force by more than this (N) is settled: places are then off by at most
- * 1/m of it.
+ * Largest change of a force (N) in a round that has converged. Places are then wrong by at most 1/m
+ * of it.
  */
 constexpr double SettledRound = 1e-10;
 constexpr int MostHalvings = 30;
-/** The least fall of the function, as a fraction of the fall that its slope predicts. */
+/** Least decrease of the function, as a fraction of the decrease that its slope predicts. */
 constexpr double LeastFall = 1e-4;
 
 class MultiplierRound
@@ -44,7 +44,7 @@ public:
   int GetLooks() const noexcept { return this->Looks; }
   bool IsSpent() const noexcept { return this->Looks >= this->MostLooks; }
 
-  /** Makes one step of Newton's method; returns false if the method has converged. */
+  /** Takes one step of Newton's method. Returns false if the method has converged. */
   bool Step(double settled) noexcept
   {
     const Vector3 slope = this->Slope;
@@ -56,13 +56,13 @@ public:
     const double promised = Dot(slope, step);
     const double before = this->Value;
     const Vector3 from = this->Sum;
-    // Stop if the function does not fall along the step, or if the slope along it is NaN.
+    // Stop if the function does not decrease along the step, or if its slope is NaN.
     if (!(promised < 0.0))
     {
       return false;
     }
-    // The function is convex, so its value is lower wherever it falls along the step. The slope has
-    // a smaller rounding error than the value.
+    // The function is convex, so where it still decreases along the step, its value is lower. Check
+    // the slope, because it has a smaller rounding error than the value.
     double least = 0.0;
     double most = 1.0;
     double fraction = 1.0;
@@ -79,7 +79,7 @@ public:
       (isPast ? most : least) = fraction;
       fraction = 0.5 * (least + most);
     }
-    // As near as rounding allows.
+    // The result is as exact as rounding allows.
     if (Dot(this->Slope, this->Slope) < Dot(slope, slope))
     {
       return true;
@@ -88,7 +88,7 @@ public:
     return false;
   }
 
-  /** Adopts the forces of this place; returns the largest change of a force. */
+  /** Adopts the forces at this place. Returns the largest change of a force. */
   double Apply() noexcept
   {
     double square = 0.0;
@@ -110,7 +110,7 @@ private:
     return this->Forces[static_cast<std::size_t>(this->Held.Number[at])];
   }
 
-  /** Evaluates the function and its slope at a sum of forces. */
+  /** Evaluates the function and its slope for a sum of the forces. */
   void Look(const Vector3& sum) noexcept
   {
     ++this->Looks;
@@ -123,7 +123,7 @@ private:
       this->Next[at] = Nearest(this->At(at), this->Wish[at]);
       const Vector3 beyond = this->Wish[at] - this->Next[at];
       this->Slope = this->Slope - this->Next[at];
-      // |u|^2 - |u - P|^2, without the difference of large numbers.
+      // This is |u|^2 - |u - P|^2 without a difference of large numbers.
       this->Value += Dot(this->Next[at], this->Next[at] + 2.0 * beyond) / (2.0 * Penalty);
     }
   }

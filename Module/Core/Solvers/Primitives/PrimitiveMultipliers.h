@@ -28,10 +28,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Computes a balance, from forces that are within the strengths. The forces stay within the
- * strengths, and approach the forces of a balance.
- * @param isSettled receives whether they are the forces of a balance, apart from rounding
- * @return the number of evaluated places, each of which takes about as long as a sweep
+ * Computes a balance. The forces must be within the strengths. They stay within the strengths and
+ * approach the forces of a balance. Returns the number of evaluated places, each of which takes
+ * about as long as a sweep.
+ * @param isSettled receives whether the forces are those of a balance, apart from rounding
  */
 int SolveBalanceByMultipliers(
   const HeldPrimitives& held, int mostLooks, PrimitiveForces& forces, bool& isSettled) noexcept;

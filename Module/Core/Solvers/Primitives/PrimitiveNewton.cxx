@@ -15,7 +15,7 @@ namespace
 constexpr int MostBalanceSteps = 6;
 constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
-/** Unit vectors with a smaller determinant lie in a plane. */
+/** Determinant of three unit vectors below which they are in one plane. */
 constexpr double LeastDeterminant = 1e-9;
 
 Vector3 AcrossOf(const Vector3& v, const Vector3& q) noexcept
@@ -55,7 +55,10 @@ public:
     }
   }
 
-  /** Corrects the assumptions by their consequences, a few times. */
+  /**
+   * Computes the balance. If the result contradicts the assumed states, corrects them and repeats
+   * this, a few times.
+   */
   bool Solve() noexcept
   {
     const Vector3 start = this->Sum;
@@ -65,8 +68,8 @@ public:
       this->Contradictions = 0;
       this->Conditions = 0;
       this->IsOff = false;
-      // With more than MostConditions conditions there is a balance only if all springs have one
-      // anchor: Fraction() computes the force there.
+      // If there are more than MostConditions conditions, there is a balance only if all springs
+      // have one anchor. Fraction() computes the force there.
       if (this->CollectConditions() ? this->Step() : this->Fraction())
       {
         return true;
@@ -101,7 +104,7 @@ private:
     ++this->Conditions;
   }
 
-  /** Collects the conditions; returns false if there are too many. */
+  /** Collects the conditions. Returns false if there are too many. */
   bool CollectConditions() noexcept
   {
     for (int at = 0; at < this->Held.Count; ++at)
@@ -135,9 +138,9 @@ private:
   }
 
   /**
-   * Computes the forces of primitives that do not hold, as far as these forces do not turn, and the
-   * slope of w and of these forces. The force of a yielding line or point turns with its place.
-   * Direction and place are both unknowns, so that steps are good even if the primitive yields by
+   * Computes the forces of primitives that do not hold, as far as they do not turn, and the slope
+   * of these forces with w. The force of a yielding line or point turns with its place. Direction
+   * and place are both unknowns, so that steps are good even if the primitive yields only by
    * little, where its force turns fast.
    */
   void ComputeYielding(Matrix3& slope) noexcept
@@ -179,8 +182,9 @@ private:
   }
 
   /**
-   * Returns the part of `v` across the force's direction `unit`, and for a line also across the
-   * line. A yielding force keeps its magnitude, so it can only turn in this direction.
+   * Returns the component of `v` perpendicular to the force's direction `unit`, and for a line also
+   * perpendicular to the line. A yielding force keeps its magnitude, so it can change in no other
+   * direction.
    */
   static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
   {
@@ -188,7 +192,10 @@ private:
     return p.Kind == PrimitiveKind::Line ? AcrossOf(aside, p.Direction) : aside;
   }
 
-  /** Turns the forces of yielding lines and points, for a change of the sum. */
+  /**
+   * Turns the forces of yielding lines and points by the amount that belongs to a change of the
+   * sum.
+   */
   void Turn(const Vector3& change) noexcept
   {
     for (int at = 0; at < this->Held.Count; ++at)
@@ -203,7 +210,7 @@ private:
     }
   }
 
-  /** Runs Newton's method; returns false if the assumptions do not hold. */
+  /** Runs Newton's method. Returns false if the assumed states are wrong. */
   bool Step() noexcept
   {
     for (int step = 0; step < MostBalanceSteps; ++step)
@@ -219,7 +226,7 @@ private:
       this->Turn(change);
       this->Sum += change;
       // Without yielding lines and points, one step is exact. With them, the next step would be
-      // about the square of this one, both as fractions of the nearest anchor's distance.
+      // about the square of this one, if both are fractions of the distance of the nearest anchor.
       const double square = Dot(change, change);
       if (!this->IsCurved || square * this->Curvature <= this->Settled)
       {
@@ -230,8 +237,8 @@ private:
   }
 
   /**
-   * Changes a step by the multipliers that make it meet the conditions; returns false if the
-   * conditions belong to one plane.
+   * Changes a step by multipliers, so that it meets the conditions. Returns false if the conditions
+   * are linearly dependent.
    */
   bool MeetConditions(const Matrix3& inverse, Vector3& step) noexcept
   {
@@ -271,7 +278,7 @@ private:
     return true;
   }
 
-  /** Computes the forces at the place; returns whether they belong to a balance. */
+  /** Computes the forces at the present place. Returns whether they are those of a balance. */
   bool Check() noexcept
   {
     const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
@@ -298,7 +305,7 @@ private:
       Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  /** Changes the state of a primitive if its force or place contradicts it. */
+  /** Changes the assumed state of a primitive if its force or place contradicts it. */
   void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
@@ -332,7 +339,10 @@ private:
     this->Contradictions += state != before ? 1 : 0;
   }
 
-  /** Computes the forces of all holding primitives at their common anchor. */
+  /**
+   * Computes the forces of all holding primitives at their common anchor. Returns false if they do
+   * not suffice.
+   */
   bool Fraction() noexcept
   {
     const Vector3* const anchor = this->Held.Spring;
@@ -344,8 +354,8 @@ private:
       {
         return false;
       }
-      // At the anchor, a line or point holds with a force of any size; but planes may be left, or
-      // push with all their strength.
+      // At the anchor, a line or point holds whatever the size of its force. A plane, however, may
+      // be left, or push with all its strength.
       if (p.Kind != PrimitiveKind::Plane)
       {
         this->State[at] = HoldState::Holds;
@@ -405,22 +415,25 @@ private:
   const HeldPrimitives& Held;
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
-  int First[PrimitiveSet::Most] = {}; ///< number of the first condition of each primitive
+  int First[PrimitiveSet::Most] = {}; ///< number of each primitive's first condition
   Vector3 Row[MostConditions];
   double Wanted[MostConditions] = {};
   int Conditions = 0;
   int Contradictions = 0;
-  bool IsOff = false; ///< whether the force of a yielding primitive is not along its place
+  bool IsOff = false; ///< whether the force of a yielding primitive does not point along its place
   ///@{
-  /** For yielding lines and points: the direction of the force, and how fast it turns. */
+  /**
+   * For yielding lines and points: whether there are any, the direction of each force, and how fast
+   * it turns.
+   */
   bool IsCurved = false;
-  double Curvature = 0.0; ///< the largest turn of the direction per newton
+  double Curvature = 0.0; ///< largest change of direction per newton
   Vector3 Unit[PrimitiveSet::Most];
   double Bend[PrimitiveSet::Most] = {};
   ///@}
   Vector3 Multiplier;
   Vector3 Sum;
-  Vector3 Yielding; ///< the sum of the forces of primitives that do not hold
+  Vector3 Yielding; ///< sum of the forces of the primitives that do not hold
   double Settled = 0.0;
 };
 

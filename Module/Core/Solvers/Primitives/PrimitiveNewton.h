@@ -31,7 +31,7 @@
 namespace VolumeHaptics
 {
 
-/** Primitives with a strength that are not pushes, and b_i of each primitive. */
+/** The primitives of a set that have a strength and are not pushes, and b_i of each. */
 struct HeldPrimitives
 {
   const PrimitiveSet& Set;
@@ -41,11 +41,12 @@ struct HeldPrimitives
 };
 
 /**
- * Computes the exact balance, if forces that are within the strengths and nearly those of the
- * balance show which primitives hold and which yield. If so, the forces and their sum become exact;
- * otherwise nothing is written.
+ * Computes the exact balance. The given forces must be within the strengths, and must be so close
+ * to those of the balance that they show which primitives hold and which yield. If they do, makes
+ * the forces and their sum exact and returns true; otherwise writes nothing and returns false.
  *
- * @param isOld the forces are those of another tick: almost a whole strength counts as one
+ * @param isOld whether the forces are from another tick, where nearly the whole strength counts as
+ * all of it
  */
 bool SolveExactBalance(
   const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept;

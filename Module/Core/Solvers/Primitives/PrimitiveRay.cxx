@@ -15,7 +15,8 @@ namespace
 constexpr int MostRayTurns = 8;
 constexpr int MostRayRounds = 5;
 /**
- * A line whose angle to the ray has a smaller sine turns its force too fast for Newton's method.
+ * Sine of the angle between a line and the ray below which the line's force turns too fast for
+ * Newton's method.
  */
 constexpr double LeastRaySine = 1e-6;
 constexpr double MostRayAngle = 0.5;
@@ -40,7 +41,10 @@ public:
     this->Ray = isUnknown ? rest : towards;
   }
 
-  /** Corrects the assumptions by their consequences, a few times. */
+  /**
+   * Computes the balance. If the result contradicts the assumed states, corrects them and repeats
+   * this, a few times.
+   */
   bool Solve() noexcept
   {
     if (!this->SetRay(this->Ray))
@@ -78,7 +82,7 @@ public:
 private:
   const Primitive& At(int at) const noexcept { return this->Held.Set[this->Held.Number[at]]; }
 
-  /** Sets the ray along a vector; returns false if the vector has no direction. */
+  /** Sets the ray along a vector. Returns false if the vector has no direction. */
   bool SetRay(const Vector3& to) noexcept
   {
     const double length = Norm(to);
@@ -87,8 +91,8 @@ private:
   }
 
   /**
-   * Restricts the ray to the conditions of the holding primitives; returns false if the conditions
-   * leave no ray.
+   * Restricts the ray to the conditions of the holding primitives. Returns false if they leave no
+   * ray.
    */
   bool KeepConditions() noexcept
   {
@@ -134,14 +138,16 @@ private:
     return true;
   }
 
-  /** Sets the ray to one of the two directions of a line. */
+  /** Sets the ray to one of the two directions of a line. Returns false if that is not possible. */
   bool SetLine(const Vector3& line) noexcept
   {
     return Norm(line) > LeastRaySine &&
       this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
   }
 
-  /** Computes the directions across the ray in which it can turn; returns their number. */
+  /**
+   * Computes the directions in which the ray can turn, perpendicular to it. Returns their number.
+   */
   int ComputeTurns(Vector3 turns[2]) const noexcept
   {
     if (this->Along >= 0 || this->Slides == 2)
@@ -153,7 +159,7 @@ private:
       turns[0] = Cross(this->At(this->Slide[0]).Direction, this->Ray);
       return 1;
     }
-    // The reflection that maps an axis to the ray maps the other axes to these directions.
+    // These are the images of two axes under the reflection that maps the third axis to the ray.
     const Vector3& d = this->Ray;
     const double sign = std::copysign(1.0, d.Z);
     const double share = -1.0 / (sign + d.Z);
@@ -162,7 +168,7 @@ private:
     return 2;
   }
 
-  /** Turns the ray until nothing remains across it; returns false if the turns do not converge. */
+  /** Turns the ray until b + F has no part across it. Returns false if this does not converge. */
   bool Turn() noexcept
   {
     for (int i = 0; i < MostRayTurns; ++i)
@@ -189,7 +195,7 @@ private:
       double a = inverse * (bb * first - ab * second);
       double b = count > 1 ? inverse * (aa * second - ab * first) : 0.0;
       const double most = std::max(std::abs(a), std::abs(b));
-      // Also false for NaN.
+      // The condition is false for NaN, too.
       if (!(most < 1e9))
       {
         return false;
@@ -212,8 +218,8 @@ private:
   };
 
   /**
-   * Computes the forces of primitives that yield on the ray, how they turn with it, and where the
-   * ray ends.
+   * Computes the forces of the primitives that yield on the ray, how they turn with the ray, and
+   * the proxy's place on the ray. Returns false if there is none.
    */
   bool ComputeYielding(const Vector3 turns[2], Slope& slope) noexcept
   {
@@ -243,7 +249,7 @@ private:
       const double bend = p.Strength * inverse;
       this->Force[at] = -bend * aside;
       this->Yielding += this->Force[at];
-      // Only the part of a turn that is across both line and force turns the force.
+      // Only the component of a turn that is perpendicular to both line and force turns the force.
       const double share = inverse * inverse;
       const double firstAlong = isLine ? Dot(turns[0], p.Direction) : 0.0;
       const double secondAlong = isLine ? Dot(turns[1], p.Direction) : 0.0;
@@ -259,12 +265,12 @@ private:
     this->Distance = std::max(distance, 0.0);
     this->Fraction = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
     // All primitives hold if the spring pulls along the ray, but less strongly than they can hold.
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
   }
 
   /**
-   * Computes the forces of the holding primitives; returns whether all forces belong to a balance.
+   * Computes the forces of the holding primitives. Returns whether all forces belong to a balance.
    */
   bool Check() noexcept
   {
@@ -306,7 +312,7 @@ private:
     return this->Contradictions == 0 && Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  /** Changes the state of a primitive if its force or place contradicts it. */
+  /** Changes the assumed state of a primitive if its force or place contradicts it. */
   void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
@@ -333,13 +339,14 @@ private:
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
   Vector3 Ray;
-  double Distance = 0.0; ///< the place of the proxy on the ray (N)
-  double Fraction = 1.0; ///< the used fraction of the yielding forces; less than 1 if all hold
-  Vector3 Yielding;      ///< the sum of the yielding forces
+  double Distance = 0.0; ///< place of the proxy on the ray (N)
+  /** Fraction of the yielding forces that is used; less than 1 if all primitives hold. */
+  double Fraction = 1.0;
+  Vector3 Yielding; ///< sum of the yielding forces
   Vector3 Sum;
-  int Slide[2] = {}; ///< the planes that hold
+  int Slide[2] = {}; ///< numbers of the holding planes
   int Slides = 0;
-  int Along = -1; ///< the line that holds
+  int Along = -1; ///< number of the holding line; -1 if there is none
   int Contradictions = 0;
   double Settled = 0.0;
 };

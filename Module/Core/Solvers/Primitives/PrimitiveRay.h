@@ -30,11 +30,11 @@ namespace VolumeHaptics
 {
 
 /**
- * Does the same as SolveExactBalance in the usual case. Also returns false if the anchors differ,
+ * Does the same as SolveExactBalance in the usual case. Returns false, too, if the anchors differ,
  * or if more than two planes or one line hold.
  *
- * @param towards the expected direction of the proxy, seen from the anchor, of any length; 0 if
- * unknown
+ * @param towards expected direction of the proxy as seen from the anchor, of any length; 0 if it is
+ * not known
  */
 bool SolveBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
   PrimitiveForces& forces, Vector3& sum) noexcept;

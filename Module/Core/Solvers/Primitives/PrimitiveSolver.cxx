@@ -16,25 +16,28 @@ namespace
 {
 
 /**
- * A sweep that changes no force by more than this has converged: in newtons, and as a fraction of
- * the largest force.
+ * Largest change of a force in a sweep that has converged: in newtons, and as a fraction of the
+ * largest force.
  */
 constexpr double SettledChange = 1e-11;
 constexpr double SettledFraction = 4e-16;
-/** The stiffest spring (N/m). */
+/** Largest stiffness of a spring (N/m). */
 constexpr double StiffestSpring = 1e9;
 ///@{
-/** An exact balance is tried after each of the first sweeps, and then at intervals. */
+/**
+ * Number of first sweeps after each of which an exact balance is tried, and the interval of later
+ * trials.
+ */
 constexpr int FirstLooks = 2;
 constexpr int SweepsOfALook = 4;
 ///@}
 /**
- * The number of sweeps that mostly suffices if directions do not depend on each other; after them,
- * the multipliers are tried.
+ * Number of sweeps after which the multipliers are tried. So many mostly suffice if directions do
+ * not depend on each other.
  */
 constexpr int SweepsAlone = 16;
 
-/** Returns whether a tip is as near as an anchor may be; false for NaN, too. */
+/** Returns whether a tip is as near as an anchor must be. Returns false for NaN. */
 bool IsNear(const Vector3& tip) noexcept
 {
   constexpr double most = PrimitiveSet::FarthestAnchor;
@@ -60,8 +63,7 @@ bool AreSeparate(const Primitive& a, const Primitive& b) noexcept
 }
 
 /**
- * Returns whether the composition is exact for each holding primitive, with the primitives before
- * it.
+ * Returns whether the composition is exact for all holding primitives, each with all previous ones.
  */
 bool IsComposable(const PrimitiveSet& set) noexcept
 {
@@ -88,9 +90,7 @@ bool IsComposable(const PrimitiveSet& set) noexcept
   return true;
 }
 
-/**
- * Writes the forces of the pushes, and 0 for all other primitives; returns the sum of the pushes.
- */
+/** Sets the forces of the pushes, and 0 for all other primitives. Returns the sum of the pushes. */
 Vector3 Push(const PrimitiveSet& set, PrimitiveForces& forces) noexcept
 {
   Vector3 sum;
@@ -126,7 +126,7 @@ public:
         this->Number[at] = i;
         this->Spring[at] = k * (tip - set[i].Anchor) + push;
         square = std::max(square, Dot(this->Spring[at], this->Spring[at]));
-        // The forces may come from another set, or from a file.
+        // The forces may be from another set, or from a file.
         forces[i] = IsFinite(forces[i]) ? Nearest(set[i], forces[i]) : Vector3{};
       }
     }
@@ -134,7 +134,7 @@ public:
     this->SumUp();
   }
 
-  /** See PrimitiveRay.h and PrimitiveNewton.h. */
+  /** Tries PrimitiveRay.h and PrimitiveNewton.h. Returns whether one of them succeeded. */
   bool SolveExactly(bool isOld) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
@@ -142,7 +142,7 @@ public:
       SolveExactBalance(held, isOld, this->Forces, this->Sum);
   }
 
-  /** See PrimitiveMultipliers.h. Returns the number of evaluations. */
+  /** Uses PrimitiveMultipliers.h. Returns the number of evaluations. */
   int SolveByMultipliers(int mostLooks, bool& isFound) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
@@ -174,14 +174,14 @@ protected:
   const PrimitiveSet& Set;
   const Vector3& Towards;
   PrimitiveForces& Forces;
-  Vector3 Spring[PrimitiveSet::Most];  ///< b_i: the sum of the spring and the pushes
-  int Number[PrimitiveSet::Most] = {}; ///< number in the set
+  Vector3 Spring[PrimitiveSet::Most];  ///< b_i, the sum of the spring's force and the pushes
+  int Number[PrimitiveSet::Most] = {}; ///< number of each primitive in the set
   int Count = 0;
   Vector3 Sum;
   double Largest = 0.0;
 };
 
-/** Sweeps over the dual problem, and stores the last sweeps for the acceleration. */
+/** Sweeps over the dual problem. It stores the last sweeps for the acceleration. */
 class Sweeper : public Dual
 {
 public:
@@ -190,7 +190,7 @@ public:
   {
   }
 
-  /** Writes the changes of the forces; returns the largest change. */
+  /** Runs a sweep and stores the changes of the forces. Returns the largest change. */
   double Sweep() noexcept
   {
     double square = 0.0;
@@ -209,8 +209,8 @@ public:
   }
 
   /**
-   * Computes, from the last sweeps, the forces at which a sweep would change nothing if it were
-   * linear. The forces are taken if their energy is not higher (Anderson's acceleration).
+   * Computes from the last sweeps the forces that a sweep would not change if it were linear.
+   * Adopts them if their energy is not higher (Anderson's acceleration).
    */
   void Accelerate() noexcept
   {
@@ -225,7 +225,8 @@ public:
     {
       return;
     }
-    // The mixture whose changes are smallest: the newest record, plus its differences to others.
+    // Find the mixture whose changes are smallest: the newest record plus its differences from the
+    // other ones.
     const Record* other[Kept - 1];
     for (int i = 0; i < Kept - 1; ++i)
     {
@@ -304,7 +305,7 @@ Vector3 SumOf(const PrimitiveForces& forces) noexcept
   return sum;
 }
 
-/** Sweeps until an exact balance is reached or the sweeps are spent. */
+/** Sweeps until an exact balance is found or the sweeps are used up. */
 void DescendBySweeps(const Dual& dual, int mostSweeps, PrimitiveBalance& balance) noexcept
 {
   Sweeper sweeper(dual);
@@ -349,7 +350,7 @@ bool PrimitiveSolver::Compose(const PrimitiveSet& set, double k, const Vector3& 
     balance.Force = push;
     return true;
   }
-  // The part of the spring's force that no primitive holds yet.
+  // the part of the spring's force that no primitive holds yet
   Vector3 rest = k * (tip - first->Anchor) + push;
   for (const PrimitiveKind kind :
     { PrimitiveKind::Plane, PrimitiveKind::Line, PrimitiveKind::Point })

@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The proxy that a set of primitives and the spring to the tip balance.
+ * Computes the balance of a proxy between a set of primitives and the spring to the tip.
  *
  *   PrimitiveSet set;
  *   set.Add({ PrimitiveKind::Line, flow, proxy, 2.0 });
  *   const PrimitiveBalance balance = Minimise(set, stiffness, tip, state.Forces);
  *
- * With y the tip, k the stiffness and phi_i the potentials of Primitive.h, this is
+ * Let y be the tip, k the stiffness and phi_i the potentials of Primitive.h. Then the proxy x and
+ * the force f on the hand are
  *
- *   x = argmin k/2 |x - y|^2 + sum phi_i(x),   f = k (x - y) = sum l_i  on the hand.
+ *   x = argmin k/2 |x - y|^2 + sum phi_i(x),   f = k (x - y) = sum l_i.
  *
- * There is always one solution. It is a proximal map: the proxy moves at most as far as the tip,
- * the force changes by at most k times that, and |f| is at most the sum of the strengths.
+ * There is always exactly one solution. It is a proximal map: the proxy moves at most as far as the
+ * tip, the force changes by at most k times that, and |f| is at most the sum of the strengths.
  *
  * ## Composition
  *
@@ -30,7 +31,7 @@
  *
  * ## Descent
  *
- * Otherwise the dual is solved, a block at a time:
+ * Otherwise the dual problem is solved, one block after the other:
  *
  *   l_i = -(projection of k (y - c_i) + sum_{j != i} l_j onto C_i)
  *
@@ -54,26 +55,29 @@ namespace VolumeHaptics
 
 struct PrimitiveBalance
 {
-  Vector3 Proxy;             ///< m
-  Vector3 Force;             ///< N, on the hand
-  int Sweeps = 0;            ///< sweeps, including evaluations of the multipliers
-  bool IsUnfinished = false; ///< whether the descent spent its sweeps
+  Vector3 Proxy;             ///< in m
+  Vector3 Force;             ///< force on the hand in N
+  int Sweeps = 0;            ///< number of sweeps, including the evaluations of the multipliers
+  bool IsUnfinished = false; ///< whether the descent used all its sweeps without converging
 };
 
 namespace PrimitiveSolver
 {
-/** The largest sine or cosine of an angle between directions that counts as 0. */
+/** Largest sine or cosine of an angle between two directions that counts as 0. */
 constexpr double DirectionTolerance = 4e-15;
 constexpr int MostSweeps = 256;
 
 /**
- * Computes the closed composition; if the set does not allow it, returns false and writes nothing.
- * The numbers must be checked, as by Minimise.
+ * Computes the balance in closed form (Composition, above). Returns false and writes nothing if the
+ * set does not allow it. The caller must have checked the numbers as Minimise does.
  */
 bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance) noexcept;
 
-/** Descends from `forces`, for any set. The numbers must be checked, as by Minimise. */
+/**
+ * Computes the balance of any set by descent, beginning with `forces`. The caller must have checked
+ * the numbers as Minimise does.
+ */
 void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance, int mostSweeps = MostSweeps, const Vector3& towards = {}) noexcept;
 } // namespace PrimitiveSolver
@@ -81,13 +85,13 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
 /**
  * Computes the balance at a tip (m), with a spring of stiffness k (N/m).
  *
- * @param forces in: the last tick's, with which descent begins; out: this tick's. Forces that are
- * not finite are ignored.
- * @param towards of any length: the expected direction of the proxy, seen from a common anchor; 0
- * if unknown. It only affects the speed.
+ * @param forces receives the forces of this tick. Initially it has the forces of the last tick,
+ * with which the descent begins; forces that are not finite are ignored
+ * @param towards expected direction of the proxy as seen from a common anchor, of any length; 0 if
+ * it is not known. It only affects the speed
  *
- * If the tip is not finite, or farther away than an anchor may be, or if k is not a positive
- * number, nothing holds: the proxy is the tip.
+ * If the tip is not finite, if it is farther away than an anchor may be, or if k is not a positive
+ * number, nothing holds, and the proxy is at the tip.
  */
 PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
   PrimitiveForces& forces, int mostSweeps = PrimitiveSolver::MostSweeps,

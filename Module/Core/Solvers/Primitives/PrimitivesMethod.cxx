@@ -27,7 +27,7 @@ void StepPrimitives(
   }
   record.Stiffness = k;
   const ModeField modes(model, k, record.Tip, state.Labels);
-  constexpr double step = 0.25; // voxels
+  constexpr double step = 0.25; // in voxels
   const PrimitiveMotion motion = SolvePrimitives(modes.GetField(), k,
     step / model.MostVoxelsPerMeter, state.Proxy, record.Tip, state.Primitives);
   record.Proxy = motion.Proxy;
@@ -58,7 +58,7 @@ ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) 
 
 Vector3 FindPrimitivesReach(const HapticModel& model) noexcept
 {
-  // The step of a derivative.
+  // Derivatives are computed over a step of one voxel.
   const Vector3 around = GetKernelReach(model) + Vector3{ 1.0, 1.0, 1.0 };
   return FindValueReach(model, model.KernelLength, around) + Vector3{ ModeWay, ModeWay, ModeWay };
 }

@@ -4,8 +4,8 @@
  * @file
  * HapticMethod::Primitives: feels vectors, tensors, ridges, guides and surfaces by modes.
  *
- * The proxy follows the modes of the model (ModePrimitives.h) to the balance with a spring of the
- * CouplingStiffness (PrimitiveFollower.h). It moves freely where no mode holds it.
+ * By the modes of the model (ModePrimitives.h), the proxy moves to the balance with a spring of the
+ * CouplingStiffness (PrimitiveFollower.h). Where no mode holds it, the proxy moves freely.
  */
 #ifndef PrimitivesMethod_h
 #define PrimitivesMethod_h
@@ -21,19 +21,22 @@ namespace VolumeHaptics
 {
 
 /**
- * Computes one tick. The record has the whole force as its NormalForce, along its Normal; the
- * contact is sticking if the proxy stays and sliding if it moves; and there is no material.
+ * Computes a tick. In the record, NormalForce is the magnitude of the whole force and Normal its
+ * direction. The contact is sticking if the proxy stays, and sliding if it moves. There is no
+ * material.
  */
 void StepPrimitives(
   const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;
 
-/** See Method::Reach. */
+/** Returns Method::Reach. */
 Vector3 FindPrimitivesReach(const HapticModel& model) noexcept;
 
-/** The forces (N, device, on the hand) of a model's modes, in their order. */
+/** The forces (N, device, on the hand) of a model's modes, in the order of the modes. */
 using ModeForces = std::array<Vector3, ModeField::Most>;
 
-/** Computes the forces of the last tick from the state after it. Zero for other methods. */
+/**
+ * Returns the forces of the last tick, given the state after it. They are zero for other methods.
+ */
 ModeForces ComputeModeForces(const HapticModel& model, const ServoState& state) noexcept;
 
 } // namespace VolumeHaptics

@@ -16,35 +16,38 @@ namespace
 {
 
 /**
- * Fractions of the radius: closer than the first, the sphere touches; it keeps the second free;
- * moves below the third count as rest.
+ * Fractions of the radius: the distance below which the sphere touches a triangle, the distance
+ * that it keeps from triangles, and the length below which a move counts as rest.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
 /**
- * In a valley the shadings of its sides may lead back and forth: after ManyPasses, such a small
- * move counts as rest, too.
+ * Length of a move (radii) that counts as rest after ManyPasses, because in a valley the shadings
+ * of both sides may move the sphere back and forth.
  */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
-/** The smallest fraction of the radius, even if a triangle is deeper in the sphere. */
+/** Smallest fraction to which the radius shrinks, even if a triangle is deeper in the sphere. */
 constexpr double LeastLeft = 1e-3;
-/** The longest move (radii), limited because its triangles must fit into the budget. */
+/** Longest move (radii), limited because the triangles along it must not exceed the budget. */
 constexpr double LongestMove = 64.0;
-/** The largest angle between a triangle and its shading, by its cosine. */
+/** Cosine of the largest angle between a triangle's normal and its shading. */
 constexpr double LeastCosine = 0.8;
 
-/** Moves that shrink at a rate between these are summed at once, as a geometric series. */
+/**
+ * Range of the rate at which moves shrink for which all further moves are summed up at once, as a
+ * geometric series.
+ */
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
-/**
- * The longest way (radii) over which triangles carry the sphere at once, and the most such steps.
- */
+/** Longest way (radii) by which triangles move the sphere in one step, and limit of these steps. */
 constexpr double LongestCarry = 0.25;
 constexpr int MostCarries = 16;
-/** A sphere that overlaps a moving triangle comes out of it by this much (radii). */
+/**
+ * Length (radii) by which a sphere comes out of a moving triangle that it overlaps, in one step.
+ */
 constexpr double Recovery = 0.01;
 
 /** A sphere among triangles, in world units. */
@@ -53,7 +56,7 @@ class Sphere
 public:
   /**
    * Places a sphere among the triangles.
-   * @param fraction fraction of the triangles' way to the next time step
+   * @param fraction position of the triangles between their time step (0) and the next one (1)
    */
   Sphere(const HapticModel& model, const SurfaceMesh& mesh, double fraction,
     const Vector3& centre) noexcept
@@ -69,17 +72,17 @@ public:
   const Vector3& GetCentre() const noexcept { return this->Centre; }
   bool IsShading() const noexcept { return this->IsShaded; }
   bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
-  /** Returns whether there are more triangles than a tick has time for. */
+  /** Returns whether the triangles have exceeded the tick's budget. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
-  /** Returns the point nearest to a goal that the touched triangles allow. */
+  /** Returns the point nearest to a goal that the half-spaces of the touched triangles allow. */
   Vector3 ComputeSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
     {
-      // The sphere began in a triangle, or the mesh is new: it shrinks until it only touches the
-      // triangle.
+      // The sphere began in a triangle, or the mesh is new: shrink the sphere until it only touches
+      // the triangle.
       this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
       this->Touch();
     }
@@ -87,7 +90,10 @@ public:
     return this->True.Nearest(shaded, this->Centre);
   }
 
-  /** Moves up to the first triangle; at most by the first part of a long displacement. */
+  /**
+   * Moves the sphere up to the first triangle. Of a long displacement, moves it only by the first
+   * part.
+   */
   void Move(const Vector3& whole) noexcept
   {
     const Vector3 displacement = std::min(1.0, LongestMove * this->Radius / Norm(whole)) * whole;
@@ -130,7 +136,7 @@ private:
       NearestPoint(this->Mesh.GetTriangle(i, this->Fraction), this->Centre);
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
-    // A centre on a triangle is on neither side of it.
+    // A centre that is in a triangle's plane is on neither side of the triangle.
     if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0 ||
       this->Model.IsCutAway(nearest.Position))
     {
@@ -138,7 +144,7 @@ private:
     }
     this->Nearest = std::min(this->Nearest, distance);
     const Vector3 normal = (1.0 / distance) * off;
-    // The sphere goes no deeper, but is not thrown out.
+    // The sphere must not go deeper, but is not pushed out either.
     const double overlap = this->Radius * (1.0 + Distance) - distance;
     const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
     this->True.Add({ normal, Dot(normal, this->Centre) + missing });
@@ -146,7 +152,7 @@ private:
     {
       const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
       const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
-      // At a sharp edge the interpolated normal belongs to another face.
+      // At a sharp edge, the interpolated normal may belong to another face.
       const bool isSmooth = Dot(smooth, normal) / length > LeastCosine;
       const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
       this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
@@ -156,18 +162,18 @@ private:
   const HapticModel& Model;
   const SurfaceMesh& Mesh;
   const double Fraction;
-  double Radius; ///< while the sphere overlaps a triangle, the triangle's distance
+  double Radius; ///< radius; while the sphere overlaps a triangle, it is the triangle's distance
   const bool IsShaded;
   int Budget = MaximumVisits;
   Vector3 Centre;
-  double Nearest = HUGE_VAL; ///< the distance of the nearest triangle that the sphere touches
+  double Nearest = HUGE_VAL; ///< distance of the nearest triangle that the sphere touches
   HalfSpaces True;
   HalfSpaces Shaded;
 };
 
 /**
- * Returns the place to which triangles carry a sphere that would otherwise rest, and push it if
- * they approach.
+ * Returns the place to which triangles move a sphere that would otherwise rest. Approaching
+ * triangles push it.
  */
 Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
 {
@@ -271,7 +277,7 @@ void StepSurfaceProxy(
     held = goal - subgoal;
     rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
-    // While the sphere touches; without contact it may fall towards the tip.
+    // A rate only exists while the sphere touches; without contact it may fall towards the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
     const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
     if (excess <= still * radius)
@@ -279,7 +285,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // Not with friction, because a move that went too far is not undone.
+    // Not with friction, because a move that is too long can't be undone.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();
@@ -295,7 +301,7 @@ void StepSurfaceProxy(
   record.FrictionForce = k * rest / scale;
   if (record.NormalForce > Law::ForceEpsilon)
   {
-    // The surfaces hold the part of the spring that friction does not.
+    // The surfaces hold the part of the spring's force that friction does not hold.
     record.Normal = (1.0 / Norm(held)) * (Transpose(model.DeviceToWorldRotation) * held);
     record.Contact = slides ? ContactState::Sliding : ContactState::Sticking;
   }
@@ -323,7 +329,7 @@ Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time
     const double distance = EntryDepth * model.KernelLength * step / steps;
     for (int i = 0; i < 27; ++i)
     {
-      // The neighbours of the middle of a cube.
+      // The directions to the neighbours of the middle of a 3^3 cube.
       const Vector3 direction{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
       const Vector3 unit = (1.0 / std::max(1.0, Norm(direction))) * direction;
       if (i != 13 && IsOutsideSurface(model, place + distance * unit, time))
