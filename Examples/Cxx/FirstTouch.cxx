@@ -16,7 +16,7 @@ int main(int, char* argv[])
 {
   vtkNew<vtkXMLImageDataReader> head;
   head->SetFileName(argv[1]); // Data/HeadPhantom.vti
-  vtkNew<vtkLineSource> path; // one point a tick: 80 mm in a second
+  vtkNew<vtkLineSource> path; // one point for each tick: 80 mm in a second
   path->SetPoint1(0.0, -120.0, 60.0);
   path->SetPoint2(0.0, -40.0, 60.0);
   path->SetResolution(1000);

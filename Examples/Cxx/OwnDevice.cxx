@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Adds a program's own device to vtkHapticDevice: a back end, a kind, and two lines in the
-// application. The "library" here is a stand-in with the shape that device libraries share, so that
-// the example runs as it is: replace OwnLibrary's calls by your own. To offer a device to all
-// programs, write a plug-in instead: see VendorDevice.cxx.
+// Adds a program's own device to vtkHapticDevice, with a back end, a kind, and two lines in the
+// application. The "library" here only imitates the usual functions of device libraries, so that
+// the example runs as it is: replace OwnLibrary's calls by those of your library. To offer a device
+// to all programs, write a plug-in instead: see VendorDevice.cxx.
 #include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 #include <vtkNew.h>
@@ -14,14 +14,14 @@
 #include <iostream>
 #include <thread>
 
-// ---- What the device's library provides: handles, error codes, millimetres, its own axes.
+// ---- The device's library: handles, error codes, millimetres, and axes of its own.
 namespace OwnLibrary
 {
 struct Pose
 {
   double Millimetres[3]; // right, away from the user, up
-  double Quaternion[4];  // x, y, z, w: the rotation of the pen; without a rotation its tail is
-                         // towards the user
+  // x, y, z, w: the rotation of the pen; without a rotation, its tail points to the user
+  double Quaternion[4];
   unsigned int Buttons;
 };
 
@@ -31,13 +31,13 @@ int CountDevices()
 }
 int Open(int /*number*/)
 {
-  return 42; // a handle; below zero: an error
+  return 42; // a handle; a negative number is an error
 }
-int Read(int /*handle*/, Pose* pose) // below zero: an error; 0: nothing new
+int Read(int /*handle*/, Pose* pose) // negative: an error; 0: nothing new
 {
   static double time = 0.0;
   time += 0.001;
-  const double half = 0.3 * std::sin(time); // the tail swings to the right and to the left
+  const double half = 0.3 * std::sin(time); // makes the tail swing to the right and to the left
   *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, { 0.0, 0.0, std::sin(half), std::cos(half) },
     0u };
   return 1;
@@ -49,12 +49,12 @@ int Write(int /*handle*/, const double /*newtons*/[3])
 void Close(int /*handle*/) {}
 } // namespace OwnLibrary
 
-// ---- What you write.
+// ---- Your code.
 namespace
 {
 using namespace VolumeHaptics;
 
-/// The time in ns, as in DeviceSample.
+/// Returns the time (ns), on the clock of DeviceSample.
 std::int64_t Now()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -91,7 +91,7 @@ public:
     }
   }
   std::string GetName() const override { return "own:" + std::to_string(this->Number); }
-  // The limits on the data sheet. 0: no limit, or not known.
+  // Returns the limits on the data sheet. 0: no limit, or not known.
   DeviceLimits GetLimits() const override
   {
     DeviceLimits limits;
@@ -102,9 +102,9 @@ public:
     return limits;
   }
 
-  // Called on the servo's thread, a thousand times a second: no lock, no allocation, no exception,
-  // and no wait. If the library can't promise that, call it from a thread of your own, and pass
-  // positions and forces without locks.
+  // Called on the servo's thread, a thousand times a second: no locks, no allocations, no
+  // exceptions, and no waiting. If the library can't promise that, call it on a thread of your own,
+  // and transfer positions and forces without locks.
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
     OwnLibrary::Pose pose;
@@ -113,25 +113,25 @@ public:
     {
       return DeviceState::Lost; // removes the force until the user opens and arms the device again
     }
-    // DeviceSample has metres, and axes that point right, up and towards the user.
+    // DeviceSample has metres, and its axes point right, up and towards the user.
     const double* const p = pose.Millimetres;
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
-    // DeviceSample has w first; x, y and z change their axes as a position does. If the library
-    // measures no orientation, leave HasOrientation false. DeviceBackend.h has the axes of the
-    // stylus itself.
+    // DeviceSample has w first. Its x, y and z refer to its axes, as those of a position do. If the
+    // library measures no orientation, leave HasOrientation false. DeviceBackend.h describes the
+    // axes of the stylus itself.
     const double* const q = pose.Quaternion;
     sample.Orientation = { q[3], q[0], q[2], -q[1] };
     sample.HasOrientation = true;
     sample.Buttons = pose.Buttons;
     sample.Fresh = result > 0;
-    // The time of the measurement: now, because this library does not report it.
+    // The time of the measurement. It is now, because this library does not report it.
     sample.Time = sample.Fresh ? Now() : 0;
     return DeviceState::Running;
   }
   DeviceState Write(const Vector3& force) noexcept override
   {
-    // The force has passed the safety stage: it is finite, clamped and slewed. Convert it to the
-    // library's axes.
+    // The safety stage has checked the force: it is finite, clamped and limited in its growth.
+    // Convert it to the library's axes.
     const double newtons[3] = { force.X, -force.Z, force.Y };
     return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Touch in a Qt window: a QVTKOpenGLNativeWidget, and a tool bar with a button for touch and
-// choices of method and materials.
+// Touch in a Qt window: a QVTKOpenGLNativeWidget, and a tool bar with a button for touch and boxes
+// to choose method and materials.
 #include <QVTKOpenGLNativeWidget.h>
 #include <Qt/WidgetWatch.h>
 #include <vtkCallbackCommand.h>
@@ -38,7 +38,7 @@ namespace
 QComboBox* AddChoice(QToolBar* bar, vtkStringArray* names)
 {
   auto* const choice = new QComboBox;
-  choice->setFocusPolicy(Qt::NoFocus); // the keys stay with the scene
+  choice->setFocusPolicy(Qt::NoFocus); // the scene keeps the keys
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     choice->addItem(QString::fromStdString(names->GetValue(i)));
@@ -94,21 +94,22 @@ private:
     this->Device->Open("virtual"); // the mouse
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
-    this->Style->TouchVolume(this->Volume); // touches what the volume shows, now and later
+    // touches the parts that the volume shows, now and later
+    this->Style->TouchVolume(this->Volume);
     this->Device->GetVolumeHaptics()->GetProperty()->ApplyPreset("CT contrast");
     this->Device->Start();
     this->Hand->SetDevice(this->Device);
     this->Renderer->AddViewProp(this->Hand);
-    this->Display->SetDevice(this->Device); // says what to do, and what is felt
+    this->Display->SetDevice(this->Device); // shows what to do, and what is felt
     this->Renderer->AddViewProp(this->Display);
     this->Style->SetHeadUpDisplay(this->Display);
-    // The widget's interactor has timers of Qt; the style polls the servo with them.
+    // The widget's interactor has Qt timers, by which the style polls the servo.
     vtkRenderWindowInteractor* const interactor = this->View->interactor();
     interactor->SetInteractorStyle(this->Style);
-    // Ends the touch when the widget is hidden, minimised or closed.
+    // End the touch when the widget is hidden, minimised or closed.
     VolumeHaptics::WidgetWatch::Watch(this->View, this->Style);
 
-    // Key q closes the window; VTK would end its own loop.
+    // Make key q close the window; VTK would only end its own loop.
     this->Quit->SetClientData(this);
     this->Quit->SetCallback([](vtkObject*, unsigned long, void* window, void*)
       { static_cast<Window*>(window)->close(); });
@@ -123,13 +124,13 @@ private:
     QObject::connect(touch, &QAction::triggered,
       [this](bool on)
       {
-        // The pointer is on the button, so the touch begins in the middle.
+        // Begin the touch in the middle, because the pointer is on the button.
         vtkRenderWindowInteractor* const interactor = this->View->interactor();
         const int* const size = interactor->GetSize();
         interactor->SetEventInformation(size[0] / 2, size[1] / 2);
         this->Style->SetTouchMode(on);
       });
-    // Key t begins and ends the touch, too: show its state on the button.
+    // Show the state of the touch on the button, because key t begins and ends the touch, too.
     this->Follow->SetClientData(touch);
     this->Follow->SetCallback(
       [](vtkObject* style, unsigned long, void* action, void*)

@@ -9,22 +9,23 @@
 //   volumehaptics-device list                        # vendor:example:0
 //   volumehaptics-device monitor vendor:example:0
 //
-// The "library" here is a stand-in with the shape that such libraries share, so that the example
-// runs as it is: replace VendorSdk's calls by your vendor's. VendorPlugin.h says what each
-// function has to do. The plug-in is not loaded if other users may write it or a folder above it.
+// The "library" here only imitates the usual functions of such libraries, so that the example runs
+// as it is: replace VendorSdk's calls by those of your vendor's library. VendorPlugin.h describes
+// what each function has to do. The plug-in is not loaded if other users may write it or a folder
+// above it.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include <cmath>
 #include <cstdio>
 
-// ---- What the vendor provides: handles, error codes, millimetres, an axis order of its own.
+// ---- The vendor's library: handles, error codes, millimetres, and axes of its own.
 namespace VendorSdk
 {
 struct Pose
 {
   double Millimetres[3]; // right, away from the user, up
-  double Quaternion[4];  // x, y, z, w: the rotation of the pen; without a rotation its tail is
-                         // towards the user
+  // x, y, z, w: the rotation of the pen; without a rotation, its tail points to the user
+  double Quaternion[4];
   unsigned int Buttons;
 };
 
@@ -34,13 +35,13 @@ int CountDevices()
 }
 int Open(int number)
 {
-  return number == 0 ? 42 : -1; // a handle; below zero: an error
+  return number == 0 ? 42 : -1; // a handle; a negative number is an error
 }
-int Read(int /*handle*/, Pose* pose) // below zero: an error; 0: nothing new
+int Read(int /*handle*/, Pose* pose) // negative: an error; 0: nothing new
 {
   static double time = 0.0;
   time += 0.001;
-  const double half = 0.3 * std::sin(time); // the tail swings to the right and to the left
+  const double half = 0.3 * std::sin(time); // makes the tail swing to the right and to the left
   *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, { 0.0, 0.0, std::sin(half), std::cos(half) },
     0u };
   return 1;
@@ -52,7 +53,7 @@ int Write(int /*handle*/, const double /*newtons*/[3])
 void Close(int /*handle*/) {}
 } // namespace VendorSdk
 
-// ---- What you write.
+// ---- Your code.
 namespace
 {
 
@@ -72,7 +73,7 @@ int Count()
 int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
   std::snprintf(name, nameSize, "A stylus of a vendor");
-  // Confirmations and calibrations of the user are stored under this name.
+  // The user's confirmation and calibration of the device are stored under this name.
   std::snprintf(serial, serialSize, "example-%d", number);
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
@@ -90,7 +91,7 @@ void* Open(int number)
   return device;
 }
 
-// The limits on the data sheet.
+// Returns the limits on the data sheet.
 int GetLimits(void*, VolumeHapticsVendorLimits* limits)
 {
   *limits = {};
@@ -115,17 +116,17 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   const int result = VendorSdk::Read(device->Handle, &told);
   if (result < 0)
   {
-    // Removes the force until the user opens or homes the device, and arms it again.
+    // The force stays off until the user opens or homes the device, and arms it again.
     device->Error = "does not answer. Look after its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
-  // The sample has metres, and axes that point right, up and towards the user.
+  // The sample has metres, and its axes point right, up and towards the user.
   const double* const p = told.Millimetres;
   pose->Position[0] = 1e-3 * p[0];
   pose->Position[1] = 1e-3 * p[2];
   pose->Position[2] = -1e-3 * p[1];
-  // The sample has w first; x, y and z change their axes as a position does. If the library
-  // measures no orientation, leave HasOrientation 0.
+  // The sample has w first. Its x, y and z refer to its axes, as those of a position do. If the
+  // library measures no orientation, leave HasOrientation 0.
   const double* const q = told.Quaternion;
   pose->Orientation[0] = q[3];
   pose->Orientation[1] = q[0];
@@ -139,7 +140,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
 int Write(void* handle, const double force[3], const double[3])
 {
   auto* const device = static_cast<Device*>(handle);
-  // Convert to the library's axes.
+  // Convert the force to the library's axes.
   const double newtons[3] = { force[0], -force[2], force[1] };
   if (VendorSdk::Write(device->Handle, newtons) < 0)
   {

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball beats and pushes a resting hand: the servo plays the frames, and the eye sees what the hand feels."""
+"""A ball beats and pushes a resting hand. The servo plays the frames, and the window shows what the hand feels."""
 import argparse
 import math
 
@@ -10,7 +10,7 @@ import pyvista as pv
 from volumehaptics.pyvista import add_haptics
 
 RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius, its change, and the height of the hand
-FRAMES = 24  # in a beat of one second
+FRAMES = 24  # number of frames in a beat, which takes one second
 STIFFNESS = 0.5  # N/mm
 
 parser = argparse.ArgumentParser(description=__doc__)
@@ -25,7 +25,7 @@ def radius(at):
 
 
 def frame(at):
-    """The ball at a time (s): a value of 1000 inside, 0 outside, with an edge of 1.5 mm."""
+    """Returns the ball at a time (s): 1000 inside, 0 outside, with an edge of 1.5 mm."""
     grid = pv.ImageData(dimensions=(41, 41, 41), spacing=(1.5,) * 3, origin=(-30.0,) * 3)
     distance = np.linalg.norm(grid.points, axis=1)
     grid["value"] = (500.0 * (1.0 - np.tanh((distance - radius(at)) / 1.5))).astype(np.float32)
@@ -41,7 +41,8 @@ ball = plotter.add_volume(
     opacity_unit_distance=3, show_scalar_bar=False)
 ball.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, times, visibility=False)
-haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N; the surface holds all forces here
+# N, so strong that the surface gives way to no force
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)
 haptics.head_up_display.AddTissue("the ball", 400, 1000)
 device = haptics.device
 plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
@@ -60,8 +61,8 @@ if chosen.movie:
     scene.film(chosen.movie, chosen.pictures, span=1.0, rate=max(1, chosen.pictures // 2))
 if chosen.picture:
     device.GetPlayback().SetSpeed(0.25)
-    scene.watch(8.0, lambda: abs(device.GetPlayback().GetDataTime() - 0.25) < 0.02)  # at the ball's largest radius
+    scene.watch(8.0, lambda: abs(device.GetPlayback().GetDataTime() - 0.25) < 0.02)  # when the ball is largest
     scene.take(chosen.picture)
 elif not chosen.movie:
-    plotter.show()  # press t with the pointer on the ball; space pauses
+    plotter.show()  # press t with the pointer on the ball to touch it; space pauses
 plotter.close()

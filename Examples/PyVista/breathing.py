@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scan that breathes: displacements describe its motion, and rising tissue pushes a hand that rests in the air above.
 
-The breath is the formula of Data/moving.py: everything goes down by up to 12 mm, and back. The hand rests where a
-surface below air, such as the diaphragm of a chest CT, is after breathing out.
+The breath is the formula in Data/moving.py: everything moves down by up to 12 mm, and back. The hand rests where a
+surface below air, such as the diaphragm of a chest CT, is at the end of breathing out.
 """
 import argparse
 import pathlib
@@ -21,7 +21,7 @@ import moving  # noqa: E402
 
 SECONDS = 2.0  # duration of breathing in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
-AIR, TISSUE = -600, -200  # HU
+AIR, TISSUE = -600, -200  # HU, below and above the surface
 DEEP = 4.0  # mm: the surface pushes the hand by this, or by half of its own motion
 
 parser = argparse.ArgumentParser(description=__doc__)
@@ -31,11 +31,11 @@ parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of op
 parser.add_argument("--movie", metavar="FILE", help="write a movie of a breath (.ogv)")
 parser.add_argument("--pictures", type=int, default=24, help="of the movie (default: %(default)s)")
 chosen = parser.parse_args()
-FRAMES = 13 if chosen.movie else 5  # frames of breathing in
+FRAMES = 13 if chosen.movie else 5  # number of frames of breathing in
 
 
 def read(file):
-    """Values (HU) [z, y, x], with x to the left, y to the back and z to the top, and their spacing (mm)."""
+    """Returns values (HU) [z, y, x], with x to the left, y to the back and z to the top, and their spacing (mm)."""
     if not str(file).endswith((".nii", ".nii.gz")):
         scan = pv.read(file) if file else pv.wrap(examples.phantom())
         return np.asarray(scan.active_scalars).reshape(scan.dimensions[::-1]), scan.spacing
@@ -44,7 +44,8 @@ def read(file):
     reader.Update()
     scan = pv.wrap(reader.GetOutput())
     hu = np.asarray(scan.active_scalars).reshape(scan.dimensions[::-1]) + reader.GetRescaleIntercept()
-    to_patient = reader.GetSFormMatrix() or reader.GetQFormMatrix()  # right, front and top are positive
+    # its axes point to the right, the front and the top
+    to_patient = reader.GetSFormMatrix() or reader.GetQFormMatrix()
     signs = [to_patient.GetElement(axis, axis) if to_patient else 1.0 for axis in range(3)]
     return hu[::1 if signs[2] > 0 else -1, ::-1 if signs[1] > 0 else 1, ::-1 if signs[0] > 0 else 1], scan.spacing
 
@@ -57,7 +58,7 @@ breath = moving.Breath(values, origin, spacing)
 
 
 def frame(number):
-    """The scan at a frame, with the displacements to the next frame."""
+    """Returns the scan at a frame, with the displacements to the next frame."""
     image = pv.ImageData(dimensions=values.shape[::-1], spacing=spacing, origin=origin)
     hu, motion = breath.frame(number, 2 * FRAMES - 2)
     image["HU"], image["motion"] = hu.ravel(), motion.reshape(-1, 3)
@@ -66,7 +67,7 @@ def frame(number):
 
 
 def gaussian(volume):
-    """Smooths a volume, so that noise does not decide which way is up."""
+    """Smooths a volume, so that noise does not disturb the direction of its surfaces."""
     for axis in (0, 1, 2):
         for _ in range(4):
             volume = 0.5 * volume + 0.25 * (np.roll(volume, 1, axis) + np.roll(volume, -1, axis))
@@ -74,8 +75,8 @@ def gaussian(volume):
 
 
 def find_surface():
-    """Finds the level tissue below air that goes down most. Returns its position, and how far it goes down (mm)."""
-    # Voxels of tissue with air in the four voxels above.
+    """Finds the level tissue below air that moves down most. Returns its position, and how far it moves down (mm)."""
+    # Select voxels of tissue that have air in the four voxels above them.
     above = np.stack([values[1 + i:values.shape[0] - 3 + i] < AIR for i in range(4)]).all(axis=0)
     depth = breath.depth(np.broadcast_to(breath.axes[2][:, None, None], values.shape))
     across = gaussian(values.astype(np.float32))
@@ -103,7 +104,7 @@ body = plotter.add_volume(
 body.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, np.linspace(0.0, SECONDS, FRAMES), visibility=False)
 haptics.filter.SetDisplacementArrayName("motion")
-# Edges inside the lung are faint, and would push the hand on its way.
+# Edges inside the lung are faint, and would push the hand before it reaches the surface: give them no strength.
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(AIR, 0.0)
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
 for tissue, low, high in (("lung", -950, -600), ("fat", -150, -20), ("muscle or an organ", -20, 150), ("bone", 150, 3000)):
@@ -128,5 +129,5 @@ if chosen.picture:
     scene.watch(8.0, lambda: device.GetPlayback().GetDataTime() < 0.02 * SECONDS)  # after breathing out
     scene.take(chosen.picture)
 elif not chosen.movie:
-    plotter.show()  # press t with the pointer on the surface; space pauses
+    plotter.show()  # press t with the pointer on the surface to touch it; space pauses
 plotter.close()

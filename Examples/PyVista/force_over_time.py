@@ -5,7 +5,7 @@ import gallery
 import numpy as np
 from volumehaptics.pyvista import touch
 
-# Upper limits of the tissues (HU).
+# Upper limits of the values of tissues (HU).
 TISSUES = {"air": -500, "skin's edge": -150, "fat": -20, "muscle": 90, "cartilage": 300, "bone": 3000}
 
 head, picture = gallery.options(__doc__)

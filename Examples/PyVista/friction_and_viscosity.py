@@ -9,13 +9,13 @@ from volumehaptics.pyvista import touch
 
 picture = gallery.options(__doc__, volume=False)
 
-# A block below z = 0, with values that rise by 100 a millimetre.
+# A block below z = 0, whose values rise by 100 in each millimetre.
 block = pv.ImageData(dimensions=(81, 41, 41), origin=(-40, -20, -20))
 block["depth"] = -100.0 * block.points[:, 2]
 
 
 def slide(depth, **functions):
-    """Goes down to a depth (mm), then 40 mm along the surface, at 40 mm/s."""
+    """Makes the hand go down to a depth (mm), then 40 mm along the surface, at 40 mm/s. Returns the trace."""
     material = vtkHapticProperty()
     material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 there is nothing
     material.GetSurfaceStrength().AddPoint(1, functions.pop("strength"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the scripts of the gallery: options, paths over a head, the look of a picture, and how to show it."""
+"""Parts that the gallery's scripts share: options, paths over a head, the look of a picture, and how to show it."""
 import argparse
 import time
 
@@ -11,11 +11,11 @@ from volumehaptics import examples
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-# Opacities between -600 and 1000 HU: skin, soft tissue, bone.
+# Colours and opacities from -600 to 1000 HU: skin, soft tissue, bone.
 SKIN = LinearSegmentedColormap.from_list(
     "skin", ["#d8997a", "#edb08f", "#e5a083", "#e0977d", "#e6b9a0", "#f5ebd8", "#faf2e4", "#ffffff"])
 OPACITY = [0.0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 0.98]
-# Opacities between -1000 and 1000 HU: the lung's surface, soft tissue as a veil, and bone.
+# Colours and opacities from -1000 to 1000 HU: the lung's surface, soft tissue as a veil, and bone.
 CHEST = LinearSegmentedColormap.from_list(
     "chest", ["#6a5560", "#c98f86", "#d8997a", "#e0977d", "#d9725f", "#f0dcc0", "#faf2e4", "#ffffff", "#ffffff"])
 CHEST_OPACITY = [0.0, 0.0, 0.07, 0.05, 0.03, 0.45, 0.8, 0.95, 0.98]
@@ -23,7 +23,8 @@ COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
 
 
 def options(about, volume=True):
-    """Reads the options: the head, if the script needs one, and the picture's file; None shows a window."""
+    """Reads the options. Returns the head, if the script needs one, and the picture's file; None stands for a window.
+    """
     parser = argparse.ArgumentParser(description=about)
     if volume:
         parser.add_argument(
@@ -36,9 +37,9 @@ def options(about, volume=True):
 
 
 def over_skin(head, directions, depth, speed=80.0):
-    """Makes a path below the skin, where rays from the middle leave the head, at a speed (mm/s).
+    """Returns a path at a speed (mm/s), below those points of the skin where rays from the middle leave the head.
 
-    depth: below the skin (mm), for each direction; negative is in the air.
+    depth: depth below the skin (mm) for each direction; negative in the air.
     """
     skin = head.contour([-300.0])
     middle = np.asarray(head.center)
@@ -49,14 +50,14 @@ def over_skin(head, directions, depth, speed=80.0):
 
 
 def at_speed(points, speed):
-    """A smooth path through points (mm), with the array Time (s), at a speed (mm/s)."""
+    """Returns a smooth path through points (mm) at a speed (mm/s), with the array Time (s)."""
     way = pv.Spline(np.asarray(points, float), 20 * len(points))
     way["Time"] = way["arc_length"].astype(float) / speed
     return way
 
 
 def strength(trace):
-    """The magnitude of the force in each tick (N)."""
+    """Returns the magnitude of the force in each tick (N)."""
     return np.linalg.norm(trace["Force"], axis=1)
 
 
@@ -67,7 +68,7 @@ def make_plotter(picture, size=(1000, 750), shape=(1, 1)):
 
 
 def add_head(plotter, head, opacity=OPACITY):
-    """Shows the head. Returns what plotter.add_volume() returns."""
+    """Adds the head to a plotter. Returns what plotter.add_volume() returns."""
     skin = plotter.add_volume(
         head, clim=(-600, 1000), opacity=opacity, cmap=SKIN, shade=True, ambient=0.2, diffuse=0.85, specular=0.2,
         opacity_unit_distance=4, show_scalar_bar=False)
@@ -76,8 +77,8 @@ def add_head(plotter, head, opacity=OPACITY):
 
 
 def add_trail(plotter, trace, largest=None, bar=True, width=9):
-    """The trail of the proxy, coloured by the force on the hand up to the largest one (N)."""
-    # Drop repeated points: a proxy that is held stands still for many ticks.
+    """Adds the trail of the proxy, coloured by the force on the hand, up to the largest force (N)."""
+    # Drop repeated points, because a proxy that is held stands still for many ticks.
     steps = np.floor(np.append(0, np.cumsum(np.linalg.norm(np.diff(trace.points, axis=0), axis=1))) / 0.3)
     kept = np.append(True, np.diff(steps) > 0)
     trail = pv.MultipleLines(points=trace.points[kept])
@@ -94,20 +95,20 @@ def add_trail(plotter, trace, largest=None, bar=True, width=9):
 
 def add_title(plotter, text, colour="white"):
     title = plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour, shadow=True)
-    if colour == "white":  # readable before bright objects, too
+    if colour == "white":  # background that keeps the text readable in front of bright objects
         title.prop.background_color, title.prop.background_opacity = "#12151b", 0.75
 
 
 def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
-    """A chart of curves, {label: (x, y)} or {label: (x, y, colour)}, that fills the active subplot."""
+    """Fills the active subplot with a chart of curves, {label: (x, y)} or {label: (x, y, colour)}."""
     plotter.set_background("white", all_renderers=False)
     chart = pv.Chart2D(size=(0.97, 0.95), loc=(0.0, 0.02), x_label=x_label, y_label=y_label)
-    chart.title = title + "\n"  # keeps the title off the box of the legend
+    chart.title = title + "\n"  # an empty line keeps the title off the box of the legend
     chart.border_color = "white"
     for colour, (label, curve) in zip(COLOURS, curves.items()):
         chart.line(curve[0], curve[1], color=curve[2] if len(curve) > 2 else colour, width=2.5, label=label)
     lowest, highest = (limit([limit(curve[1]) for curve in curves.values()]) for limit in (np.nanmin, np.nanmax))
-    chart.y_range = (min(0.0, 1.3 * lowest), 1.3 * highest)  # room for the legend
+    chart.y_range = (min(0.0, 1.3 * lowest), 1.3 * highest)  # leave room for the legend
     for axis in (chart.x_axis, chart.y_axis):
         axis.label_size, axis.tick_label_size = 17, 14
     chart.GetTitleProperties().SetFontSize(19)
@@ -120,7 +121,7 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
 
 
 class Movie:
-    """A movie of a plotter by VTK's own writer (.ogv), at a rate (pictures a second)."""
+    """A movie of a plotter (.ogv), written by VTK's own writer with a number of pictures per second."""
 
     def __init__(self, plotter, file, rate):
         self.plotter = plotter
@@ -140,20 +141,20 @@ class Movie:
         self.writer.End()
 
     def add(self):
-        """Returns the picture that is shown now."""
+        """Adds the picture that is shown now."""
         self.plotter.render()
         self.capture.Modified()
         self.writer.Write()
 
 
 class Scene:
-    """A plotter with haptics, in a program that updates both while it waits."""
+    """A plotter with haptics, for a program that updates both while it waits."""
 
     def __init__(self, plotter, haptics, hidden):
         self.plotter, self.haptics, self.hidden = plotter, haptics, hidden
 
     def watch(self, seconds, see=lambda: False):
-        """Updates both for a time, as a program with a timer does, or until `see` returns true."""
+        """Updates both for a time (s), as a program with a timer does, or until `see` returns true."""
         end = time.monotonic() + seconds
         while time.monotonic() < end and not self.haptics.closed:
             self.haptics.update()
@@ -162,7 +163,7 @@ class Scene:
             time.sleep(0.005) if self.hidden else self.plotter.update()
 
     def strongest(self, seconds):
-        """Returns the largest force (N) within a time."""
+        """Returns the largest force (N) within a time (s)."""
         forces = [0.0]
         self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetState().GetComputedForce())))
         return max(forces)
@@ -170,14 +171,15 @@ class Scene:
     def film(self, file, pictures, span, rate):
         """Makes a movie of one loop or ping-pong of the data time, in evenly spaced pictures.
 
-        Time stands still while a picture is taken, however long that takes. Each picture comes a whole span and a bit
-        after the last one, so that the hand meets the moving surface anew: while the computer draws a picture, the
-        servo may stand still for so long that a contact ends.
+        Time stands still while a picture is taken, however long that takes. Each picture is taken a little more than a
+        whole span after the last one, so that the hand touches the moving surface again: while the computer draws a
+        picture, the servo may stand still for so long that a contact ends.
         """
         device = self.haptics.device
-        self.haptics.head_up_display.PlotVisibilityOff()  # the plot's time is the hand's, not the data's
+        self.haptics.head_up_display.PlotVisibilityOff()  # the plot shows the hand's time, not the data's
         step = span / pictures
-        device.GetPlayback().SetSpeed(step / 0.15)  # slow enough (s) for frequent looks in between
+        # so slow that a step takes 0.15 s, in which the data time is read often
+        device.GetPlayback().SetSpeed(step / 0.15)
         attention = device.GetAttentionTime()
         device.SetAttentionTime(600.0)  # without a graphics card, a picture takes seconds
         last, gone = device.GetPlayback().GetDataTime(), 0.0
@@ -185,7 +187,7 @@ class Scene:
         def has_come(place):
             nonlocal last, gone
             way = abs(device.GetPlayback().GetDataTime() - last)
-            gone += min(way, span - way)  # also counts across the end of a loop
+            gone += min(way, span - way)  # also correct from the end of a loop to its beginning
             last = device.GetPlayback().GetDataTime()
             return gone >= place
 
@@ -201,7 +203,7 @@ class Scene:
         self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
-        """Stops the data time, and writes its picture without the hint on keys."""
+        """Stops the data time, and writes its picture, without the hint on keys."""
         self.haptics.head_up_display.HintVisibilityOff()
         self.haptics.device.GetPlayback().Hold()
         self.watch(0.3)
@@ -210,7 +212,7 @@ class Scene:
 
 
 def show(plotter, picture, direction=None, zoom=1.4):
-    """Sets the direction of sight, then shows the plotter or writes the picture."""
+    """Sets the direction of view, then shows the plotter or writes the picture."""
     if direction is not None:
         plotter.view_vector(direction, (0, 0, 1))
         plotter.camera.zoom(zoom)

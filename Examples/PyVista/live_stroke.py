@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A live servo in a plotter, with a hand that a program leads: tip, proxy, forces, and figures over the scene."""
+"""A live servo in a plotter. A program leads the hand; tip, proxy, forces, and figures are shown over the scene."""
 import time
 
 import gallery
@@ -28,7 +28,7 @@ haptics.device.Arm()
 start, strongest, states = time.monotonic(), 0.0, vtkTable()
 while (now := time.monotonic() - start) < way["Time"][-1] and not haptics.closed:
     haptics.device.GetVirtualHand().SetPosition([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
-    if picture:  # draw one frame at the end: software rendering of others would make the hand jerk
+    if picture:  # draw only at the end: with software rendering, further frames would make the hand jerk
         haptics.device.UpdateState()
         haptics.device.GetState().Drain(states)
         haptics.head_up_display.AddStates(states)

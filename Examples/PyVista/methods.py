@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One stroke, felt with each method. Methods with a proxy look KernelRadius ahead, and so hold the proxy earlier by this
-radius; the surface proxy is a sphere, and the local surface has no size."""
+"""One stroke, felt with each method. Methods with a proxy look KernelRadius ahead, and so hold the proxy earlier, by
+this radius. The surface proxy is a sphere, and the local surface has no size."""
 import gallery
 import numpy as np
 from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
@@ -12,14 +12,14 @@ turn = np.linspace(-0.9, 0.9, 60)
 tip = gallery.over_skin(
     head, np.column_stack([np.sin(turn), -0.35 + 0 * turn, np.cos(turn)]), 3.0 - 15.0 * np.abs(turn / 0.9) ** 5)
 
-solid = vtkHapticProperty()  # the solid begins at the skin, like the isosurface of other methods
+solid = vtkHapticProperty()  # a solid that begins at the skin, like the isosurface of the other methods
 for value, newtons in ((-350, 0.0), (-250, 50.0)):
     solid.GetSurfaceStrength().AddPoint(value, newtons)
 names = vtkVolumeHapticsFilter.GetMethodNames()
 curves = {}
 for name in [names.GetValue(i) for i in range(names.GetNumberOfValues())]:
     if name == "primitives":
-        continue  # this method feels vectors
+        continue  # this method feels vectors, and the head has none
     trace = touch(head, tip, property=solid, method_by_name=name, iso_value=-300.0, force_field_gain=1 / 450)
     curves[name] = (trace["Time"], gallery.strength(trace))
     print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")

@@ -6,14 +6,14 @@ import numpy as np
 from volumehaptics import vtkVolumeHapticsFilter
 from volumehaptics.pyvista import touch
 
-STRENGTH = {"fat": 1.0, "muscle": 2.2}  # N, of the preset
+STRENGTH = {"fat": 1.0, "muscle": 2.2}  # N, as in the preset
 
 head, picture = gallery.options(__doc__)
 outwards = np.array([0.62, -0.62, -0.48])
 middle = np.asarray(head.center)
 skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle, first_point=True)[0]
 depth = np.linspace(-14, 26, 2001)  # mm
-# Materials come from behind the blurred edges; surfaces are in the middle of the edges.
+# Read materials behind the blurred edges, and put surfaces in the middle of the edges.
 trace = touch(
     head, skin - depth[:, None] * outwards, "CT contrast", contact_alignment=vtkVolumeHapticsFilter.EDGE,
     material_placement=vtkVolumeHapticsFilter.FAR_SIDE)
@@ -26,7 +26,7 @@ plotter.set_background("black", all_renderers=False)
 aside = np.cross((0, 0, 1), outwards)
 plotter.add_mesh(head.slice(aside, origin=skin), cmap="gray", clim=(-1000, 1500), show_scalar_bar=False, lighting=False)
 needle = trace.copy()
-needle.points = trace["Tip"] + 2.0 * aside  # the trail stands before the slice
+needle.points = trace["Tip"] + 2.0 * aside  # moves the trail in front of the slice
 gallery.add_trail(plotter, needle)
 gallery.add_title(plotter, "The way of the needle's tip, and the force")
 plotter.view_vector(aside, (0, 0, 1))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Records a live servo, and computes its forces again from the recording: the same to the bit."""
+"""Records a live servo, and computes its forces again from the recording. They are the same to the bit."""
 import tempfile
 import time
 
@@ -48,7 +48,7 @@ plotter.subplot(0, 1)
 seconds = recording["Time"] - recording["Time"][0]
 chart = gallery.add_chart(plotter, "Recorded, and computed again", "Time (s)", "Force on the hand (N)", {
     "recorded": (seconds, gallery.strength(recording), "#9cc3e6")}, legend=("center", "bottom"))
-next(chart.plots("line")).line_width = 9  # visible on both sides of the computed curve
+next(chart.plots("line")).line_width = 9  # so wide that it is visible on both sides of the computed curve
 chart.line(seconds, gallery.strength(replay), color="#c0392b", width=2.5, label="computed again")
 chart.legend_visible = True
 gallery.show(plotter, picture)

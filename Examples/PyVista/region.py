@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Only a region of a volume is loaded, as if the whole were too large: it feels like the whole, to the bit."""
+"""Loads only a region of a volume, as if the whole were too large. The region feels like the whole, to the bit."""
 import gallery
 import numpy as np
 import pyvista as pv
@@ -15,7 +15,7 @@ tip = gallery.over_skin(head, np.column_stack([np.sin(turn), -np.cos(turn), 0.6 
 crop = vtkHapticRegionFilter()
 crop.SetInputData(head)
 size = head.dimensions
-# Leaves room for the samples behind the skin, where materials are read.
+# Leave room for the samples behind the skin, where materials are read.
 crop.SetRegion(3 * size[0] // 8, size[0] - 1, 0, 5 * size[1] // 8, 7 * size[2] // 16, 15 * size[2] // 16)
 crop.Update()
 region = pv.wrap(crop.GetOutput())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hidden tissue is not felt: the same hand feels the skin where skin is shown, and elsewhere the skull."""
+"""Hidden tissue is not felt: the same hand feels the skin if the skin is shown, and otherwise the skull."""
 import gallery
 import numpy as np
 from volumehaptics import vtkHapticProperty

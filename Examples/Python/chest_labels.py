@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stroke the labelled organs of a chest CT: a hand goes down over lung, heart, liver and stomach.
+"""Stroke the labelled organs of a chest CT: a hand moves down over lung, heart, liver and stomach.
 
 python3 chest_labels.py FOLDER [--picture FILE]
 
 FOLDER has a chest CT, cxr.nii.gz, the labels of its organs, mask.nii.gz, and their names, structures.csv, by
-TotalSegmentator: `. Data/scans.sh; get_chest_ct FOLDER`. Bones and skin are seen, and not felt. Stiffnesses are examples.
+TotalSegmentator: `. Data/scans.sh; get_chest_ct FOLDER`. Bones and skin are shown, but not felt. The stiffnesses are
+examples.
 """
 import argparse
 import pathlib
@@ -20,7 +21,7 @@ from volumehaptics import vtkHapticLabelTable, vtkVolumeHapticsFilter
 from force_scene import make_actor, make_bar, make_colours, make_renderer, show
 from scan_scene import make_image, make_surface, read_scan
 
-# By the beginning of a label's name: colour and stiffness (N/m).
+# Colour and stiffness (N/m) of organs, by the beginning of the names of their labels.
 ORGANS = {
     "lung": ((0.86, 0.66, 0.66), 200.0),
     "heart": ((0.80, 0.28, 0.26), 700.0),
@@ -30,14 +31,14 @@ ORGANS = {
 }
 BONES = ("rib_", "vertebrae", "sternum", "clavicula", "scapula", "humerus")
 BODY = -300  # HU
-EVERY = 2  # voxels along x and y
+EVERY = 2  # number of voxels from one sample to the next along x and y
 DEEP = 2.5  # mm: depth of the hand in the organs
-STRENGTH = 3.0  # N: above all forces, so that no organ gives way
+STRENGTH = 3.0  # N, more than any force of the hand, so that no organ gives way
 SPEED = 60.0  # mm/s
 
 
 def read(file):
-    """Samples [z, y, x], with x to the left, y to the back and z to the top, and their spacing (mm)."""
+    """Returns samples [z, y, x], with x to the left, y to the back and z to the top, and their spacing (mm)."""
     samples, spacing, place = read_scan(file)
     turned = [place is not None and place.GetElement(axis, axis) * wanted < 0 for axis, wanted in enumerate((-1, -1, 1))]
     samples = samples[tuple(slice(None, None, -1 if turn else 1) for turn in turned[::-1])][:, ::EVERY, ::EVERY]
@@ -45,7 +46,8 @@ def read(file):
 
 
 def name_labels(file):
-    """A table with materials for ORGANS; no other label is felt. Also the labels of organs, and those of bones."""
+    """Returns a table with materials for ORGANS, in which no other label is felt, and the labels of each organ and of
+    bones."""
     table = vtkHapticLabelTable()
     if not table.ReadFile(str(file)):
         raise SystemExit(f"{file} has no names of labels.")
@@ -71,12 +73,14 @@ def make_path(felt, across, spacing):
     slab = felt[:, :, across - 3:across + 4].any(axis=2)  # [z, y]
     rows = np.nonzero(slab.any(axis=1))[0]
     fronts = (slab[rows].argmax(axis=1) - 0.5) * spacing[1]  # walls are between voxels
-    width = max(1, int(6.0 / spacing[2]))  # smooths the path: a hand makes no steps
+    # half of the width over which the path is smoothed, because a hand makes no steps
+    width = max(1, int(6.0 / spacing[2]))
     fronts = np.convolve(np.pad(fronts, width, "edge"), np.full(2 * width + 1, 1.0 / (2 * width + 1)), "valid")
     z, y = rows[::-1] * spacing[2], fronts[::-1] + DEEP
     way = np.append(0.0, np.cumsum(np.hypot(np.diff(z), np.diff(y))))
     at = np.arange(0.0, way[-1], 1e-3 * SPEED)
-    lead = np.clip((20.0 - np.minimum(at, way[-1] - at)) / 20.0, 0.0, 1.0) * (DEEP + 10.0)  # the depth rises and falls
+    # lead-in and lead-out, in which the depth rises and falls
+    lead = np.clip((20.0 - np.minimum(at, way[-1] - at)) / 20.0, 0.0, 1.0) * (DEEP + 10.0)
     points, path = vtkPoints(), vtkPolyData()
     points.SetData(numpy_to_vtk(np.stack(
         [np.full_like(at, across * spacing[0]), np.interp(at, way, y) - lead, np.interp(at, way, z)], -1), deep=True))
@@ -96,7 +100,8 @@ def feel(hu, labels, spacing, table, path):
 
 
 def surface(inside, spacing, colour, opacity=1.0):
-    actor = make_surface(np.pad(inside, 2), spacing, colour, opacity, deviation=1.2)  # closed at the volume's border
+    # padded, so that the surface is closed at the volume's border
+    actor = make_surface(np.pad(inside, 2), spacing, colour, opacity, deviation=1.2)
     actor.SetPosition(-2.0 * spacing)
     return actor
 
@@ -142,7 +147,7 @@ def main():
             print(f"{kind}: {np.median(force[here]):.2f} N as a median, {force[here].max():.2f} N at most")
             names.append((f"{kind}, {np.median(force[here]):.1f} N", proxy[here[len(here) // 2]]))
     line = make_actor(trace, radius=3.0, colours=colours)
-    line.SetPosition(0.0, -6.0, 0.0)  # before the organs, where the proxy rests
+    line.SetPosition(0.0, -6.0, 0.0)  # in front of the organs, where the proxy rests
     scene = make_renderer(
         *[surface(inside[kind], spacing, colour) for kind, (colour, _) in ORGANS.items() if inside[kind].any()],
         surface(inside["bone"], spacing, (0.95, 0.92, 0.84), 0.25), surface(hu > BODY, spacing, (0.93, 0.73, 0.62), 0.07),
@@ -153,7 +158,7 @@ def main():
     camera.SetPosition(middle + [120.0, -900.0, 160.0])
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(22.0)
-    for name, place in names:  # nearer to the eye on its line of sight, and so in front of everything
+    for name, place in names:  # nearer to the eye on the line of sight, so that the name is in front of everything
         scene.AddViewProp(write_name(name, 0.6 * place + 0.4 * np.array(camera.GetPosition())))
     scene.ResetCameraClippingRange()
     show(scene, chosen.picture)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drill into the side of a skull: a burr goes over it layer by layer, and removes as much as its energy can.
+"""Drill into the side of a skull: a burr moves over it layer by layer, and removes as much bone as its energy allows.
 
 python3 drilling.py [FILE] [--picture FILE]
 
@@ -25,10 +25,10 @@ from force_scene import make_actor, make_renderer, show
 BONE = 300.0  # HU
 RADIUS = 4.0  # mm: radius of the burr
 DEPTH = 9.0  # mm: final depth of the hand in the bone
-PATCH = 8.0  # mm: half of the width of the drilled square
-LAYER = 0.7  # mm
+PATCH = 8.0  # mm: half of the width of the square that is drilled
+LAYER = 0.7  # mm: depth of a layer
 SPEED = 30.0  # mm/s
-BEHIND = 16.0  # mm, from the middle of the head towards its back
+BEHIND = 16.0  # mm: distance of the hole from the middle of the head, towards the back
 SPRING = 2.0  # mm: lead of the hand over the burr: 1 N at 500 N/m
 
 
@@ -40,7 +40,7 @@ def read(file):
 
 
 def find_bone(head):
-    """Finds the outer side of the bone on a ray from the side of the largest x, behind the middle of the head (mm)."""
+    """Returns where a ray from the side of the largest x, behind the middle of the head, meets the bone (mm)."""
     (nx, ny, nz), (x0, y0, z0), (dx, dy, dz) = head.GetDimensions(), head.GetOrigin(), head.GetSpacing()
     first = head.GetExtent()
     values = vtk_to_numpy(head.GetPointData().GetScalars()).reshape(nz, ny, nx)
@@ -52,7 +52,7 @@ def find_bone(head):
 
 
 def make_path(bone):
-    """A path to and fro over a square, layer by layer, 1000 points a second."""
+    """Returns a path that goes to and fro over a square, layer by layer, at 1000 points per second."""
     corners = []
     for layer, depth in enumerate(np.arange(0.0, DEPTH, LAYER)):
         x = bone[0] + RADIUS - depth - SPRING
@@ -68,7 +68,7 @@ def make_path(bone):
 
 
 def drill(head, bone):
-    """Returns the filter after its run, with the remaining head, and the trace."""
+    """Runs the filter. Returns the filter, which has the removed tissue, and the trace."""
     burr = vtkHapticBurr()
     burr.SetRadius(RADIUS)
     burr.SetSolidToAbove()
@@ -89,7 +89,7 @@ def drill(head, bone):
 
 
 def make_left(head, removal):
-    """The head without the removed bone: V - (1 - rho) (V - air)."""
+    """Returns the head without the removed bone: V - (1 - rho) (V - air)."""
     shares = vtkImageData()
     removal.MakeShares(shares)
     rho = vtk_to_numpy(shares.GetPointData().GetScalars()) / 255.0
@@ -103,7 +103,7 @@ def make_left(head, removal):
 
 
 def draw_bone(left):
-    """The surface of the bone, reddish where the burr was."""
+    """Returns an actor of the bone's surface, which is reddish where the burr was."""
     surface, colours = vtkFlyingEdges3D(), vtkColorTransferFunction()
     surface.SetInputData(left)
     surface.SetValue(0, BONE)

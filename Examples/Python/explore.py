@@ -36,7 +36,7 @@ def main(path):
     touch.SetInputConnection(reader.GetOutputPort())
     touch.GetProperty().ApplyPreset("CT contrast")
     touch.GetProperty().SetVisibilityFrom(look)  # hidden tissue is not felt
-    touch.SetIsoValue(-300)  # the skin, for the method with an isosurface
+    touch.SetIsoValue(-300)  # the skin, for the methods that feel an isosurface
     touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, the sharpness of skin
     device.SetVolumeHaptics(touch)
     device.Open("virtual")

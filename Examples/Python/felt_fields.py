@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel fields along a path: a hand moves through one of five fields, and the picture shows what holds it back.
+"""Feel fields along a path: a hand moves through one of five fields, and the picture shows the force that stops it.
 
 python3 felt_fields.py pipe      a swirling flow in a bent pipe, on an unstructured grid
 python3 felt_fields.py openfoam  a swirling flow in a straight pipe; OpenFOAM computes it the first time
@@ -40,7 +40,7 @@ def add_array(data, name, values):
 
 
 def make_image(size, spacing=1.0):
-    """An image around the origin, and the coordinates of its points."""
+    """Returns an image around the origin, and the coordinates of its points."""
     image = vtkImageData()
     image.SetDimensions(size)
     image.SetSpacing(spacing, spacing, spacing)
@@ -51,7 +51,7 @@ def make_image(size, spacing=1.0):
 
 
 def make_path(places, speed=50.0):
-    """A path through positions (mm) at a speed (mm/s), a point in each tick of a millisecond."""
+    """Returns a path through positions (mm) at a speed (mm/s), with a point for each tick of a millisecond."""
     places = np.asarray(places, float)
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1))])
     ticks = np.arange(0.0, way[-1], 1e-3 * speed)
@@ -65,8 +65,9 @@ def make_path(places, speed=50.0):
 
 
 def pipe():
-    """Poiseuille's profile along a bend of 90 degrees, with a swirl around the pipe's axis."""
-    bend, radius, n = 40.0, 10.0, (49, 17, 25)  # mm: along the bend, outwards from the axis, around the axis
+    """Returns the flow in a bend of 90 degrees: Poiseuille's profile, with a swirl around the pipe's axis."""
+    # mm: bend's radius, pipe's radius; numbers of points along the bend, outwards from the axis, around the axis
+    bend, radius, n = 40.0, 10.0, (49, 17, 25)
     angle, out, turn = (a.ravel(order="F") for a in np.meshgrid(
         np.linspace(0, np.pi / 2, n[0]), np.linspace(0, radius, n[1]), np.linspace(0, 2 * np.pi, n[2]), indexing="ij"))
     away = bend + out * np.cos(turn)
@@ -86,12 +87,12 @@ def pipe():
     append.Update()
     steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
     middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    seeds = places[(angle == 0) & (out > 0)][::9]  # the cells at the axis have edges of length zero
+    seeds = places[(angle == 0) & (out > 0)][::9]  # not at the axis, where cells have edges of length zero
     return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), seeds)
 
 
 def follow_flow(speed):
-    """The mode that follows U, with full strength from a speed on."""
+    """Returns the mode that follows U, with full strength above a speed."""
     mode = vtkHapticMode()
     mode.SetKindToVectorFollow()
     mode.SetArrayName("U")
@@ -101,7 +102,7 @@ def follow_flow(speed):
 
 
 def compute_pipe():
-    """The case of OpenFOAM's tutorial pipeCyclic, in the build folder; computes it if it is missing."""
+    """Returns the case of OpenFOAM's tutorial pipeCyclic in the build folder. Computes it first if it is missing."""
     root = Path(__file__).resolve().parents[2]
     case = root / "build" / "pipe_cyclic"
     if not (case / "computed").exists():
@@ -114,7 +115,7 @@ def compute_pipe():
 
 
 def openfoam(case=None):
-    """OpenFOAM's tutorial pipeCyclic, a quarter of a pipe along x, made a whole pipe of 20 mm."""
+    """Returns the flow of OpenFOAM's tutorial pipeCyclic: a quarter of a pipe along x, made a whole pipe of 20 mm."""
     case = case or compute_pipe()
     reader = vtkOpenFOAMReader()
     reader.SetFileName(case)
@@ -134,19 +135,19 @@ def openfoam(case=None):
         turned.TransformAllInputVectorsOn()
         append.AddInputConnection(turned.GetOutputPort())
     append.Update()
-    flow, scale = append.GetOutput(), 20.0  # mm for a metre
+    flow, scale = append.GetOutput(), 20.0  # mm for each metre of the case
     places = scale * vtk_to_numpy(flow.GetPoints().GetData())
     flow.GetPoints().SetData(numpy_to_vtk(places, deep=True))
     fastest = np.linalg.norm(vtk_to_numpy(flow.GetPointData().GetArray("U")), axis=1).max()
     length = np.linspace(4, 80, 40)
-    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # turns nearly like the flow
+    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # the path turns nearly like the flow
     middle = np.stack([length, away * np.cos(turn), away * np.sin(turn)], -1)
     seeds = places[(places[:, 0] < 1e-6) & (np.hypot(places[:, 1], places[:, 2]) < 9)]
     return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds, 85)
 
 
 def stream_lines(flow, seeds, longest=150):
-    """Tubes along the lines of the flow U from some positions."""
+    """Returns tubes along the lines of the flow U that begin at some positions."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(seeds), deep=True))
     source = vtkPolyData()
@@ -158,7 +159,7 @@ def stream_lines(flow, seeds, longest=150):
 
 
 def fibres():
-    """Tensors of a bundle that turns by 90 degrees; where a second bundle crosses it, they are flat."""
+    """Returns tensors of a bundle that turns by 90 degrees. Where a second bundle crosses it, the tensors are flat."""
     image, x = make_image((81, 61, 25))
     share = np.clip((x[:, 0] + 30) / 60, 0, 1)
     angle = 0.5 * np.pi * share
@@ -177,7 +178,7 @@ def fibres():
 
 
 def make_layer(image, rate=1):
-    """The samples in the middle along z, or every `rate`-th of them."""
+    """Returns a filter that extracts the samples in the middle along z, or every `rate`-th of them."""
     layer = vtkExtractVOI()
     layer.SetInputData(image)
     layer.SetVOI(0, image.GetDimensions()[0] - 1, 0, image.GetDimensions()[1] - 1, *[image.GetDimensions()[2] // 2] * 2)
@@ -186,7 +187,7 @@ def make_layer(image, rate=1):
 
 
 def ellipsoids(image, scale):
-    """Every sixth tensor of the middle layer, as an ellipsoid."""
+    """Returns every sixth tensor of the middle layer as an ellipsoid."""
     layer = make_layer(image, 6)
     sphere = vtkSphereSource()
     glyphs = vtkTensorGlyph()
@@ -199,7 +200,8 @@ def ellipsoids(image, scale):
 
 
 def charges():
-    """Fronts of the field of two charges and an opposite one: the hand slides along equipotentials."""
+    """Returns the field of two charges and an opposite one, whose fronts the hand feels: it slides along
+    equipotentials."""
     image, x = make_image((81, 61, 41))
     potential, field = np.zeros(len(x)), np.zeros_like(x)
     for charge, place in ((1.0, (-18, 0, 0)), (1.0, (18, 8, 0)), (-1.0, (4, -16, 0))):
@@ -223,7 +225,7 @@ def charges():
 
 
 def vessels():
-    """Bright tubes that branch; the hand is held on the centre line of the tube that it follows."""
+    """Returns bright tubes that branch. The hand is held on the centre line of the tube that it follows."""
     image, x = make_image((81, 61, 31))
     value = np.zeros(len(x))
     ends = {"trunk": ((-38, -4, 0), (0, 0, 0), 4.0), "left": ((0, 0, 0), (32, 22, 6), 2.8),

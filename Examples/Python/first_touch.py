@@ -9,7 +9,7 @@ from volumehaptics import vtkVolumeHapticsFilter
 
 head, path, touch = vtkXMLImageDataReader(), vtkLineSource(), vtkVolumeHapticsFilter()
 head.SetFileName(sys.argv[1])  # Data/HeadPhantom.vti
-path.SetPoint1(0, -120, 60)  # one point a tick: 80 mm in a second
+path.SetPoint1(0, -120, 60)  # one point for each tick: 80 mm in a second
 path.SetPoint2(0, -40, 60)
 path.SetResolution(1000)
 touch.SetInputConnection(head.GetOutputPort())

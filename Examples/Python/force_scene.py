@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the demonstrations of felt fields: lines coloured by the force, in a window or a picture."""
+"""Parts that the demonstrations of felt fields share: lines coloured by the force, in a window or a picture."""
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
@@ -13,12 +13,12 @@ from vtkmodules.vtkRenderingCore import (
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
-STRONGEST = 2.0  # N
+STRONGEST = 2.0  # N, largest force on the colour scale
 GREY = (0.6, 0.66, 0.74)
 
 
 def make_colours():
-    """Colours from zero to the strongest force."""
+    """Returns colours for forces from zero to STRONGEST."""
     colours = vtkColorTransferFunction()
     for share, name in ((0.0, "RoyalBlue"), (0.35, "MediumSeaGreen"), (0.65, "Gold"), (1.0, "OrangeRed")):
         colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
@@ -26,7 +26,7 @@ def make_colours():
 
 
 def connect(consumer, source):
-    """Returns data, or the output of a filter."""
+    """Connects a filter to data, or to the output of another filter."""
     if hasattr(source, "GetOutputPort"):
         consumer.SetInputConnection(source.GetOutputPort())
     else:
@@ -34,7 +34,7 @@ def connect(consumer, source):
 
 
 def make_actor(source, radius=0.0, colours=None, opacity=1.0):
-    """Surfaces, or lines as tubes of a radius; of one colour, or coloured by the force."""
+    """Returns an actor of surfaces, or of lines as tubes of a radius, in one colour or coloured by the force."""
     mapper = vtkPolyDataMapper()
     if radius > 0.0:
         tube = vtkTubeFilter()
@@ -57,7 +57,7 @@ def make_actor(source, radius=0.0, colours=None, opacity=1.0):
 
 
 def make_bar(colours):
-    """The scale that says which force a colour stands for."""
+    """Returns the colour scale, which shows the force for each colour."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(colours)
     bar.SetTitle("Force (N)")
@@ -74,7 +74,7 @@ def make_bar(colours):
 
 
 def trace_stream(flow, array, seeds, longest):
-    """Lines along the vectors of an array, from the points of a filter or polydata."""
+    """Returns lines along the vectors of an array, which begin at the points of a filter or polydata."""
     lines = vtkStreamTracer()
     lines.SetInputData(flow)
     lines.SetInputArrayToProcess(0, 0, 0, 0, array)

@@ -28,7 +28,7 @@ from force_scene import make_renderer, show
 from scan_scene import make_image, make_surface, read_scan
 
 L2, L1, T12 = 30, 31, 32
-# By label: name, colour, T (N) to puncture, R (N) to cut, tau (N per metre) along the shaft.
+# Tissues by label: name, colour, T (N) to puncture, R (N) to cut, tau (N per metre) along the shaft.
 TISSUES = {
     1: ("skin", (0.93, 0.73, 0.60), 1.2, 0.3, 20.0),
     2: ("fat", (0.98, 0.90, 0.55), 0.0, 0.1, 5.0),
@@ -43,7 +43,7 @@ SPEED = 8.0  # mm/s
 
 
 def crop(hu, organs):
-    """The region around the first lumbar vertebrae, from the skin of the back on."""
+    """Returns the region around the first lumbar vertebrae, from the skin of the back forwards."""
     z, _, x = np.nonzero((organs == L1) | (organs == L2))
     left = int(x.mean()) - 75
     part = np.s_[z.min():, 60:290, left:left + 150]
@@ -51,7 +51,8 @@ def crop(hu, organs):
 
 
 def refine(hu, organs, spacing):
-    """Resamples to slices as close as pixels: a surface needs two voxels to be felt, and skin is thin."""
+    """Resamples to slices that are as close as pixels, because skin is thin and a surface needs two voxels to be felt.
+    """
     parts = int(np.ceil(spacing[2] / spacing[0]))
     at = np.arange((len(hu) - 1) * parts + 1) / parts
     below = np.minimum(at.astype(int), len(hu) - 2)
@@ -61,11 +62,11 @@ def refine(hu, organs, spacing):
 
 
 def find_canal(organs, spacing):
-    """The middle (mm; x, y) of the spinal canal in each slice."""
+    """Returns the middle (mm; x, y) of the spinal canal in each slice."""
     middles = {}
     for k, slab in enumerate(organs):
         bone = (slab >= L2) & (slab <= T12)
-        # The canal is a hole: bone on all four sides.
+        # The canal is a hole: it has bone on all four sides.
         hole = ~bone
         for axis in (0, 1):
             before = np.maximum.accumulate(bone, axis)
@@ -80,7 +81,7 @@ def find_canal(organs, spacing):
 
 
 def classify(hu, organs, canal, spacing):
-    """An image of the labels of TISSUES."""
+    """Returns an image of the labels of TISSUES."""
     labels = np.zeros(hu.shape, np.uint8)
     labels[hu > -250] = FAT
     labels[hu > -30] = MUSCLE
@@ -101,7 +102,7 @@ def classify(hu, organs, canal, spacing):
 
 
 def find_back(values):
-    """Where the body begins behind the air below it, on a line from the table to the front."""
+    """Returns the index at which the body begins, on a line from the table to the front."""
     body = values > -250
     inside = len(body) - 1
     air = np.nonzero(~body[:inside])[0]
@@ -112,7 +113,7 @@ def find_back(values):
 
 
 def find_way(labels, canal, spacing):
-    """Entry on the skin and target in the canal (mm) of the path that stays farthest from bone."""
+    """Returns the entry on the skin and the target in the canal (mm) of the path that stays farthest from bone."""
     bone = np.argwhere(labels == BONE)[:, ::-1] * spacing
     bone = bone[:: max(1, len(bone) // 6000)]
     best = (-1.0, None, None)
@@ -140,11 +141,12 @@ def find_way(labels, canal, spacing):
     return best
 
 
-CANAL_STEPS = 10  # mm from the canal's middle; bone is always near at this distance
+CANAL_STEPS = 10  # mm from the canal's middle, a distance at which bone is always near
 
 
 def make_path(entry, target):
-    """The tip (mm), a point in each millisecond: from 10 mm outside to 8 mm beyond the target, and back."""
+    """Returns the tip's path (mm), one point per millisecond: from 10 mm outside to 8 mm beyond the target, and back.
+    """
     way = (target - entry) / np.linalg.norm(target - entry)
     begin, end = entry - 10.0 * way, target + 8.0 * way
     there = np.arange(0.0, np.linalg.norm(end - begin), 1e-3 * SPEED)
@@ -157,7 +159,7 @@ def make_path(entry, target):
 
 
 def feel(hu, labels, spacing, path):
-    """The trace of a needle, and the table of tissues."""
+    """Returns the trace of a needle, and the table of tissues."""
     table = vtkHapticLabelTable()
     for label, (name, colour, puncture, cutting, shaft) in TISSUES.items():
         table.SetLabelName(label, name)
@@ -178,7 +180,7 @@ def feel(hu, labels, spacing, path):
 
 
 def tell(track, table):
-    """Prints which tissues the needle has passed."""
+    """Prints the tissues that the needle has passed."""
     labels, lengths = (vtk_to_numpy(track.GetCellData().GetArray(name)) for name in ("Label", "Length"))
     for label, length in zip(labels, lengths):
         print(f"{length:6.1f} mm  {table.GetLabelName(int(label)) or 'nothing'}")
@@ -187,7 +189,7 @@ def tell(track, table):
 
 
 def draw_needle(track, table):
-    """The needle's track in the colours of the tissues, and its shaft outside."""
+    """Returns actors of the needle's track, in the colours of the tissues, and of its shaft outside."""
     points = vtk_to_numpy(track.GetPoints().GetData())
     back = points[0] - 60.0 * (points[-1] - points[0]) / np.linalg.norm(points[-1] - points[0])
     labels = vtk_to_numpy(track.GetCellData().GetArray("Label"))
@@ -210,7 +212,7 @@ def draw_needle(track, table):
 
 
 def draw_slice(hu, spacing, index):
-    """The sagittal slice of the CT through the needle."""
+    """Returns the sagittal slice of the CT through the needle."""
     mapper, slab = vtkImageSliceMapper(), vtkImageSlice()
     mapper.SetInputData(make_image(hu, spacing))
     mapper.SetOrientationToX()
@@ -222,7 +224,7 @@ def draw_slice(hu, spacing, index):
 
 
 def draw_chart(trace, table):
-    """The force along the needle against the depth of its tip, in and out, over the tissues in their colours."""
+    """Plots the force along the needle against the depth of its tip, in and out, over the tissues in their colours."""
     depth, label = (vtk_to_numpy(trace.GetPointData().GetArray(name)) for name in ("Depth", "Label"))
     force = vtk_to_numpy(trace.GetPointData().GetArray("NormalForce"))
     deepest = int(np.argmax(depth))

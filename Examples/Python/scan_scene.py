@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the demonstrations on scans: files, images and surfaces."""
+"""Parts that the demonstrations on scans share: files, images and surfaces."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -12,7 +12,8 @@ from force_scene import make_actor
 
 
 def read_scan(file):
-    """Samples [z, y, x] of a NIfTI file, their spacing (mm), and the matrix to the patient's axes, or None."""
+    """Returns the samples [z, y, x] of a NIfTI file, their spacing (mm), and the matrix to the patient's axes, or None.
+    """
     reader = vtkNIFTIImageReader()
     reader.SetFileName(str(file))
     reader.Update()
@@ -31,7 +32,7 @@ def make_image(samples, spacing):
 
 
 def make_surface(inside, spacing, colour, opacity=1.0, deviation=1.5):
-    """The smooth surface of a mask, blurred by a Gaussian of a standard deviation (voxels)."""
+    """Returns an actor of the smooth surface of a mask, blurred by a Gaussian with a standard deviation (voxels)."""
     soft, edges, smooth = vtkImageGaussianSmooth(), vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
     soft.SetInputData(make_image(inside.astype(np.float32), spacing))
     soft.SetStandardDeviation(deviation)

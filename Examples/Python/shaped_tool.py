@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel a head with a spoon: a tool with a shape goes around the head, and turns in the hand to lie on the skin.
+"""Feel a head with a spoon: a tool with a shape moves around the head, and turns in the hand to lie flat on the skin.
 
 python3 shaped_tool.py [--tool FILE.stl] [--picture FILE]
 
-The spoon is an ellipsoid; --tool takes any closed mesh (mm) in its place. The hand goes around the head without
-turning: the tool turns against a spring of 30 mN m per radian to lie on the skin.
+The spoon is an ellipsoid; --tool uses any closed mesh (mm) instead. The hand moves around the head without
+turning: the tool turns against a spring of 30 mN m per radian until it lies flat on the skin.
 """
 import argparse
 
@@ -24,8 +24,8 @@ from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_rend
 
 SIZE = (14.0, 7.0, 2.5)  # mm, half of the spoon's length, width and thickness
 SKIN = -300.0  # HU
-TURNING = 0.03  # N m per radian, between hand and tool
-SHOWN = 7  # spoons that are drawn on the path
+TURNING = 0.03  # N m per radian, stiffness of the turning spring between hand and tool
+SHOWN = 7  # number of spoons that are drawn on the path
 
 
 def make_spoon():
@@ -33,7 +33,7 @@ def make_spoon():
     ball.SetThetaResolution(64)
     ball.SetPhiResolution(32)
     ball.SetRadius(1.0)
-    stretch.Translate(0.0, 0.0, SIZE[2])  # its lowest point is at the tip
+    stretch.Translate(0.0, 0.0, SIZE[2])  # puts the lowest point at the tip
     stretch.Scale(*SIZE)
     spoon.SetInputConnection(ball.GetOutputPort())
     spoon.SetTransform(stretch)
@@ -49,9 +49,10 @@ def read(file):
 
 
 def find_skin(head, angles):
-    """Where rays from the middle of the head, in a plane from ear to ear, leave it (mm), and their directions."""
+    """Returns where rays from the middle of the head, in a plane from ear to ear, leave it (mm), and their directions.
+    """
     directions = np.stack([np.sin(angles), np.zeros_like(angles), np.cos(angles)], axis=-1)
-    reaches = np.arange(60.0, 112.0, 0.25)  # within the volume
+    reaches = np.arange(60.0, 112.0, 0.25)  # mm, within the volume
     points, data, probe = vtkPoints(), vtkPolyData(), vtkProbeFilter()
     points.SetData(numpy_to_vtk((directions[:, None] * reaches[:, None]).reshape(-1, 3), deep=True))
     data.SetPoints(points)
@@ -60,13 +61,13 @@ def find_skin(head, angles):
     probe.Update()
     inside = vtk_to_numpy(probe.GetOutput().GetPointData().GetScalars()).reshape(len(angles), -1) > SKIN
     last = inside.shape[1] - 1 - inside[:, ::-1].argmax(axis=1)
-    width = 200  # window of the moving mean: a hand makes no steps
+    width = 200  # half of the width of the moving mean, because a hand makes no steps
     smooth = np.convolve(np.pad(reaches[last], width, "edge"), np.full(2 * width + 1, 1.0 / (2 * width + 1)), "valid")
     return directions * smooth[:, None], directions
 
 
 def feel(head, mesh):
-    """The trace of a tool that a hand leads around the head, 3 mm deep, without turning."""
+    """Returns the trace of a tool that a hand leads around the head, 3 mm deep, without turning it."""
     angles = np.linspace(-1.0, 1.0, 2500)
     skin, outward = find_skin(head, angles)
     path, points = vtkPolyData(), vtkPoints()
@@ -100,7 +101,7 @@ def draw_skin(head):
 
 
 def draw_tool(mesh, place, turn, force, colours):
-    """The tool at a pose, in the colour of the force on the hand."""
+    """Returns an actor of the tool at a pose, in the colour of the force on the hand."""
     pose, moved = vtkTransform(), vtkTransformPolyDataFilter()
     pose.Translate(place)
     angle = 2.0 * np.degrees(np.arctan2(np.linalg.norm(turn[1:]), turn[0]))

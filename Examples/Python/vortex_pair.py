@@ -14,11 +14,11 @@ from volumehaptics import vtkHapticMode, vtkVolumeHapticsFilter
 
 from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show, trace_stream
 
-CORE, APART = 8.0, 24.0  # mm
+CORE, APART = 8.0, 24.0  # mm: radius of a core, distance between the axes
 
 
 def make_flow():
-    """Two Lamb-Oseen vortices that turn against each other: v = (1 - exp(-r^2/CORE^2))/r around each axis."""
+    """Returns two Lamb-Oseen vortices that turn against each other: v = (1 - exp(-r^2/CORE^2))/r around each axis."""
     image = vtkImageData()
     image.SetDimensions(121, 81, 17)
     image.SetOrigin(-60, -40, -8)
@@ -36,11 +36,11 @@ def make_flow():
 
 
 def feel(flow):
-    """The trace of a hand that moves through both cores along x."""
+    """Returns the trace of a hand that moves through both cores along x."""
     mode = vtkHapticMode()
     mode.SetKindToVortex()
     mode.SetArrayName("velocity")
-    mode.GetStrength().AddPoint(0.0, 0.0)  # against the vorticity
+    mode.GetStrength().AddPoint(0.0, 0.0)  # N, as a function of the vorticity
     mode.GetStrength().AddPoint(2.0 / CORE**2, STRONGEST)
     path = vtkLineSource()
     path.SetPoint1(-50, 3, 0)

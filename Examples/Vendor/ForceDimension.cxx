@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The plug-in forcedimension: omega, delta, sigma and the Novint Falcon through Force Dimension's
-// SDK (libdrd, which has libdhd in it); other devices of the SDK with 8 N at most.
+// SDK (libdrd, which contains libdhd). Other devices of the SDK get at most 8 N.
 //
-// The SDK's axes are x towards the user, y to the right and z up, in metres and newtons; this
-// library's x, y and z are the SDK's y, z and x. Not verified on a device. The SDK's watchdog and
-// its velocity threshold stay as they are: they brake a device whose program has ended, or that
+// The SDK's axes are x towards the user, y to the right and z up, in metres and newtons. This
+// library's x, y and z are the SDK's y, z and x. This was not verified on a device. The SDK's
+// watchdog and its velocity threshold stay on: they brake a device whose program has ended, or that
 // moves too fast.
 //
 // A device that is not initialised moves by itself to find its zero. It does so only after Home().
@@ -39,7 +39,7 @@ std::string& OpenError()
   return error;
 }
 
-// The library's own text for the last fault, and a cure.
+// Returns the library's own text for the last fault, and a cure.
 std::string Explain(const char* what, const char* cure)
 {
   const char* const reason = dhdErrorGetLastStr();
@@ -48,7 +48,8 @@ std::string Explain(const char* what, const char* cure)
 
 constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
 
-// Limits from the data sheets: N, N m, m. The stiffness is below the stated one, for 1 kHz.
+// Returns limits from the data sheets: N, N m, m. The stiffness is below the stated one, so that it
+// suits 1 kHz.
 VolumeHapticsVendorLimits LimitsOf(int type)
 {
   VolumeHapticsVendorLimits limits{};
@@ -125,7 +126,7 @@ void* Open(int number)
   device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
   if (dhdHasActiveGripper(device->Id))
   {
-    dhdEmulateButton(DHD_ON, device->Id); // button 0 is the closed gripper
+    dhdEmulateButton(DHD_ON, device->Id); // makes the closed gripper button 0
   }
   if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
@@ -153,7 +154,7 @@ int GetSerial(void* handle, char* serial, size_t size)
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Checks the device's status. Below zero if the device can't be used now.
+// Checks the device's status. Returns a negative number if the device can't be used now.
 int CheckStatus(Device& device)
 {
   int status[DHD_MAX_STATUS] = {};
@@ -181,8 +182,8 @@ int CheckStatus(Device& device)
   }
   if (!hasForce)
   {
-    // Not ready: otherwise the device's button could switch on a force that has not grown from
-    // zero.
+    // Report that the device is not ready: otherwise its button could switch on a force that has
+    // not grown from zero.
     device.Error = "has its force switched off. Press its force button, or Home().";
     return VOLUME_HAPTICS_VENDOR_WAITS;
   }
@@ -215,7 +216,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   pose->Position[2] = x;
   if (device.HasWrist)
   {
-    // Rows and columns in this library's order of axes.
+    // Arrange rows and columns in this library's order of axes.
     const int theirs[3] = { 1, 2, 0 };
     double ours[3][3];
     for (int row = 0; row < 3; ++row)
@@ -229,14 +230,14 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
     pose->HasOrientation = 1;
   }
   pose->Buttons = dhdGetButtonMask(device.Id);
-  // If a force is requested too soon, the time guard repeats the last position, which is no fault.
+  // If a force is requested too soon, the time guard repeats the last position. This is no fault.
   return result == DHD_TIMEGUARD ? VOLUME_HAPTICS_VENDOR_DONE : VOLUME_HAPTICS_VENDOR_NEWS;
 }
 
 int Write(void* handle, const double force[3], const double torque[3])
 {
   auto& device = *static_cast<Device*>(handle);
-  // Positive results, such as for saturated motors, are no faults.
+  // Positive results, such as that for saturated motors, are no faults.
   const int result = device.MaximumTorque > 0.0
     ? dhdSetForceAndTorque(force[2], force[0], force[1], torque[2], torque[0], torque[1], device.Id)
     : dhdSetForce(force[2], force[0], force[1], device.Id);
@@ -260,7 +261,7 @@ int Home(void* handle)
       drdStop(false, device.Id);
       return VOLUME_HAPTICS_VENDOR_LOST;
     }
-    // The search for zero holds the device, and accepts no force of this library, until it is
+    // The search for zero holds the device, and accepts no force from this library, until it is
     // stopped.
     if (drdStop(true, device.Id) < 0)
     {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Passes the latest value from one thread to another, without locks. Of three places, the writer
-// owns one, the reader one, and the third lies between them.
+// Transfers the latest value from one thread to another without locks. There are three places: the
+// writer owns one, the reader owns one, and the third one is between them.
 #ifndef VolumeHapticsVendorLatest_h
 #define VolumeHapticsVendorLatest_h
 
@@ -19,7 +19,7 @@ public:
     this->Places[this->Own] = value;
     this->Own = this->Between.exchange(this->Own | New, std::memory_order_acq_rel) & ~New;
   }
-  // Called on the reader's thread: true if a value was written since the last call.
+  // Called on the reader's thread. Returns whether a value was written since the last call.
   bool Update()
   {
     if ((this->Between.load(std::memory_order_relaxed) & New) == 0)

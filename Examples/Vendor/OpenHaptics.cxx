@@ -5,13 +5,14 @@
 // (libHD).
 //
 // A callback on the library's own scheduler thread reads the device and sets its force, a thousand
-// times a second. Poses and forces are handed over without locks; a force that is not renewed for
-// 50 ms becomes zero in the callback. libHD's axes are the same as this library's: right, up and
-// towards the user, in millimetres, newtons and millinewton metres. Not verified on a device.
+// times a second. Poses and forces are transferred without locks. The callback sets a force to zero
+// if it is not renewed for 50 ms. libHD's axes are the same as this library's: right, up and
+// towards the user, in millimetres, newtons and millinewton metres. This was not verified on a
+// device.
 //
-// The vendor's setup program names the devices. vendor:openhaptics is "Default
-// Device"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by commas, as
-// vendor:openhaptics:1 and so on. One of them can be open at a time.
+// The vendor's setup program names the devices. vendor:openhaptics is "Default Device";
+// $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by commas, as vendor:openhaptics:1 and
+// so on. One of them can be open at a time.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -31,9 +32,10 @@
 namespace
 {
 
-constexpr std::int64_t LongestForce = 50'000'000;    // ns that a force lasts without renewal
-constexpr std::int64_t LongestSilence = 100'000'000; // ns, of the scheduler
-constexpr HDulong SchedulerRate = 1000;              // Hz
+constexpr std::int64_t LongestForce = 50'000'000; // ns that a force lasts without renewal
+// ns without a callback after which the scheduler counts as stopped
+constexpr std::int64_t LongestSilence = 100'000'000;
+constexpr HDulong SchedulerRate = 1000; // Hz
 
 std::int64_t Now()
 {
@@ -42,19 +44,19 @@ std::int64_t Now()
     .count();
 }
 
-// The callback's report.
+// Report of the callback.
 struct Report
 {
   double Position[3] = {};   // mm
   double Transform[16] = {}; // stylus to device, columns first
   int Buttons = 0;
   bool IsCalibrated = false;
-  unsigned Calibration = 0; // libHD's name of the fault, if the device is not calibrated
+  unsigned Calibration = 0; // libHD's number of the fault if the device is not calibrated
   unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS if there is none
   std::int64_t Time = 0;
 };
 
-// The order to the callback.
+// Order to the callback.
 struct Order
 {
   double Force[3] = {};  // N
@@ -69,8 +71,8 @@ struct Device
   double MaximumTorque = 0.0;
   Latest<Report> Reports;
   Latest<Order> Orders;
-  std::atomic<bool> Forgives{ false }; // the user asks for another try after a fault
-  // Members of the callback.
+  std::atomic<bool> Forgives{ false }; // whether the user wants another try after a fault
+  // Used by the callback only.
   bool IsCalibrated = false;
   unsigned Error = HD_SUCCESS;
   std::int64_t Opened = 0;
@@ -109,14 +111,14 @@ int Count()
 
 int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
-  // libHD does not report which devices are plugged in, and models of open devices only.
+  // libHD does not report which devices are plugged in, and reports models of open devices only.
   std::snprintf(name, nameSize, "OpenHaptics \"%s\"", Names()[static_cast<size_t>(number)].c_str());
   std::snprintf(serial, serialSize, "%s", "");
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Reports whether the device knows its zero. A device that wants an update gets one; its position
-// jumps with it.
+// Reports whether the device knows its zero. Updates the calibration of a device that needs an
+// update; the position then jumps.
 void Calibrate(Device& device, Report& report)
 {
   const HDenum state = hdCheckCalibration();
@@ -165,7 +167,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
     hdSetDoublev(HD_CURRENT_TORQUE, torque);
   }
   hdEndFrame(device.Handle);
-  // libHD keeps a stack of faults; the first one is stored here until the user tries again.
+  // libHD keeps a stack of faults. Store the first one until the user tries again.
   for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
   {
     device.Error = device.Error == HD_SUCCESS ? error.errorCode : device.Error;
@@ -176,7 +178,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits until the callback has run, or until it stands still.
+// Waits until the callback has run, or until it has stopped.
 void WaitForTick(Device& device)
 {
   for (const std::int64_t end = Now() + LongestSilence; !device.Reports.Update() && Now() < end;)
@@ -185,8 +187,8 @@ void WaitForTick(Device& device)
   }
 }
 
-// Empties libHD's stack of faults. Not called while the callback runs, because the callback has to
-// see the faults.
+// Empties libHD's stack of faults. Must not be called while the callback runs, because the callback
+// has to see the faults.
 void ForgetFaults()
 {
   while (HD_DEVICE_ERROR(hdGetError()))
@@ -226,7 +228,7 @@ void* Open(int number)
   hdMakeCurrentDevice(handle);
   HDint outputs = 0;
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
-  // N m, from the data sheet of the Phantom Premium 6DOF for its weakest axis.
+  // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
   device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
   ForgetFaults(); // a device that does not know the parameter gives no torque
   hdEnable(HD_FORCE_OUTPUT);
@@ -253,7 +255,7 @@ int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
   hdMakeCurrentDevice(device.Handle);
   double stiffness = 0.0; // N/mm
   double damping = 0.0;   // N s/mm
-  double box[6] = {};     // mm, the least and the largest x, y, z
+  double box[6] = {};     // mm, smallest and largest x, y, z
   hdGetDoublev(HD_NOMINAL_MAX_FORCE, &limits->MaximumForce);
   hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
   hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
@@ -333,7 +335,8 @@ int Home(void* handle)
 {
   auto& device = *static_cast<Device*>(handle);
   device.Forgives.store(true, std::memory_order_release);
-  // Waits until the callback reports the new try: the previous report may have begun earlier.
+  // Wait twice until the callback reports the new try, because the first report may have begun
+  // earlier.
   WaitForTick(device);
   WaitForTick(device);
   return VOLUME_HAPTICS_VENDOR_DONE;
@@ -347,7 +350,8 @@ const char* LastError(void* device)
 void Close(void* handle)
 {
   auto* const device = static_cast<Device*>(handle);
-  // The last order was zero; a frame that began before the order may have missed it.
+  // The last order was zero. Wait twice, because a tick that began before the order may have missed
+  // it.
   WaitForTick(*device);
   WaitForTick(*device);
   hdStopScheduler();

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Touch volume data: proxy-based volume haptics for VTK.
 
-vtkVolumeHapticsFilter turns a vtkImageData and the path of a stylus into what a hand feels;
-vtkHapticProperty says what the tissues feel like; vtkHapticDevice does it live, with a device in a hand.
-In one call, of images and polydata or of NumPy arrays:
+vtkVolumeHapticsFilter computes the forces on a hand from a vtkImageData and the path of a stylus;
+vtkHapticProperty describes how the tissues feel; vtkHapticDevice computes the forces live, for a device in a hand.
+One call does this for images and polydata, or for NumPy arrays:
 
     import volumehaptics
     trace = volumehaptics.touch(volume, tip, preset="CT contrast", kernel_radius=3)
 
-touch() computes what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
+touch() computes what a hand feels; image() and path() make VTK's data of NumPy arrays without a copy;
 volumehaptics.arrays.arrays() makes NumPy arrays of a trace. identify() computes which materials a hand could tell
 apart; inspect() says what a file holds, and what of it can be felt; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any VTK
 program touchable. volumehaptics.pyvista does all this with PyVista's data and plotters. volumehaptics.examples has a
@@ -17,8 +17,8 @@ head to try them on, and
 
     python -m volumehaptics --demo
 
-explores it in a window. Lengths are in world units, which are millimetres unless MetersPerWorldUnit says
-otherwise; forces are in newtons (N), times in seconds.
+explores it in a window. Lengths are in world units, which are millimetres unless MetersPerWorldUnit is
+changed; forces are in newtons (N), times in seconds.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING
 
-# Import the modules whose objects the classes below take and return: an object of a class whose module was never
-# imported comes back as an object of a superclass.
+# Import the modules of the objects that the classes below accept and return: otherwise an object whose module was never
+# imported is returned as an object of a superclass.
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
@@ -44,8 +44,8 @@ if _HAS_RENDERING:
 _vtk = vtkmodules.vtkCommonCore.vtkVersion
 _FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKBuildVersion()}"
 if _FOUND != _COMPILED_WITH:
-    # Check VTK's version first: else the loader names a library that it misses, or objects of another layout crash
-    # later, with force on.
+    # Check VTK's version first. Otherwise the loader would name a missing library, or objects of another layout would
+    # crash later, with force on.
     raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is what there is. "
                       f"Cure: pip install vtk=={_COMPILED_WITH}, or a volumehaptics that was built for VTK {_FOUND}")
 
@@ -63,12 +63,13 @@ if TYPE_CHECKING:
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
-# Imported on demand: names that need NumPy, unlike the classes and touch(); and PyVista, if asked for by name alone.
+# Imported on demand: names that need NumPy, which the classes and touch() do not need, and the module pyvista, only if
+# it is asked for by name.
 _MODULES = ("arrays", "examples")
 _FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify",
               "inspect": "._inspect", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
 
-if not TYPE_CHECKING:  # with __getattr__, a type checker would accept every misspelt name
+if not TYPE_CHECKING:  # hidden from type checkers, because with __getattr__ they would accept every misspelt name
 
     def __getattr__(name: str):
         if name in ("add_haptics", "pyvista") and not _HAS_RENDERING:

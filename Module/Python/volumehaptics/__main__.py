@@ -26,8 +26,8 @@ CURE = f"""python -m volumehaptics: there is no {PROGRAM}, neither in the packag
 
 
 def find_explorer() -> str | None:
-    """Returns the package's own program, which wheels have; else the one beside the package's prefix; else the one on
-    PATH."""
+    """Returns the path of the package's own program, which wheels have; otherwise the one in the package's prefix, or
+    on PATH. Returns None if there is none."""
     package = Path(__file__).resolve().parent
     for program in (package / "bin" / PROGRAM, (package / "../../../../bin").resolve() / PROGRAM):
         if os.access(program, os.X_OK) and program.is_file():
@@ -36,7 +36,7 @@ def find_explorer() -> str | None:
 
 
 def without_display(command: list[str]) -> list[str]:
-    """Returns the command for a computer without a display: it writes pictures, on a virtual screen if possible."""
+    """Changes the command for a computer without a display: it writes pictures, on a virtual screen if possible."""
     if not any(word == "--pictures" or word.startswith("--pictures=") for word in command):
         command = [*command, "--pictures", "explore-pictures"]
     own_screen = shutil.which("xvfb-run")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data sets that are no images: grids, and composite data sets of grids. The filter resamples them where they are
-felt."""
+"""Handles data sets that are not images: grids, and composite data sets of grids. The filter resamples them where they
+are felt."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkResampleToImage
 
-# Points along the longest edge of an overview; only strengths and bounds come from it.
+# Points along the longest edge of an overview, from which only strengths and bounds are taken.
 POINTS = 64
 
 
 def is_grid(volume: Any) -> bool:
-    """Whether data have cells in space, and are no image."""
+    """Whether data have cells in space and are not an image."""
     return isinstance(volume, (vtkDataSet, vtkCompositeDataSet)) and not isinstance(volume, (vtkImageData, vtkPolyData))
 
 
 def unwrap(volume: Any) -> Any:
-    """Returns VTK's data set in an object of another library: vedo, tvtk (Mayavi), nibabel (MNE, nilearn); a volume of nibabel
-    becomes an image where its affine says, in right-anterior-superior. Other objects are returned as they are."""
+    """Returns VTK's data set in an object of another library: vedo, tvtk (Mayavi), nibabel (MNE, nilearn). A volume of
+    nibabel becomes an image at the position that its affine defines, in right-anterior-superior. Returns other
+    objects unchanged."""
     for inner in (getattr(volume, name, None) for name in ("_vtk_obj", "dataset")):
         if isinstance(inner, (vtkDataSet, vtkCompositeDataSet)):
             return inner
@@ -70,7 +71,8 @@ def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
 
 
 def suggest_mode(image: vtkImageData) -> str | None:
-    """Returns the preset of modes for vectors, else for tensors; None for scalars, whose surfaces are felt."""
+    """Returns the name of a preset of modes: for vectors or, if there are none, for tensors. Returns None for scalars,
+    whose surfaces are felt."""
     points = image.GetPointData()
     sizes = {points.GetArray(i).GetNumberOfComponents() for i in range(points.GetNumberOfArrays()) if points.GetArray(i)}
     if 3 in sizes:

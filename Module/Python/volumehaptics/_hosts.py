@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the volumes in the window of any VTK program touchable. It imports none of these programs."""
+"""Makes the volumes in the window of any VTK program touchable. Imports none of these programs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from .vtkVolumeHaptics import (
 
 # Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
-_DEPTH = 4  # attributes in a row, such as figure.scene.interactor
+_DEPTH = 4  # largest number of attributes in a row, such as figure.scene.interactor
 
 
 class Haptics:
@@ -36,13 +36,13 @@ class Haptics:
 
     widget: the vtkHapticWidget that observes the window's interactor.
     device: the vtkHapticDevice in the hand, whose servo runs once there is a volume.
-    filter: the vtkVolumeHapticsFilter that says what is felt. Changes are felt at once.
+    filter: the vtkVolumeHapticsFilter that defines what is felt. Changes are felt at once.
     style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
-    representation: the vtkHapticRepresentation, the hand in the scene.
-    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
+    representation: the vtkHapticRepresentation that shows the hand in the scene.
+    head_up_display: the vtkHapticHeadUpDisplay with figures and a plot over the scene.
     """
 
-    closed = True  # until its parts are there
+    closed = True  # until all parts exist
     _leave_widget: Callable[[], bool] | None = None
 
     def __init__(self) -> None:
@@ -56,8 +56,8 @@ class Haptics:
         self.closed = False
 
     def update(self) -> bool:
-        """Does one step of the window's timer, for programs whose loop has none. True: there is something new to
-        draw."""
+        """Does one step of the window's timer, for programs whose loop has none. Returns whether there is something new
+        to draw."""
         return not self.closed and self.style.UpdateHaptics()
 
     def close(self) -> None:
@@ -67,7 +67,7 @@ class Haptics:
         self.closed = True
         if self._leave_widget is not None:
             if not self._leave_widget():
-                # The timer is gone with the widget; VTK's widget would still stop it.
+                # The timer has ended with the Qt widget, but VTK's widget would still stop it.
                 interactor = self.widget.GetInteractor()
                 if interactor is not None:
                     interactor.RemoveObservers("DestroyTimerEvent")
@@ -87,10 +87,10 @@ class Haptics:
         self.close()
 
     def _choose_device(self, wanted: str | vtkHapticDevice | None) -> None:
-        """Chooses the device; the user's own device stays open when this is closed."""
+        """Sets the device. A device of the user's own stays open when this object is closed."""
         if isinstance(wanted, vtkHapticDevice):
             with Errors(wanted) as errors:
-                if not wanted.IsOpen() and not wanted.Start():  # Start() reports the error
+                if not wanted.IsOpen() and not wanted.Start():  # Start() reports why it is not open
                     raise ValueError("; ".join(errors))
             wanted.Stop()  # the device may be armed, on another volume
             self.widget.SetDevice(wanted)
@@ -101,7 +101,7 @@ class Haptics:
                     raise RuntimeError("; ".join(errors))
 
     def _watch_widget(self, target: Any) -> None:
-        """Ends the touch when the view is no longer seen, if the view is one of Qt."""
+        """Ends the touch when the view is no longer seen, if it is a view of Qt."""
         itself = weakref.ref(self)
 
         def let_go() -> None:
@@ -113,13 +113,13 @@ class Haptics:
 
 
 def _plain_vtk(wrapped: Any) -> Any:
-    """Returns VTK's object inside a tvtk object (Mayavi); for tvtk's other objects None."""
+    """Returns VTK's object inside a tvtk object (Mayavi). Returns None for other objects of tvtk."""
     inner = getattr(wrapped, "_vtk_obj", None)
     return wrapped if inner is None else inner
 
 
 def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
-    """Returns the interactor of a program's window object, found by its attributes."""
+    """Returns the interactor of a program's window object, which is found through its attributes."""
     target = _trame.window_of(target) if _trame.is_view(target) else _plain_vtk(target)
     if isinstance(target, vtkRenderWindowInteractor):
         return target
@@ -135,8 +135,8 @@ def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInterac
 
 
 def _find_volume(volume: Any) -> vtkVolume:
-    """Returns the volume inside a program's object, found by its attributes."""
-    for one in (volume, getattr(volume, "actor", None)):  # vedo
+    """Returns the volume inside a program's object, which is found through its attributes."""
+    for one in (volume, getattr(volume, "actor", None)):  # objects of vedo have an actor
         if isinstance(_plain_vtk(one), vtkVolume):
             return _plain_vtk(one)
     raise TypeError(f"what is touched in a window is a vtkVolume that it shows, not {_describe(volume)}. Cure: give that "
@@ -148,7 +148,7 @@ def _describe(thing: Any) -> str:
 
 
 def _find_plotter(target: Any) -> Any:
-    """Returns PyVista's plotter: the object itself, or the plotter of a figure of MNE; None for other objects."""
+    """Returns PyVista's plotter: the object itself, or the plotter of MNE's figure. Returns None for other objects."""
     for one in (target, getattr(target, "plotter", None)):
         if hasattr(one, "iren") and any(kind.__module__.split(".")[0] == "pyvista" for kind in type(one).__mro__):
             return one
@@ -167,24 +167,24 @@ def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -
 
 
 def add_haptics(target: Any, volume: Any = None, preset: str | None = None, device: Any = None, **settings: Any) -> Haptics:
-    """Makes the volumes in a window touchable, beside the style, the widgets and the keys of its program.
+    """Makes the volumes in a window touchable. The style, the widgets and the keys of the program continue to work.
 
     target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
         VtkRemoteView of trame; a plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi, a
         figure of MNE; or any other object with one of their attributes. In trame, call widget.TouchModeOn() from a
         button, because no keys arrive; the touch ends when a browser leaves.
     volume: the touched vtkVolume, or an object that has one. Default: the volume under the pointer.
-    preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
-        "propose": what the volume's own edges suggest, or a file ".json": both as in touch().
+    preset: how the tissues feel, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
+        "propose": as the volume's own edges suggest; or a file ".json": both as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is open
-        and stays so.
+        and stays open.
     settings: of vtkVolumeHapticsFilter, in snake_case, as for touch().
 
     The key t with the pointer on a volume begins the touch, Escape ends it: see vtkHapticWidget. Keep the returned
     object: the touch ends when it is deleted.
 
     TypeError: target has no window, or volume is no volume. ValueError: the window has no interactor, or settings can't
-    be felt; the text says why, and what helps. RuntimeError: the device does not open.
+    be felt; the text has the reason and the cure. RuntimeError: the device does not open.
     """
     plotter = _find_plotter(target)
     if plotter is not None:

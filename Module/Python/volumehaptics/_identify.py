@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An ideal hand that tells materials apart as well as human senses allow."""
+"""An ideal hand that distinguishes materials as well as human senses allow."""
 
 from __future__ import annotations
 
@@ -22,26 +22,26 @@ __all__ = ["identify"]
 
 _STRATEGIES = ("force", "depth")
 _MATERIAL = ("stiffness", "friction", "viscosity", "surface_strength")
-_TICK = 0.05  # mm
+_TICK = 0.05  # mm, step of the hand in a tick
 _ABOVE = 6.0  # mm: height of the hand above an edge at the start
-_DEEPEST = 10.0  # mm
-_STROKE = 10.0  # mm
+_DEEPEST = 10.0  # mm, largest depth of the hand
+_STROKE = 10.0  # mm, length of a stroke
 _STRONGEST = 4.0  # N: the strongest press
-_STEADY = 0.4  # fraction of the stroke after which the cues count
-_FLOORS = {"mm": 0.5, "N": 0.05}  # below these, the senses do not obey Weber's law: assumed
+_STEADY = 0.4  # fraction of the stroke after which cues are measured
+_FLOORS = {"mm": 0.5, "N": 0.05}  # assumed limits below which the senses do not obey Weber's law
 _DRAWS = 100_000
 
 
 @dataclass(frozen=True)
 class Identification:
-    """How well an ideal hand tells materials apart.
+    """How well an ideal hand distinguishes materials.
 
-    names: of the materials, in the order of all other members.
-    cue_names: what the hand measures, with units.
-    cues: of shape (materials, cues), the measured values: the mean, if a material was touched more than once.
+    names: names of the materials, in the order of all other members.
+    cue_names: the quantities that the hand measures, with units.
+    cues: the measured values, of shape (materials, cues); the mean if a material was touched more than once.
     distance: d' of each pair, in units of the noise of the senses.
     confusion: confusion[i, j] is the probability that material i is named j.
-    correct: the expected number of correctly named materials: the sum of the diagonal.
+    correct: the expected number of correctly named materials, which is the sum of the diagonal.
     """
 
     names: tuple[str, ...]
@@ -69,7 +69,7 @@ def _function(value: float) -> vtkPiecewiseFunction:
 
 
 def _constant(name: str, material: Mapping[str, float]) -> vtkHapticProperty:
-    """Makes a property that feels the same everywhere."""
+    """Makes a property that has the same material everywhere."""
     feel = vtkHapticProperty()
     feel.SetDistinctness(_function(1.0))
     for key, value in material.items():
@@ -86,8 +86,8 @@ def _constant(name: str, material: Mapping[str, float]) -> vtkHapticProperty:
 
 
 def _slab(values: tuple[float, float] | None, margin: int) -> Any:
-    """Makes a volume of the values outside and inside of a surface at z = 0 with an edge of one voxel; without values, one
-    with surfaces everywhere."""
+    """Makes a volume with two values, outside and inside of a surface at z = 0 with an edge of one voxel. Without
+    values, makes a volume that has surfaces everywhere."""
     low = np.array((-margin, -margin, -margin - int(_ABOVE)))
     high = np.array((int(_STROKE) + margin, margin, int(_DEEPEST) + margin))
     z = np.arange(low[2], high[2] + 1, dtype=np.float64)
@@ -101,7 +101,7 @@ def _slab(values: tuple[float, float] | None, margin: int) -> Any:
 
 
 def _way(start: float, depth: float, stroke: float) -> np.ndarray:
-    """Makes a path down to a depth, then aside."""
+    """Makes a path that goes down to a depth, then aside."""
     down = np.arange(start, depth + 0.5 * _TICK, _TICK)
     aside = np.arange(_TICK, stroke + 0.5 * _TICK, _TICK)
     points = np.zeros((len(down) + len(aside), 3))
@@ -135,7 +135,8 @@ def _of_trace(name: str, trace: vtkPolyData) -> list:
 
 
 def _confusion(places: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Returns d' of each pair and the probabilities of names, from perceived cues at some positions on each material."""
+    """Returns d' of each pair, and the probabilities of names, from the cues perceived at some positions on each
+    material."""
     mean = np.array([one.mean(axis=0) for one in places])
     variance = 1.0 + np.array([one.var(axis=0) for one in places])
     random = np.random.default_rng(11)
@@ -156,7 +157,7 @@ def _positive(name: str, value: float) -> None:
 
 
 def _is_values(material: Any) -> bool:
-    """Whether a material is a scalar value inside, or a pair: outside and inside."""
+    """Whether a material is a scalar value inside, or a pair of values, outside and inside."""
     pair = material if isinstance(material, tuple) else (material,)
     return len(pair) in (1, 2) and all(isinstance(one, numbers.Real) for one in pair)
 
@@ -172,22 +173,22 @@ def identify(
     outside: float = -1000.0,
     **settings: Any,
 ) -> Identification:
-    """Computes which materials a hand could tell apart, before anyone has touched them.
+    """Computes which materials a hand could distinguish, before anyone has touched them.
 
     An ideal hand presses on each material, strokes it, and presses until it yields. It knows how each of them feels,
-    and errs only because human senses are coarse: it confuses cues that differ by about a Weber fraction.
+    and makes errors only because human senses are coarse: it confuses cues that differ by about a Weber fraction.
 
     materials: by name; each is one of these, and kinds may be mixed: a mapping with stiffness (N/m), friction,
         viscosity (N) and surface_strength (N); missing ones have the default of vtkHapticProperty;
         a scalar value (such as HU), or a tuple of two, outside and inside: a slab of this value, felt with the preset
             or the property;
         a trace of touch(), or a list of them: strokes over data at constant depth, for strategy "depth".
-    preset: the feel of scalar values, as in touch().
+    preset: the materials of scalar values, as in touch().
     strategy: "force", the hand strokes with a constant force and measures its depth (10 mm at most); "depth", it
         strokes at a constant depth and measures the force. Either way it measures the force against the stroke and the
         force at which the material yields (4 N at most).
-    force: of strategy "force" (N).
-    depth: of strategy "depth" (mm).
+    force: the constant force of strategy "force" (N).
+    depth: the constant depth of strategy "depth" (mm).
     weber: the Weber fraction: a difference of a cue by this fraction is as large as the noise of the senses, d' = 1.
     outside: the scalar value outside slabs that are given by one value.
     settings: settings of vtkVolumeHapticsFilter for slabs, as in touch().
@@ -196,7 +197,7 @@ def identify(
     distribution function. Documentation/evaluation.md has the model and the thresholds of the literature.
 
     TypeError: a setting, a material or a number of another kind. ValueError: fewer than two materials, or a value that
-    can't be touched; the text says why.
+    can't be touched; the text has the reason.
 
     >>> from volumehaptics import identify
     >>> found = identify({"fat": {"stiffness": 150}, "muscle": {"stiffness": 350}, "more muscle": {"stiffness": 351}})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a file holds, and what of it can be felt."""
+"""Describes what a file contains, and what of it can be felt."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ def inspect(file: str | os.PathLike, *options: str) -> dict[str, Any]:
     """Returns what volumehaptics-explore --inspect says of a file or a folder, as a dictionary.
 
     file: any volume that the explorer reads, such as a NIfTI file or a folder of DICOM slices.
-    options: further ones of the explorer, such as "--series", "2", or "--as-labels".
+    options: further options of the explorer, such as "--series", "2", or "--as-labels".
 
     Keys: name and format; size, spacing, origin and direction (mm; directions are the columns of nine numbers, row by
     row), axes, meters_per_unit (of the hand's movement); type, range, usual_range (0.5 to 99.5 %) and padding of the
-    values; modality and modality_reason; noise (standard deviation) and local_noise (the least and the most of 27 parts);
+    values; modality and modality_reason; noise (standard deviation) and local_noise (smallest and largest of 27 parts);
     smallest_sheet (mm) and smallest_sheet_step, smallest_step (differences of values that are felt in spite of the
-    noise); preset and preset_reason; notes, what was guessed, dropped, filled, resampled or turned.
+    noise); preset and preset_reason; notes on what was guessed, dropped, filled, resampled or turned.
 
     ValueError: the file can't be read, with the cure. FileNotFoundError: there is no volumehaptics-explore.
     """

@@ -42,7 +42,8 @@ def _one_of(known: Iterable[str], wrong: str) -> str:
 
 
 def _labels_of(table: vtkHapticLabelTable, key: int | str) -> list[int]:
-    """Returns the labels that a key of materials stands for: one number, or all labels of a name."""
+    """Returns the labels for which a key of materials stands: a number stands for one label, a name for all labels of
+    this name."""
     if isinstance(key, numbers.Integral) and not isinstance(key, bool):
         if not -2**31 <= key < 2**31:
             raise ValueError(f"label {key} is out of range: labels are from {-2**31} to {2**31 - 1}")
@@ -82,7 +83,7 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
     if materials is None:
         return
     if isinstance(materials, vtkHapticLabelTable):
-        # Field data hold whole tables; merge them.
+        # Only field data contain a whole table: read the table from field data, so that it is merged.
         carrier = vtkImageData()
         materials.WriteFieldData(carrier.GetFieldData())
         table.ReadFieldData(carrier.GetFieldData())
@@ -99,14 +100,14 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
 
 
 def _copy(image: vtkImageData) -> vtkImageData:
-    """Copies an image without the reader's record of its origin; the copy shares the samples."""
+    """Copies an image without the reader's record of its origin. The copy shares the samples."""
     copy = vtkImageData()
     copy.ShallowCopy(image)
     return copy
 
 
 def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
-    """Returns a label image where it lies in the volume's world, with its table in its field data."""
+    """Returns a label image that is placed in the volume's world, with its table in its field data."""
     from ._files import run, take
     from ._touch import _warn
 
@@ -119,10 +120,10 @@ def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
 
 
 def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
-    """Returns the labels of a file, placed in the world of a volume: left-posterior-superior as in ITK and the explorer, or
-    right-anterior-superior as in nibabel. ValueError: the position can't be determined."""
+    """Returns the labels of a file, placed in the world of a volume: in left-posterior-superior, as in ITK and the
+    explorer, or in right-anterior-superior, as in nibabel. ValueError: the position can't be determined."""
     if is_file and is_placed and _overlaps(image, volume):
-        return image  # both files tell the same world
+        return image  # both files place their voxels in the same world
     if not is_file and image.GetDimensions() == volume.GetDimensions() and (
             not is_placed or any(_has_voxels_of(one, volume) for one in (image, _turn(image)))):
         return _lay(image, volume)
@@ -142,7 +143,7 @@ def _tell(image: vtkImageData) -> str:
 
 
 def _is_bare(volume: vtkImageData) -> bool:
-    """Whether an image seems to come from a reader, or from an array without a position."""
+    """Whether an image seems to have no position, as from a reader that ignores it or from an array."""
     return _matrix(volume)[:2] == [[1, 0, 0], [0, 1, 0]] and tuple(volume.GetOrigin()) == (0, 0, 0)
 
 
@@ -152,7 +153,7 @@ def _matrix(image: vtkImageData) -> list[list[float]]:
 
 
 def _set_frame(image: vtkImageData, axes: list[list[float]], origin: Iterable[float]) -> None:
-    """Sets the axes of an image: columns of any length are the directions of the index axes."""
+    """Sets the axes of an image. The columns, which may have any length, are the directions of the index axes."""
     lengths = [math.hypot(*column) for column in zip(*axes)]
     if min(lengths) > 0:
         image.SetDirectionMatrix([x / length for row in axes for x, length in zip(row, lengths)])
@@ -177,7 +178,7 @@ def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
 
 
 def _ends(image: vtkImageData, volume: vtkImageData) -> list[tuple[float, ...]]:
-    """Returns an image's first voxel, and the last voxel along each axis, as indices of a volume."""
+    """Returns an image's first voxel, and its last voxel along each axis, as indices of a volume."""
     matrix, extent = _to_voxels(image, volume), image.GetExtent()
     ends = [[extent[2 * axis + (axis == end)] for axis in range(3)] for end in (-1, 0, 1, 2)]
     return [matrix.MultiplyPoint((*index, 1.0))[:3] for index in ends]
@@ -187,12 +188,14 @@ _TOLERANCE = 0.05  # voxels
 
 
 def _has_voxels_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether the voxels of both images coincide, in the same order; both have the same number along each axis."""
+    """Whether the voxels of both images coincide, in the same order. Both have the same number of voxels along each
+    axis."""
     return all(math.dist(a, b) < _TOLERANCE for a, b in zip(_ends(image, volume), _ends(volume, volume)))
 
 
 def _has_grid_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether an image's voxels are voxels of the volume, or would be beyond its border; the axes may differ."""
+    """Whether the voxels of an image are voxels of the volume, or would be beyond its border. The order of the axes may
+    differ."""
     matrix = _to_voxels(image, volume)
     steps = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
     return all(abs(abs(step) - 0.5) > 0.4 and abs(step) < 1.1 for step in steps) and all(
@@ -235,7 +238,8 @@ def set_labels(
     haptics: vtkVolumeHapticsFilter, volume: vtkImageData, labels: Labels | None, materials: Materials | None,
     is_file: bool = False
 ) -> None:
-    """Gives a filter labels and their table. is_file: the volume was read from a file, as the explorer does."""
+    """Sets the labels of a filter, and their table. is_file: whether the volume was read from a file, as the explorer
+    does."""
     if labels is None:
         if materials is not None:
             raise TypeError("materials are those of labels: give labels=..., an image or an array of whole numbers")

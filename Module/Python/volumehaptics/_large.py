@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Volumes larger than memory: any object that gives the samples of a box."""
+"""Opens volumes larger than memory: any object that provides the samples of a box."""
 
 from __future__ import annotations
 
@@ -56,15 +56,15 @@ _TYPES = {
     "float64": VTK_DOUBLE,
 }
 
-# A call of a ctypes function waits for Python's lock on whatever thread; a call of the library's function lets other
-# Python threads run meanwhile.
+# A call of a ctypes function waits for Python's lock, on whatever thread. During a call of the library's function,
+# other Python threads can run.
 _Read = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int), ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int)
 _Release = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
 
 
 class _Array(NamedTuple):
-    """An array that C++ may read, and the function that reads it."""
+    """An array that C++ may read, with the source that reads it."""
 
     array: Any
     dtype: np.dtype
@@ -72,7 +72,7 @@ class _Array(NamedTuple):
 
 
 class _Source(vtkHapticRegionSource):
-    """A source that lives as long as any of its output ports is held; VTK's ports do not hold their source."""
+    """A source that lives as long as any of its output ports is in use. VTK's ports do not hold their source."""
 
     def GetOutputPort(self, *index: int) -> Any:
         port = super().GetOutputPort(*index)
@@ -86,11 +86,12 @@ def _let_go(_source: _Source) -> None:
 
 _arrays: dict[int, _Array] = {}
 _numbers = itertools.count(1)
-_MOST_COARSE = 2**22  # voxels of a coarse level
+_MOST_COARSE = 2**22  # largest number of voxels of a coarse level
 
 
 def _expect_in_file(part: np.ndarray) -> None:
-    """Raises an error if a mapped file ends before a part: reading the part would end the program (SIGBUS)."""
+    """Raises an error if a mapped file ends before a part of it, because reading beyond its end would end the program
+    (SIGBUS)."""
     mapped = part
     while isinstance(mapped.base, np.ndarray):
         mapped = mapped.base
@@ -121,7 +122,7 @@ def _read(number: int, extent: Any, samples: int, why: int, room: int) -> int:
     try:
         one = _arrays[number]
         _fill(one.array, one.dtype, extent, samples)
-    except BaseException as error:  # C++ would lose any other exception
+    except BaseException as error:  # any exception, because C++ would lose it
         text = f"{type(error).__name__}: {error}".encode()[: room - 1] + b"\0"
         ctypes.memmove(why, text, len(text))
         return 0
@@ -150,9 +151,9 @@ _process = os.getpid()
 
 @atexit.register
 def _end_reading() -> None:
-    """Stops reading before Python ends: no thread may call Python then."""
+    """Stops reading before Python ends, because no thread may call Python after that."""
     if os.getpid() != _process:
-        return  # the threads belong to the parent
+        return  # the threads belong to the parent process
     for one in list(_arrays.values()):
         source = one.source.Get()
         if source is not None:
@@ -162,7 +163,7 @@ def _end_reading() -> None:
 
 
 class _Volume:
-    """The volume [z, y, x] of an array that has further axes before these."""
+    """The volume [z, y, x] of an array that has further axes before these; of those, one index each is chosen."""
 
     def __init__(self, array: Any, before: tuple[int, ...]) -> None:
         self._array, self._before = array, before
@@ -173,7 +174,7 @@ class _Volume:
 
 
 def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float], list[float]]:
-    """Returns spacing and origin of OME-Zarr's coordinate transformations, along all axes."""
+    """Returns the spacing and the origin in OME-Zarr's coordinate transformations, along all axes."""
     scale, translation = [1.0] * axes, [0.0] * axes
     for one in transformations:
         if one.get("type") == "scale" and "scale" in one:
@@ -188,14 +189,14 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
 
 
 def _in_millimetres(lengths: Sequence[float], axes: list) -> list[float]:
-    """Lengths along the last three axes, which are z, y and x, as x, y and z."""
+    """Converts lengths along the last three axes, which are z, y and x, to millimetres. Returns them as x, y and z."""
     names = [str(one.get("unit", "")) if isinstance(one, dict) else "" for one in axes[-3:]] or [""] * 3
     units = [vtkHapticRegionSource.GetMillimetersPerUnit(name) or 1.0 for name in names]
     return [length * unit for length, unit in zip(lengths[-3:], units)][::-1]
 
 
 class _Level(NamedTuple):
-    """A volume, with spacing and origin along x, y and z if they are known."""
+    """A volume, and its spacing and origin along x, y and z, if they are known."""
 
     array: Any
     spacing: Sequence[float] | None = None
@@ -218,7 +219,7 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
 
 
 def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
-    """Opens the levels of an OME-Zarr group, from the wanted one to the coarsest."""
+    """Opens the levels of an OME-Zarr group, from the wanted level to the coarsest."""
     attributes = dict(group.attrs)
     scales = attributes.get("ome", attributes).get("multiscales")
     if not scales:
@@ -234,7 +235,7 @@ def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
         except (KeyError, ValueError):
             if not levels:
                 raise
-            break  # missing coarser levels are no error
+            break  # a coarser level may be missing
     return levels
 
 
@@ -253,7 +254,7 @@ def _open_path(path: str, level: int) -> list[_Level]:
 
 
 def _choose_coarse(levels: list[_Level]) -> _Level | None:
-    """Returns the finest coarser level that is small enough to stay in memory, if there is one."""
+    """Returns the finest coarser level that is small enough to stay in memory; None if there is none."""
     return next((one for one in levels[1:] if np.prod(one.array.shape, dtype=float) <= _MOST_COARSE), None)
 
 
@@ -289,7 +290,7 @@ def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageDat
 
 
 def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHapticRegionSource:
-    """Opens a file that C++ reads itself, on threads that need no Python lock."""
+    """Opens a file that C++ reads itself, on threads that do not need Python's lock."""
     source = _Source()
     with Errors(source) as errors:
         if not source.OpenFile(path):
@@ -302,7 +303,7 @@ def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHaptic
         coarse = coarse or None
         if coarse is not None and not isinstance(coarse, vtkImageData):
             raise TypeError(f"the coarse level of {path} is a vtkImageData, or False, not {type(coarse).__name__}")
-        source.SetCoarseImage(coarse)  # the file's own coarse image lies elsewhere
+        source.SetCoarseImage(coarse)  # in place of the file's own coarse image, which has another position
     return source
 
 
@@ -313,9 +314,9 @@ def open_large(
     level: int = 0,
     coarse: Any = None,
 ) -> vtkHapticRegionSource:
-    """Opens a volume that is too large for memory; it is read where the hand needs it.
+    """Opens a volume that is too large for memory, so that it is read where the hand needs it.
 
-    array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
+    array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy accepts: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
         OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), of a TIFF file with a page for each slice (.tif,
         .tiff), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd) without compression. An OME-Zarr image with times or channels gives the first of each.
@@ -323,16 +324,16 @@ def open_large(
         its axes name a unit of OME-NGFF, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
         the file; else 0.
-    level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
+    level: the level of an OME-Zarr image: 0 is the finest, -1 the coarsest.
     coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
         world. Live, it replaces late samples, with half of its force; windows show it. Default:
         of an OME-Zarr image, its finest coarser level of at most 2^22 voxels; else nothing. False: nothing.
 
     The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
-    whole in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread reads
-    around the tip, and needs Python's lock for that; so vtkHapticDevice.UpdateState(), which the interactor style calls,
-    lets others have it for 5 ms while samples are awaited. What the array raises while it is read is an error of the
-    filter or of the source.
+    whole volume in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread
+    reads around the tip, and needs Python's lock for that; so vtkHapticDevice.UpdateState(), which the interactor style
+    calls, lets others have it for 5 ms while samples are awaited. What the array raises while it is read is an error of
+    the filter or of the source.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
     origin that is not three numbers; a level that does not exist; a file that can't be read. ImportError: a path
@@ -353,7 +354,7 @@ def open_large(
     if shape is None or kind is None or not hasattr(array, "__getitem__"):
         raise TypeError(f"a large volume is an array with shape, dtype and parts [z, y, x], or a path, not "
                         f"{type(array).__name__}")
-    kind = getattr(kind, "numpy_dtype", kind)  # tensorstore's
+    kind = getattr(kind, "numpy_dtype", kind)  # tensorstore's types have this attribute
     dtype = np.dtype(kind).newbyteorder("=")
     if dtype.name not in _TYPES:
         raise TypeError(f"a volume can't have numbers of type {kind}. Cure: an array of another type, such as dask's "

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several paths as lines of one polydata, and their joint trace as several traces."""
+"""Joins several paths as lines of one polydata, and divides their joint trace into several traces."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
 def _lines(ends: np.ndarray) -> vtkCellArray:
-    """Makes polylines of consecutive points, from the indices where they end."""
-    # Copies the offsets: vtkCellArray may take the memory without the object that keeps NumPy's array alive.
+    """Makes polylines of consecutive points from the indices at which they end."""
+    # Copy the offsets: vtkCellArray may keep the memory without the object that keeps NumPy's array alive.
     offsets = numpy_to_vtkIdTypeArray(np.array(ends, np.int64), deep=True)
     points = numpy_to_vtkIdTypeArray(np.arange(ends[-1], dtype=np.int64), deep=True)
     lines = vtkCellArray()
@@ -21,7 +21,7 @@ def _lines(ends: np.ndarray) -> vtkCellArray:
 
 
 def _is_plain(path: vtkPolyData) -> bool:
-    """Whether a polydata is one path through its points in their order, so that it can be one line of several."""
+    """Whether a polydata is one path through its points in their order, so that it can become one line of several."""
     data = path.GetPointData()
     if path.GetNumberOfPoints() == 0 or data.HasArray("DeviceTip") or data.HasArray("Orientation"):
         return False
@@ -34,7 +34,7 @@ def _is_plain(path: vtkPolyData) -> bool:
 
 
 def groups(paths: list[vtkPolyData]) -> list[list[int]]:
-    """Returns the indices of paths that can be felt together: all of them have times, or none has."""
+    """Groups the indices of paths that can be felt together: in a group, all paths have times, or none has."""
     timed: list[int] = []
     untimed: list[int] = []
     others: list[list[int]] = []
@@ -47,12 +47,12 @@ def groups(paths: list[vtkPolyData]) -> list[list[int]]:
         elif times.GetNumberOfComponents() == 1 and times.GetNumberOfTuples() == path.GetNumberOfPoints():
             timed.append(i)
         else:
-            others.append([i])  # let the filter report the error
+            others.append([i])  # alone, so that the filter reports the error
     return [*(group for group in (timed, untimed) if group), *others]
 
 
 def together(paths: list[vtkPolyData]) -> vtkPolyData:
-    """Makes one polydata with a line for each of some paths that groups() puts together."""
+    """Makes one polydata of the paths of a group, with a line for each."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.concatenate(
         [vtk_to_numpy(path.GetPoints().GetData()).astype(np.float64, copy=False) for path in paths])))
@@ -68,14 +68,14 @@ def together(paths: list[vtkPolyData]) -> vtkPolyData:
 
 
 def _slice(array: vtkDataArray, begin: int, end: int) -> vtkDataArray:
-    """Returns some tuples of an array; they share its memory."""
+    """Returns a range of the tuples of an array. The memory is shared."""
     part = numpy_to_vtk(vtk_to_numpy(array)[begin:end], array_type=array.GetDataType())
     part.SetName(array.GetName())
     return part
 
 
 def apart(trace: vtkPolyData) -> list[vtkPolyData]:
-    """Returns a trace for each line of a joint trace, equal to the trace of each path alone; all share its memory."""
+    """Returns a trace for each line of a joint trace, equal to the trace of each path alone. They share its memory."""
     ends = vtk_to_numpy(trace.GetLines().GetOffsetsArray())
     data = trace.GetPointData()
     arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]

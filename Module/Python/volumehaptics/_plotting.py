@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a pyvista.Plotter touchable, through the plotter's public attributes alone."""
+"""Makes a pyvista.Plotter touchable, using only the plotter's public attributes."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ from .vtkVolumeHaptics import (
 if TYPE_CHECKING:
     import pyvista as pv
 
-# A touchable plotter holds its parts; they do not hold the plotter.
+# A touchable plotter keeps its parts alive; the parts do not keep the plotter alive.
 _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDictionary()
 
 SIZE = 0.007  # radius of the proxy, as a fraction of the volume's diagonal
-ARROW = 0.05  # length of an arrow for 1 N, as the same fraction
+ARROW = 0.05  # length of an arrow of 1 N, as a fraction of the volume's diagonal
 
 
 class Haptics(HostHaptics):
@@ -46,11 +46,11 @@ class Haptics(HostHaptics):
 
     widget: the vtkHapticWidget, which observes the plotter's mouse and keys beside the plotter's own style.
     device: the vtkHapticDevice in the hand, whose servo runs.
-    filter: the vtkVolumeHapticsFilter that says what is felt. Changes are felt at once.
+    filter: the vtkVolumeHapticsFilter that defines what is felt. Changes are felt at once.
     style: the vtkInteractorStyleHaptic of the widget, for keys, slices and events. It is not the plotter's style.
-    representation: the vtkHapticRepresentation, the hand in the scene.
-    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
-    frames: the vtkHapticTimeStepSource of a volume that moves; None without one.
+    representation: the vtkHapticRepresentation that shows the hand in the scene.
+    head_up_display: the vtkHapticHeadUpDisplay with figures and a plot over the scene.
+    frames: the vtkHapticTimeStepSource of a moving volume; None for other volumes.
     slices: the vtkHapticSliceView beside the scene; None without slices=True.
     measurements: the vtkHapticMeasurements that are taken by touch and keys.
     measured: the vtkHapticMeasurementRepresentation, which shows them in the scene.
@@ -67,8 +67,8 @@ class Haptics(HostHaptics):
         self._plotter = weakref.ref(plotter)
         self._renderer = weakref.ref(renderer or plotter.renderer)
         self._in_scene: list[Any] = []
-        self._missing = 0  # props that were missing at the last look
-        self._feels_hidden = False  # feels invisible props, too
+        self._missing = 0  # number of props that were missing at the last check
+        self._feels_hidden = False  # whether invisible props are felt, too
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
 
@@ -93,7 +93,7 @@ class Haptics(HostHaptics):
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
-        self.measured.UseBoundsOff()  # cameras and axes frame the volume, not the measurements
+        self.measured.UseBoundsOff()  # when cameras and axes frame the scene, the volume counts, not the measurements 
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
         self.head_up_display.SetMeasurements(self.measurements)
@@ -105,13 +105,14 @@ class Haptics(HostHaptics):
             self.widget.On()
         if errors:
             raise ValueError("; ".join(errors))
-        self.widget.AddObserver("ErrorEvent", _warn)  # a later warning: the volume can't be touched with t
+        # reports later errors, such as for a volume that can't be touched with t
+        self.widget.AddObserver("ErrorEvent", _warn)
         self._in_scene = [prop for prop in (self.representation, *touched) if self._is_in_scene(prop)]
         self._watch(plotter)
         _touchable[plotter] = self
 
     def _frame(self, large: vtkHapticRegionSource) -> None:
-        """Shows the region in memory finely, and its outline."""
+        """Shows the region that is in memory in fine detail, and its outline."""
         outline, mapper, self._outline = vtkOutlineFilter(), vtkPolyDataMapper(), vtkActor()
         outline.SetInputConnection(large.GetOutputPort())
         mapper.SetInputConnection(outline.GetOutputPort())
@@ -129,7 +130,7 @@ class Haptics(HostHaptics):
             self._picture.SetRenderer(self._renderer())
 
     def _show_slices(self, plotter: pv.Plotter, image: vtkImageData | None) -> None:
-        """Shows slices through the tip, beside the scene: of an image, or of the felt data."""
+        """Shows slices through the tip beside the scene: slices of an image, or of the felt data."""
         self.slices = vtkHapticSliceView()
         self.slices.SetDevice(self.device)
         self.slices.SetHeadUpDisplay(self.head_up_display)
@@ -138,7 +139,7 @@ class Haptics(HostHaptics):
         self.style.SetSliceView(self.slices)
 
     def _check_scene(self) -> None:
-        """Ends the touch if the volume or the hand was taken out of the scene."""
+        """Ends the touch if the volume or the hand has been removed from the scene."""
         before, self._missing = self._missing, self._count_missing()
         if self._missing > before:
             self.style.FadeOut()
@@ -160,7 +161,8 @@ class Haptics(HostHaptics):
                           "with what is shown now", stacklevel=2)
 
     def _watch(self, plotter: pv.Plotter) -> None:
-        """Closes with the plotter. show() replaces the plotter's own hooks, so this watches objects below it."""
+        """Closes this object with the plotter. Watches objects below the plotter, because show() replaces the plotter's
+        own hooks."""
         itself = weakref.ref(self)
 
         def close(*_: object) -> None:
@@ -188,7 +190,7 @@ class Haptics(HostHaptics):
         self.style.AddObserver("ModifiedEvent", look)
         self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
         self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
-        interactor.close = close_first  # other owners may keep VTK's interactor alive after the plotter
+        interactor.close = close_first  # first, because other owners may keep VTK's interactor alive after the plotter
         interactor.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
         self._watch_widget(plotter)
@@ -215,7 +217,7 @@ def _close_all() -> None:
 
 
 def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
-    """Returns the subplot that shows an actor, preferably the active one; for other objects the active one."""
+    """Returns the subplot that shows an actor, preferably the active one. For other objects, returns the active one."""
     if not isinstance(volume, vtkVolume):
         return plotter.renderer
     for renderer in (plotter.renderer, *plotter.renderers):
@@ -227,7 +229,7 @@ def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
 
 
 def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
-    """Returns the plotter's volume, or its first one; with is_alone, its only one."""
+    """Returns the plotter's first volume. If is_alone, it must be the only one."""
     volumes = {name: actor for name, actor in plotter.actors.items() if isinstance(actor, vtkVolume)}
     if not volumes:
         raise ValueError("the plotter has no volume. Cure: add_haptics(plotter, plotter.add_volume(image))")
@@ -239,7 +241,7 @@ def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
 
 
 def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume | vtkHapticRegionSource:
-    """Returns the actor that shows a volume larger than memory; the volume itself if no actor does."""
+    """Returns the actor that shows a volume larger than memory; if there is none, the volume itself."""
     shown = [actor for actor in plotter.actors.values() if isinstance(actor, vtkVolume)]
     if not shown and large.GetCoarseImage() is not None:
         import pyvista
@@ -249,7 +251,7 @@ def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume
 
 
 def _image_of(volume: Any) -> vtkImageData:
-    """Returns the image to be touched: an actor's, or the given one."""
+    """Returns the image to be touched: that of an actor, or the given one."""
     image = volume
     if isinstance(volume, vtkVolume):
         image = volume.GetMapper().GetInputDataObject(0, 0) if volume.GetMapper() else None
@@ -267,7 +269,7 @@ def _geometry(image: vtkImageData) -> tuple[Any, ...]:
 
 
 def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticTimeStepSource:
-    """Makes images, one per time step, the time steps of one volume."""
+    """Makes a source of images, each of which is one time step of the same volume."""
     if len(frames) < 2:
         raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
     for frame in frames:
@@ -287,7 +289,8 @@ def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapti
 
 
 def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageData:
-    """Returns the actor that shows the first time step, or an image of its geometry; if there is none, the time step."""
+    """Returns the actor that shows the first time step, or another image of its geometry; if there is none, the time
+    step itself."""
     def shows(actor: Any) -> bool:
         mapper = actor.GetMapper() if isinstance(actor, vtkVolume) else None
         shown = mapper.GetInputDataObject(0, 0) if mapper else None
@@ -296,7 +299,7 @@ def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageD
     actors = [actor for actor in plotter.actors.values() if shows(actor)]
     if len(actors) != 1:
         return first
-    # PyVista may have given the mapper a copy, which the style would not recognise as the felt image.
+    # Set the image again: PyVista may have given the mapper a copy, which the style would not recognise as felt.
     actors[0].GetMapper().SetInputDataObject(0, first)
     return actors[0]
 
@@ -327,12 +330,12 @@ def add_haptics(
         open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
         that is in memory finely, in a frame. Or a rectilinear, structured or unstructured grid, or a MultiBlock of
         these: its arrays are felt, resampled around the hand, whatever shows it.
-    times: of frames, in seconds, or in other units with time_units_per_second=...; times may take the place of preset:
-        add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
-    preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
-        "propose": what the volume's own edges suggest, as in touch(). Or a file ".json", also as there.
+    times: times of the frames, in seconds, or in other units with time_units_per_second=...; times may take the
+        place of preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
+    preset: how the tissues feel, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
+        "propose": as the volume's own edges suggest; or a file ".json": both as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
-        open and stays so.
+        open and stays open.
     visibility: True (default): what is not seen is not felt, by the opacity of the given actor, or of volume if it is
         an actor. A given actor is felt where its position, orientation and scale put it, without the parts that its
         mapper crops and clips, such as by plotter.add_volume_clip_plane(); see vtkInteractorStyleHaptic.TouchVolume().
@@ -343,7 +346,7 @@ def add_haptics(
     labels, materials: a segmentation and the feel of its labels, as for volumehaptics.touch(). The table is
         haptics.filter.GetLabelTable(); changes are felt at once.
     slices: True shows three slices through the tip in a column beside the scene: see vtkHapticSliceView, and
-        vtkInteractorStyleHaptic for their mouse. All subplots get narrower. The key s hides and shows them.
+        vtkInteractorStyleHaptic for the mouse there. All subplots get narrower. The key s hides and shows the slices.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...,
         tool=vtkHapticNeedle(), tool="drill.stl" or a mesh: Alt + mouse turns it
 
@@ -355,7 +358,7 @@ def add_haptics(
     "") gives C, for example, back to PyVista.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
-    can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the
+    can't be touched; the text has the reason and the cure. RuntimeError: the device does not open. UserWarning: the
     image is shown differently from how it is felt, for example masked or blanked: see
     vtkInteractorStyleHaptic.CheckShownVolumes(). The warning also comes if the plotter changes later.
     """
@@ -398,7 +401,7 @@ def add_haptics(
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter, _renderer_of(plotter, volume))
     haptics._feels_hidden = visibility is not True
-    # The widget finds volumes in the window; other data come from the filter.
+    # The widget itself finds volumes in the window; other data are set in the filter.
     is_found = isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None
     look = volume if visibility is True else visibility
     try:
@@ -416,9 +419,10 @@ def add_haptics(
             haptics.widget.SetVolume(None if takes_any else volume)
         else:
             haptics.representation.SetRadius(SIZE * length)
-            haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
+            # a round number, which is shown to the user
+            haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) and not takes_any else [])
-        if is_found and haptics.style.GetTouchedVolume() is None:  # the volume is hidden, or can't be touched
+        if is_found and haptics.style.GetTouchedVolume() is None:  # if the volume is hidden, or can't be touched
             with Errors(haptics.style) as errors:
                 haptics.style.TouchVolume(volume)
             if errors:
@@ -433,7 +437,7 @@ def add_haptics(
             haptics.device.GetPlayback().SetModeToLoop()
             haptics.device.GetPlayback().Play()
     except BaseException:
-        haptics.close()  # an interactive session would keep the exception, and so the plotter
+        haptics.close()  # an interactive session would keep the exception alive, and with it the plotter
         raise
     return haptics
 
@@ -463,6 +467,6 @@ def _prepare(
             touch.SetInputDataObject(0, volume)
         choose_mode(touch, volume, known, mode, preset, settings, errors)
         set_labels(touch, image, labels, materials)
-        touch.Update()  # only checks, because there is no path
+        touch.Update()  # without a path, this only checks the input
     if errors:
         raise ValueError("; ".join(errors))

@@ -9,12 +9,12 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-# All of these packages have the same classes.
+# All these packages have the same classes.
 _BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 
 
 def _binding_of(widget: Any) -> str | None:
-    """Returns the Qt package of a widget; None for other objects."""
+    """Returns the name of the Qt package of a widget; None for other objects."""
     for kind in type(widget).__mro__:
         binding = kind.__module__.split(".")[0]
         if kind.__name__ == "QWidget" and binding in _BINDINGS:
@@ -23,10 +23,10 @@ def _binding_of(widget: Any) -> str | None:
 
 
 def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] | None:
-    """Calls let_go whenever the widget or its window is no longer seen. None for other objects.
+    """Calls let_go whenever a widget of Qt or its window is no longer seen.
 
-    Returns a function that ends the watch. It keeps the watch alive, but not the widget, and returns False if Qt has
-    deleted the widget.
+    Returns a function that ends the watch; None for other objects. The function keeps the watch alive, but not the
+    widget, and returns False if Qt has deleted the widget.
     """
     binding = _binding_of(widget)
     if binding is None:
@@ -36,7 +36,7 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] 
     hide, show, state, moved = kinds.Hide, kinds.Show, kinds.WindowStateChange, kinds.ParentChange
 
     class Watch(core.QObject):
-        """Watches the widget and its window: only the window itself gets an event when it is minimised."""
+        """Watches the widget and its window, because only the window itself gets an event when it is minimised."""
 
         def __init__(self) -> None:
             super().__init__()
@@ -78,7 +78,7 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] 
 
 
 def _try(function: Callable[[Any], None], argument: Any) -> bool:
-    """Calls a function of an object; False if Qt has already deleted the object."""
+    """Calls a function of an object. Returns False if Qt has already deleted the object."""
     try:
         function(argument)
     except RuntimeError:

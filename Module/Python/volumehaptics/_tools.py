@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tools for the hand, made of meshes and mesh files."""
+"""Makes tools for the hand from meshes and mesh files."""
 from __future__ import annotations
 
 import os
@@ -12,7 +12,7 @@ from .vtkVolumeHaptics import vtkHapticPointShell
 
 
 def _read(path: str) -> vtkPolyData:
-    """Reads the surface in a file. ValueError: there is none."""
+    """Reads the surface in a file. ValueError: the file has no surface."""
     ending = os.path.splitext(path)[1].lower()
     if ending in (".stl", ".obj"):
         from vtkmodules import vtkIOGeometry as module
@@ -31,7 +31,7 @@ def _read(path: str) -> vtkPolyData:
     with Errors(reader) as errors:
         reader.SetFileName(path)
         reader.UpdateInformation()
-        if not errors:  # some readers would continue after an error
+        if not errors:  # after an error, some readers would continue
             reader.Update()
     mesh = reader.GetOutput()
     if errors or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
@@ -40,7 +40,7 @@ def _read(path: str) -> vtkPolyData:
 
 
 def make_tool(tool: Any) -> Any:
-    """Makes a tool with the shape of a mesh or of a mesh file; returns other values unchanged."""
+    """Makes a tool with the shape of a mesh or of a mesh file. Returns other values unchanged."""
     if isinstance(tool, (str, os.PathLike)):
         tool = _read(os.fspath(tool))
     if not isinstance(tool, vtkPolyData):

@@ -34,8 +34,8 @@ def plain(text: str) -> str:
 class Errors(list):
     """Collects errors (or, with an event, warnings) of objects in a with statement, instead of printing them.
 
-    Observer and object reference each other, and keep a volume alive, until Python's garbage collection; so the
-    observers are removed at the end of the statement.
+    Observers are removed at the end of the statement. Otherwise observer and object would reference each other, and
+    keep a volume alive until Python's garbage collection.
     """
 
     def __init__(self, *watched: Any, event: str = "ErrorEvent") -> None:
@@ -67,7 +67,7 @@ def _settings() -> list[str]:
 
 
 def _unknown(name: str) -> str:
-    """Returns a hint for a setting that does not exist."""
+    """Returns a hint on settings with names similar to one that does not exist."""
     plain = name.replace("_", "").lower()
     known = _settings()
     close = [one for one in known if one.replace("_", "") == plain]
@@ -83,7 +83,7 @@ def _in_camel_case(name: str) -> str:
 
 
 def _by_name(name: str, value: Any) -> str:
-    """Returns the enumeration value that may be meant if a word was given for a number."""
+    """Returns a hint on the value that may be meant if a word was given instead of a number."""
     if not isinstance(value, str):
         return ""
     if hasattr(vtkVolumeHapticsFilter, f"Set{_in_camel_case(name)}ByName"):
@@ -95,8 +95,8 @@ def _by_name(name: str, value: Any) -> str:
 
 
 def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) -> bool:
-    """Sets a value. False if the filter does not know it; the filter's error may say why. A number out of range, which the
-    filter would clamp, is a ValueError."""
+    """Sets a value. Returns False if the filter does not know it; the filter's error may have the reason. ValueError:
+    the number is out of range, so that the filter would clamp it."""
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
         raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
@@ -116,10 +116,10 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
 
 
 def apply_preset(material: vtkHapticProperty, name: str, volume: Any) -> bool:
-    """Applies a preset, fitted to the grey levels of a large volume, or of an image with scalars at its points."""
+    """Applies a preset. Fits it to the grey levels of a large volume, or of an image with scalars at its points."""
     if name == "MRI" and isinstance(volume, vtkHapticRegionSource):
         source, volume = volume, vtkImageData()
-        # Reads some samples, with what is known of the whole. A failed read is reported when the volume is felt.
+        # Read some samples, with the facts about the whole. A failed read is reported when the volume is felt.
         if not source.ReadRegion([one + end for one in source.GetWholeExtent()[::2] for end in (0, 2)], volume):
             return material.ApplyPreset(name)
     if isinstance(volume, vtkImageData) and volume.GetPointData().GetScalars() is not None:
@@ -136,8 +136,8 @@ def configure(
     caller: str,
     large: vtkHapticRegionSource | None = None,
 ) -> None:
-    """Applies the settings, then the preset. An unknown one is an error; `errors` may explain it. `image` is the coarse
-    level of a large volume."""
+    """Applies the settings, then the preset. An unknown setting is an error, which `errors` may explain. `image` is the
+    coarse level of a large volume."""
     for name, value in settings.items():
         if not _set(haptics, name, value, caller):
             raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
@@ -161,7 +161,7 @@ def choose_mode(
     settings: dict[str, Any],
     errors: Errors,
 ) -> None:
-    """Applies the modes of a preset's name; without a name, modes that suit a grid of vectors or tensors."""
+    """Applies the modes of the named preset. Without a name, applies modes that suit a grid of vectors or tensors."""
     said = preset is not None or any(name in settings for name in ("property", "method", "method_by_name"))
     if mode is None and is_grid(volume) and not said:
         mode = suggest_mode(image)
@@ -188,7 +188,7 @@ def _misses(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> bool:
 
 
 def _warn(text: str) -> None:
-    """Warns with the caller's line."""
+    """Warns with the line of the caller outside this package."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
         level, frame = level + 1, frame.f_back
@@ -196,7 +196,7 @@ def _warn(text: str) -> None:
 
 
 def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vtkPolyData]) -> None:
-    """Warns about a path that misses the volume: it gives zero force, and is seldom intended."""
+    """Warns about paths that miss the volume, because they give zero force and are seldom intended."""
     out = [i for i, (tip, trace) in enumerate(zip(tips, traces)) if _misses(volume, tip, trace)]
     if out:
         bounds = tips[out[0]].GetBounds(), volume.GetBounds()
@@ -207,8 +207,8 @@ def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vt
 
 @functools.lru_cache(maxsize=1)
 def _library() -> ctypes.CDLL:
-    """Loads the library so that other Python threads run during its calls; before VTK 9.4, VTK's wrappers don't allow
-    that."""
+    """Loads the library so that other Python threads run during its calls, which VTK's wrappers before VTK 9.4 do not
+    allow."""
     library = ctypes.CDLL(vtkVolumeHaptics.__file__)
     library.vtkVolumeHapticsFilterUpdate.argtypes = [ctypes.c_void_p]
     library.vtkVolumeHapticsFilterUpdate.restype = None
@@ -221,7 +221,7 @@ def _update(haptics: vtkVolumeHapticsFilter) -> None:
 
 
 def _are_several(tip: Any) -> bool:
-    """Whether an argument is several paths, not the points of one path."""
+    """Whether an argument is several paths, and not the points of one path."""
     if not isinstance(tip, (list, tuple)) or not tip:
         return False
     first = tip[0]
@@ -239,16 +239,16 @@ def _path(tip: vtkPolyData | np.ndarray | Sequence) -> vtkPolyData:
 
 
 class _Feeling:
-    """A filter that computes one path after another, with its errors as exceptions."""
+    """A filter that computes one path after another, and raises its errors as exceptions."""
 
     def __init__(self, haptics: vtkVolumeHapticsFilter, errors: Errors, failures: Errors) -> None:
         self._haptics, self._errors, self._failures = haptics, errors, failures
 
     def feel(self, path: vtkPolyData | None) -> vtkPolyData:
-        """Returns the trace; the next path does not change it."""
+        """Returns the trace of a path. The next path does not change it."""
         self._haptics.SetPathData(path)
         _update(self._haptics)
-        # The executive's own error only repeats that the filter failed.
+        # Don't report the executive's own error, which only repeats that the filter failed.
         if self._errors:
             raise ValueError("; ".join(self._errors))
         if self._failures:
@@ -258,7 +258,8 @@ class _Feeling:
         return trace
 
     def feel_all(self, paths: list[vtkPolyData]) -> list[vtkPolyData]:
-        """Returns the trace of each path, as many at once as there are cores; errors have the number of the path."""
+        """Returns the trace of each path, computing as many at once as there are cores. Errors name the number of the
+        path."""
         from . import _paths
 
         try:
@@ -272,7 +273,7 @@ class _Feeling:
             return [traces[i] for i in range(len(paths))]
         except ValueError:
             self._forget()
-        self.feel(None)  # raises errors that no path causes
+        self.feel(None)  # raises errors that do not depend on a path
         for i, path in enumerate(paths):
             try:
                 self.feel(path)
@@ -337,7 +338,7 @@ def touch(
         "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
         Several polylines in a vtkPolyData are several paths, too: their trace has a line for each.
-    preset: the feel of the tissues, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
+    preset: how the tissues feel, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere. Or a file ".json" that vtkHapticProperty.WritePreset() has written, or key F8 of
         volumehaptics-explore. "propose", for data of any unit: functions from the edges of the volume, with the kernel
         radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
@@ -349,7 +350,7 @@ def touch(
         .seg.nrrd, .nii, .nii.gz, .mha, .mhd, .vti or a DICOM SEG (.dcm), with its names, if it has any. It lies where it says, if the
         volume has a place, too, in left-posterior-superior or right-anterior-superior: see image(). Labels that lie
         elsewhere than a volume without one, or on other voxels, are refused.
-    materials: what the labels feel like: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
+    materials: how the labels feel: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
         by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
         ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from
         the preset.
@@ -369,8 +370,8 @@ def touch(
     Other threads of Python run meanwhile.
 
     TypeError: a setting that does not exist, or data of another kind. ValueError: data, a preset or a value that can't
-    be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the path of the tip
-    is outside the volume.
+    be touched; the text has the reason and the cure. RuntimeError: the pipeline failed. UserWarning: the path of the
+    tip is outside the volume.
 
     >>> from volumehaptics import examples, touch
     >>> trace = touch(examples.phantom(), examples.stroke(), preset="CT contrast", kernel_radius=3)

@@ -12,10 +12,10 @@ import weakref
 from typing import Any, Callable
 from urllib.parse import quote
 
-PICTURES = 20.0  # a second at most, sent to the browser
+PICTURES = 20.0  # largest number of pictures per second that are sent to the browser
 HIDDEN = "volumehaptics_hidden"
 _TELL = f"document.addEventListener('visibilitychange',()=>document.hidden&&window.trame.trigger('{HIDDEN}'))"
-_PAGE = {"scripts": [f"data:text/javascript,{quote(_TELL)}"]}  # trame loads it once a server
+_PAGE = {"scripts": [f"data:text/javascript,{quote(_TELL)}"]}  # trame loads this once for each server
 
 
 def is_view(target: Any) -> bool:
@@ -25,12 +25,13 @@ def is_view(target: Any) -> bool:
 
 
 def window_of(view: Any) -> Any:
-    """Returns the window that a view was made with; trame's classes keep it in a private attribute."""
+    """Returns the window with which a view was made. trame's classes store it in a private attribute."""
     return next((value for name, value in vars(view).items() if name.endswith("__view")), None)
 
 
 def on_hidden(server: Any, call: Callable[[], None]) -> None:
-    """Calls a function when a browser hides a page opened from now on, behind another tab or in a minimised window."""
+    """Calls a function when a browser hides a page that was opened after this call, behind another tab or in a
+    minimised window."""
     server = server.root_server
     server.enable_module(_PAGE)
     if not server.controller[HIDDEN].exists():
@@ -39,8 +40,8 @@ def on_hidden(server: Any, call: Callable[[], None]) -> None:
 
 
 def drive(view: Any, haptics: Any) -> None:
-    """Updates the haptics and the browser's picture once the server is ready. No keys arrive, so the hint names
-    none."""
+    """Updates the haptics and the browser's picture once the server is ready. Removes the keys from the hint, because
+    no keys arrive."""
     style, server = haptics.style, view.server
     actions = style.GetKeyActions()
     for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
@@ -56,7 +57,7 @@ def drive(view: Any, haptics: Any) -> None:
                 view.update()
                 drawn = time.monotonic()
             pause = 1.0 / haptics.style.GetDisplayRate()
-            del haptics  # the task ends with its owner
+            del haptics  # so that the task ends with the object's owner
             await asyncio.sleep(pause)
 
     def let_go() -> None:
@@ -65,7 +66,7 @@ def drive(view: Any, haptics: Any) -> None:
             haptics.style.FadeOut()
 
     on_hidden(server, let_go)
-    tasks = []  # asyncio keeps weak references only
+    tasks = []  # asyncio itself keeps only weak references
 
     def start(**_: Any) -> None:
         tasks.append(asyncio.get_running_loop().create_task(run()))

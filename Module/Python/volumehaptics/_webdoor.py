@@ -24,15 +24,15 @@ from aiohttp import WSMsgType, web
 from wslink.websocket import LinkProtocol
 
 HERE = ("localhost", "127.0.0.1", "::1")
-MOST_BYTES = 65536  # bytes of a page's message: an event, or a few values
-MOST_UNKNOWN = 512  # bytes of a message before the page has sent the secret
-HEADER = 12  # bytes of wslink's header: a number, the position of this part, and the size of the whole message
+MOST_BYTES = 65536  # largest size of a page's message (bytes): an event, or a few values
+MOST_UNKNOWN = 512  # largest size of a message (bytes) before the page has sent the secret
+HEADER = 12  # bytes of wslink's header: a number, the position of the part, and the size of the whole message
 
-# The page whose message is being handled; none for the program's own actions.
+# The page whose message is being handled; None while the program itself acts.
 _page: contextvars.ContextVar[str | None] = contextvars.ContextVar("page", default=None)
 
-# The browser's address loses the secret, because trame removes it, and a reloaded page needs it. A tab stores the
-# secret of a server where no other server and no other tab can read it.
+# trame removes the secret from the browser's address, but a reloaded page needs it. The tab therefore stores it where
+# only this server and this tab can read it.
 _KEEP = """<script>
 (() => {
   const address = new URL(location);
@@ -57,13 +57,12 @@ _NO_SECRET = ("This page needs the secret of its server. Cure: open the address 
 
 
 def page_now() -> str | None:
-    """Returns the number of the page whose message is being handled."""
+    """Returns the number of the page whose message is being handled; None while the program itself acts."""
     return _page.get()
 
 
 class _Secret(LinkProtocol):
-    """The object that wslink asks for the secret: wslink itself would compare letter by letter up to the first
-    difference."""
+    """Checks the secret for wslink, which itself would compare letter by letter up to the first difference."""
 
     def __init__(self, secret: str) -> None:
         super().__init__()
@@ -74,7 +73,7 @@ class _Secret(LinkProtocol):
 
 
 def _place(address: str) -> tuple[str | None, str]:
-    """Returns the host of an address, and the host with the port."""
+    """Returns the host of an address, and the host together with the port."""
     try:
         parts = urlsplit(address)
         return parts.hostname, parts.netloc.lower()
@@ -83,9 +82,9 @@ def _place(address: str) -> tuple[str | None, str]:
 
 
 class Door:
-    """The door of one trame server; made before the server starts.
+    """The door of one trame server. Make it before the server starts.
 
-    secret: part of the address, new at each start of the server.
+    secret: the secret in the address, new at each start of the server.
     on_leave: called with the number of a page whose connection has ended.
     in_frames: whether other pages may show this one in a frame, as a notebook does.
     """
@@ -96,12 +95,13 @@ class Door:
         self._server = weakref.ref(server)
         self._in_frames = in_frames
         self._names = set(HERE)
-        self._requests: dict[str, web.Request] = {}  # connections of pages
+        self._requests: dict[str, web.Request] = {}  # requests of the pages' connections
         server.add_protocol_to_configure(self._configure)
         server.controller.on_server_bind.add(self._bind)
 
     def _configure(self, protocol: Any) -> None:
-        self.secret = "k" + secrets.token_hex(32)  # a letter first: trame makes numbers of texts that look like one
+        # begins with a letter, because trame converts texts that look like numbers
+        self.secret = "k" + secrets.token_hex(32)
         protocol.registerLinkProtocol(_Secret(self.secret))
 
     def address(self, host: str, page: str = "", *words: str) -> str:
@@ -109,8 +109,8 @@ class Door:
         return f"http://{f'[{host}]' if ':' in host else host}:{self._server().port}/index.html?{query}"
 
     def drop(self, page: str) -> None:
-        """Ends the connection of a page that no longer reads: other pages would wait for it, because wslink sends to
-        one after the other."""
+        """Ends the connection of a page that no longer reads, because other pages would wait for it: wslink sends to
+        one page after the other."""
         request = self._requests.get(page)
         if request is not None and request.transport is not None:
             request.transport.abort()
@@ -171,8 +171,8 @@ class Door:
     # -- the content of messages --
 
     def _watch(self, handler: Any) -> None:
-        """Requires a message to be a single frame: wslink would allocate memory for the size that a first frame
-        announces."""
+        """Requires that a message is a single frame, because wslink would allocate memory of the size that a first
+        frame announces."""
         connect, handle, close = handler.onConnect, handler.onMessage, handler.onClose
 
         async def on_connect(request: web.Request, client: str) -> None:
@@ -203,7 +203,7 @@ _doors: weakref.WeakKeyDictionary[Any, Door] = weakref.WeakKeyDictionary()
 
 
 def door_of(server: Any, in_frames: bool = False) -> Door:
-    """Returns the door of a server; makes one if the server does not run yet."""
+    """Returns the door of a server. Makes one if the server does not run yet."""
     server = server.root_server
     if server not in _doors:
         if server.running:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A touchable plotter in a page of trame: its pictures go to the browser, and the browser's mouse and keys go to its
-style."""
+"""Shows a touchable plotter in a page of trame: sends its pictures to the browser, and the browser's mouse and keys to
+its style."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 if TYPE_CHECKING:
     from ._plotting import Haptics
 
-SILENCE = 3.0  # s without an answer from the leading page, after which the touch ends
-UNANSWERED = 5  # questions, one a second, until a page counts as closed: it can come again
+SILENCE = 3.0  # s for which the leading page may leave questions unanswered before the touch ends
+UNANSWERED = 5  # number of unanswered questions, one a second, after which a page counts as closed; it can come back
 QUALITY = 85  # JPEG quality
-MOST_PIXELS = 1.6e6  # pixels of a picture; a finer display enlarges it
-MOST_WIDE = 8192  # pixels of a page's side; no display has more
-WAITING = 3  # pictures on their way; beyond them, the next one waits
-# Keys with browser names that differ from X11's, which vtkInteractorStyleHaptic.SetKey() uses.
+MOST_PIXELS = 1.6e6  # largest number of pixels of a picture; a finer display enlarges it
+MOST_WIDE = 8192  # largest width and height of a page (pixels); no display has more
+WAITING = 3  # largest number of pictures that may be on the network before the next one waits
+# Keys whose names in browsers differ from X11's, which vtkInteractorStyleHaptic.SetKey() uses.
 KEYS = {" ": "space", "+": "plus", "-": "minus", ",": "comma", ".": "period", "?": "question", "Enter": "Return",
         "Backspace": "BackSpace", "ArrowLeft": "Left", "ArrowRight": "Right", "ArrowUp": "Up", "ArrowDown": "Down"}
-QUITTING = ("e", "q")  # vtkInteractorStyle's keys: they would end the server's event loop
+QUITTING = ("e", "q")  # keys of vtkInteractorStyle that would end the server's event loop
 EVENTS = {f"{button}Button{what}": f"{button}Button{what}Event"
           for button in ("Left", "Middle", "Right") for what in ("Press", "Release")}
 
@@ -49,9 +49,9 @@ _numbers = itertools.count(1)
 
 
 def _number(words: Any, word: str, otherwise: float) -> float:
-    """Returns a number in a page's message, which may contain anything."""
+    """Returns a number in a page's message. The message may contain anything."""
     value = words.get(word) if isinstance(words, dict) else None
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # not NaN
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # false for NaN
     return float(value) if is_number else otherwise
 
 
@@ -72,11 +72,11 @@ class Area(AreaAdapter):
             view.handle(event)
 
     def is_late(self) -> bool:
-        """Whether the network has not yet taken the last pictures."""
+        """Whether the network still has to send the last pictures."""
         return self.streamer is None or self.streamer.coreServer.network_monitor.pending > WAITING
 
     def reset(self) -> None:
-        """Does nothing, because pictures are independent of one another."""
+        """Does nothing, because each picture is complete."""
 
 
 class View:
@@ -88,12 +88,12 @@ class View:
     Several pages may show the plotter. The page that began the touch leads until the touch ends. Meanwhile other pages
     can only end the touch. If the leading page closes or does not answer, the touch ends, whatever other pages answer.
 
-    Make this object before its server starts: it closes the server to clients without the secret, which get_address()
-    includes.
+    Make this object before its server starts, because it closes the server to clients without the secret. get_address()
+    includes the secret.
     """
 
     def __init__(self, haptics: Haptics, server: Any, page: str | None = None) -> None:
-        """page: its name in the address; "main" is the page without a name. Default: a name of its own."""
+        """page: the page's name in the address; "main" is the page without a name. Default: a unique name."""
         plotter = haptics._plotter()
         if plotter is None or haptics.closed or plotter.render_window is None:
             raise ValueError("the plotter is closed. Cure: make a new one, and show it in the browser before show()")
@@ -104,14 +104,14 @@ class View:
         self.interactor = plotter.iren.interactor
         self.closed = False
         self.round_trip: float | None = None  # s
-        self.rate = haptics.device.GetServoRate()  # Hz, measured once a second
+        self.rate = haptics.device.GetServoRate()  # Hz, measured once a second; at first the wanted rate
         self.name = f"volumehaptics_{next(_numbers)}"
         self.page = page or self.name
         self.area = Area(self.name, self)
         self.leader: str | None = None  # the page that leads the hand
         self._door = door_of(server)
-        self._sizes: dict[str | None, tuple[float, float, float]] = {}  # sizes of pages
-        self._heard: dict[str, int] = {}  # the last question that each page has answered
+        self._sizes: dict[str | None, tuple[float, float, float]] = {}  # width, height and pixel ratio of each page
+        self._heard: dict[str, int] = {}  # number of the last question that each page has answered
         self._move: tuple[dict[str, Any], str | None] | None = None
         self._owed = False
         self._drawing = False
@@ -122,7 +122,7 @@ class View:
         self._task: asyncio.Task | None = None
 
         self.window.SetOffScreenRendering(1)
-        self.interactor.EnableRenderOff()  # the style's frames are drawn by draw()
+        self.interactor.EnableRenderOff()  # draw() draws the style's frames
         self._capture = vtkWindowToImageFilter()
         self._capture.SetInput(self.window)
         self._capture.ReadFrontBufferOff()
@@ -133,7 +133,7 @@ class View:
         self._writer.SetQuality(QUALITY)
         self._tag = self.interactor.AddObserver("RenderEvent", self.draw)
         haptics.style.AutoAdjustOffScreenOn()
-        haptics.device.SetAttentionTime(SILENCE)  # a server that stands still feels nothing, so the force may fade
+        haptics.device.SetAttentionTime(SILENCE)  # if the server stands still, the force fades
         self.ui = self._make_page()
         controller = server.controller
         self._door.on_leave.append(self._leave_with)
@@ -146,18 +146,19 @@ class View:
         """Returns the address to open in a browser, once the server runs."""
         return self._door.address(host, "" if self.page == "main" else self.page, *words)
 
-    # -- who leads --
+    # -- leading the hand --
 
     def _holds(self) -> bool:
         """Whether there may be force now or soon."""
         return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
 
     def _may_lead(self, page: str | None) -> bool:
-        """Whether a page may lead the hand: no other page leads. `page` None stands for the program, which always may."""
+        """Whether a page may lead the hand, because no other page does. `page` None stands for the program, which
+        always may."""
         return page is None or self.leader in (None, page)
 
     def _lead(self, page: str | None) -> None:
-        """Lets a page lead after its action, if the hand touches now and no other page leads."""
+        """Makes a page the leader after its action, if the hand touches now and no other page leads."""
         if not self._holds():
             self.leader = None
         elif self.leader is None and page is not None:
@@ -166,21 +167,21 @@ class View:
             self._fit(page)
 
     def _leave_with(self, page: str) -> None:
-        """Forgets a page that has closed, and frees the mouse if that page led the hand."""
+        """Forgets a page that has closed. Ends the touch if that page led the hand."""
         self._sizes.pop(page, None)
         self._heard.pop(page, None)
         if page == self.leader:
             self._leave()
 
     def _hide(self) -> None:
-        """Frees the mouse if the page that led the hand is hidden."""
+        """Ends the touch if the page that led the hand is hidden."""
         if page_now() == self.leader:
             self._leave()
 
     # -- the page --
 
     def _key(self, word: str) -> str:
-        """Makes a name in trame's state; the names of several pages on one server differ."""
+        """Makes a name in trame's state that is unique among the pages of a server."""
         return f"{self.name}_{word}"
 
     def _make_page(self) -> VAppLayout:
@@ -211,7 +212,7 @@ class View:
                 html.Span(f"{{{{ {self._key('status')} }}}}", classes="text-caption mx-3 text-right", data_id="status",
                           __properties=[("data_id", "data-id")])
             with v3.VMain(style="height: 100vh"):
-                # Keys go to the element with the focus, and the pointer sets the focus, as in a window.
+                # The element with the focus gets the keys: give it the focus when the pointer enters, as in a window.
                 focus = "$event.currentTarget.querySelector('[tabindex]')?.focus()"
                 with html.Div(style="width: 100%; height: 100%", mouseenter=focus, __events=["mouseenter"]):
                     RemoteControlledArea(name=self.name, send_mouse_move=True, event_throttle_ms=16,
@@ -220,7 +221,8 @@ class View:
         return page
 
     def toggle_touch(self) -> None:
-        """Begins or ends the touch by the button: it begins in the middle, because the pointer is on the button."""
+        """Begins or ends the touch by the button. The touch begins in the middle, because the pointer is on the button.
+        """
         style = self.haptics.style
         if style.GetTouchMode():
             self._leave()
@@ -241,7 +243,7 @@ class View:
     def _set_preset(self, name: str | None) -> None:
         if self.haptics.closed or name == self._preset:
             return
-        # Accept only names in the list: ApplyPreset() takes files, too, and would open a file that a page names.
+        # Accept only names in the list: ApplyPreset() also accepts files, and would open a file that a page names.
         felt = self.haptics.filter
         if (name in self._presets and self._may_lead(page_now())
                 and apply_preset(felt.GetProperty(), name, felt.GetInputDataObject(0, 0))):
@@ -250,14 +252,14 @@ class View:
             self.server.state[self._key("preset")] = self._preset
 
     def _show(self, word: str, value: Any) -> None:
-        """Sends a value to the page, if it has changed."""
+        """Sends a value to the page if it has changed."""
         if self._shown.get(word) != value:
             self._shown[word] = value
             with self.server.state as state:
                 state[self._key(word)] = value
 
     def _follow(self, *_: object) -> None:
-        """Updates buttons and text from the style, which keys change, too."""
+        """Updates the buttons and the text from the style, because keys change it, too."""
         if self.closed:
             return
         self._show("touching", bool(self.haptics.style.GetTouchMode()))
@@ -267,7 +269,7 @@ class View:
             text += f"; the browser is {1000.0 * self.round_trip:.0f} ms away, for the eye alone"
         self._show("status", text)
 
-    # -- silence of the browser --
+    # -- silent browsers --
 
     def _leave(self) -> None:
         """Ends the touch."""
@@ -296,7 +298,8 @@ class View:
     # -- pictures --
 
     def resize(self, width: float, height: float, ratio: float) -> None:
-        """Sets a page's size. The window has the size of the leading page, or of the last one."""
+        """Sets the size of a page. The window gets the size of the leading page, or, if none leads, of the last page.
+        """
         page = page_now()
         self._sizes[page] = width, height, ratio
         if self._may_lead(page):
@@ -310,7 +313,7 @@ class View:
             self.draw()
 
     def draw(self, *_: object) -> None:
-        """Draws a frame and sends it; later, if the network has not taken the last pictures."""
+        """Draws a frame and sends it. If the network still has to send the last pictures, does this later."""
         if self.closed or self.haptics.closed or self._drawing:
             return
         self._owed = self.area.is_late()
@@ -354,7 +357,7 @@ class View:
         control, shift = (int(bool(event.get(key) or event.get(other)))
                           for key, other in (("ctrlKey", "controlKey"), ("shiftKey", "shiftKey")))
         if "x" in event and "y" in event:
-            # A picture fills the page, whatever its size is.
+            # A picture fills the page, whatever the picture's size.
             known = self._sizes.get(page, (0.0, 0.0, 1.0))
             place = []
             for side, (word, whole) in enumerate((("x", "w"), ("y", "h"))):
@@ -380,8 +383,8 @@ class View:
         self._lead(page)
 
     def list_keys(self) -> None:
-        """Shows or hides the list of keys, by a button of the page: before the touch, the key belongs to the
-        plotter."""
+        """Shows or hides the list of keys, by a button of the page. A key would not do, because before the touch the
+        keys belong to the plotter."""
         if self._may_lead(page_now()):
             display = self.haptics.head_up_display
             display.SetHelpText(self.haptics.style.GetKeys())
@@ -417,7 +420,7 @@ class View:
             await asyncio.sleep(max(0.001, start + 1.0 / haptics.style.GetDisplayRate() - time.monotonic()))
 
     def close(self) -> None:
-        """Removes the plotter from the page. Show it again with show()."""
+        """Removes the plotter from the page. To show it again, call show()."""
         if self.closed:
             return
         self._leave()

@@ -42,7 +42,7 @@ _REAL = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64
 
 def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
     """Makes a VTK array that shares a contiguous array of one or two dimensions, and keeps it alive."""
-    # NumPy's bytes become VTK's plain char by default, which has no sign on some machines.
+    # Choose the type: by default, NumPy's int8 becomes VTK's plain char, which is unsigned on some machines.
     shared = numpy_to_vtk(array, array_type=VTK_SIGNED_CHAR if array.dtype == np.int8 else None)
     if name is not None:
         shared.SetName(name)
@@ -50,7 +50,7 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
 
 
 def _cure(wrong: object) -> str:
-    """Returns a hint how to make a volume of another object, if there is a way."""
+    """Returns a hint on how to make a volume of another object; empty if there is no way."""
     if isinstance(wrong, (str, os.PathLike)):
         return (". Cure: volumehaptics-explore FILE --write-volume volume.vti writes it where it lies, which readers of VTK's "
                 "and PyVista's do not all know; then read that with pyvista.read() or vtkXMLImageDataReader")
@@ -73,7 +73,7 @@ def image(
     array: real numbers of 8 to 64 bits, in C's order. nibabel's arrays are [x, y, z]: pass their .T.
     spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
     origin: the position of the first voxel (world units, mm): x, y and z.
-    name: of the point scalars.
+    name: name of the point scalars.
     direction: nine numbers, row by row, whose columns are the directions of the array's x, y and z in the world, of any
         length: SimpleITK's GetDirection(), or nibabel's affine[:3, :3] with origin=affine[:3, 3]. Default: the world's.
 
@@ -122,7 +122,7 @@ def image(
 
 
 def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
-    """Returns the array itself if VTK can share it, else a copy that VTK can share."""
+    """Returns the array itself if VTK can share it, otherwise a copy that VTK can share."""
     if np.ma.is_masked(array):
         raise ValueError(f"{what} are masked. Cure: leave those out, or array.filled(VALUE)")
     array = np.asarray(array)
@@ -135,9 +135,10 @@ def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
 def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
     """Makes the path of the stylus' tip, a polyline.
 
-    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared if they are contiguous,
-        aligned and float64 or float32, else copied.
-    time: when the tip is at the points (s), N numbers that never decrease. Default: one tick each, 1 ms at 1000 Hz.
+    points: array of shape (N, 3), x, y and z in world units (mm), one point for each tick. Shared if it is
+        contiguous, aligned and float64 or float32; otherwise copied.
+    time: times (s) at which the tip is at the points, N numbers that never decrease. Default: one tick for each point,
+        1 ms at 1000 Hz.
 
     TypeError: no real numbers. ValueError: another shape, or masked.
 
@@ -152,7 +153,7 @@ def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = Non
     tip = vtkPolyData()
     tip.SetPoints(vtkPoints())
     tip.GetPoints().SetData(_shared(points))
-    # Copies the offsets: vtkCellArray may take the memory without the object that keeps NumPy's array alive.
+    # Copy the offsets: vtkCellArray may keep the memory without the object that keeps NumPy's array alive.
     ends = numpy_to_vtkIdTypeArray(np.array([0, len(points)], np.int64), deep=True)
     indices = numpy_to_vtkIdTypeArray(np.arange(len(points), dtype=np.int64), deep=True)
     line = vtkCellArray()

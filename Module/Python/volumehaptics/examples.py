@@ -17,7 +17,7 @@ from .vtkVolumeHaptics import vtkHapticPathSource
 
 __all__ = ["first_touch", "phantom", "phantom_file", "stroke"]
 
-SKIN = -300.0  # HU, value of the phantom's visible skin
+SKIN = -300.0  # HU, at the phantom's visible skin
 
 
 def phantom_file() -> str:
@@ -61,12 +61,12 @@ def _crown() -> float:
 def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, clearance: float = 5.0) -> vtkPolyData:
     """Makes the path of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
 
-    depth: how far it presses below the skin (mm), 0 or more. Default 3.
-    length: how far it slides (mm), 0 or more. Default 24.
-    speed: of the hand (mm/s), above 0. Default 80.
-    clearance: how far above the skin it begins and ends (mm), 0 or more. Default 5.
+    depth: depth of the press below the skin (mm), 0 or more. Default 3.
+    length: length of the slide (mm), 0 or more. Default 24.
+    speed: speed of the hand (mm/s), above 0. Default 80.
+    clearance: height above the skin at which the path begins and ends (mm), 0 or more. Default 5.
 
-    One point a tick of 1 ms, with the point array "Time" (s). ValueError: the settings make no path.
+    The path has one point for each tick of 1 ms, and the point array "Time" (s). ValueError: the settings make no path.
 
     >>> from volumehaptics import examples
     >>> low, high = examples.stroke(depth=3.0, clearance=5.0).GetBounds()[4:]

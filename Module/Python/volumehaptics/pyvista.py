@@ -41,24 +41,25 @@ __all__ = ["Haptics", "add_haptics", "touch"]
 BACKEND = "haptics"
 
 def show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
-    """PyVista's back end "haptics" for notebooks: shows a touchable plotter as volumehaptics.web.show() does, and other
-    plotters as PyVista would without it. PyVista calls it; an entry point registers it."""
+    """Shows a plotter in a notebook, as PyVista's back end "haptics". A touchable plotter is shown as by
+    volumehaptics.web.show(), other plotters as PyVista would show them without this back end. PyVista calls this
+    function; an entry point registers it."""
     if plotter in _touchable:
         from .web import show_plotter
 
         return show_plotter(plotter, **settings)
     from pyvista.jupyter.notebook import handle_plotter
 
-    # PyVista's own order: the program's registered back end, "trame", another package's.
+    # Use PyVista's own order: a back end that the program has registered, "trame", then one of another package.
     others = {one.name: ":" in one.source for one in pv.registered_jupyter_backends() if one.name != BACKEND}
     ranked = sorted(others, key=lambda name: (others[name], name != "trame"))
     return handle_plotter(plotter, backend=ranked[0] if ranked else "static", **settings)
 
 
-if hasattr(pv, "register_jupyter_backend"):  # attribute of PyVista 0.48
+if hasattr(pv, "register_jupyter_backend"):  # PyVista has this since 0.48
     from importlib.metadata import entry_points
 
-    # A package that pip did not install has no entry points.
+    # Register the back end if the package was not installed by pip, because it then has no entry points.
     if BACKEND not in entry_points(group="pyvista.jupyter_backends").names:
         pv.register_jupyter_backend(BACKEND, show_in_notebook, override=True)
 
@@ -100,12 +101,12 @@ def touch(
         pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s. A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
-    preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere. "propose": what the
-        volume's own edges suggest; or a file ".json": as in volumehaptics.touch().
+    preset: how the tissues feel: see vtkHapticProperty. Default: 500 N/m everywhere. "propose": as the volume's
+        own edges suggest; or a file ".json": both as in volumehaptics.touch().
     scalars: the name of the point array that is felt. Default: the active scalars.
     settings: of vtkVolumeHapticsFilter, in snake_case, and labels and materials, as for volumehaptics.touch().
 
-    The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on the
+    The trace has a point for each tick, at the proxy (world units), in one polyline; trace["Force"] is the force on the
     hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors: as for volumehaptics.touch(), and KeyError for
     unknown scalars.
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touch in a browser and in a notebook: the mouse of the page leads the hand, and the page shows what it touches.
+"""Touch in a browser or in a notebook: the mouse of the page leads the hand, and the page shows what the hand touches.
 
     python -m volumehaptics --web head.nii.gz        # in the default browser
 
@@ -24,7 +24,7 @@ import webbrowser
 from typing import TYPE_CHECKING, Any
 
 from ._files import read
-from ._webview import View, names_of  # first, because its error names the cure if trame is missing
+from ._webview import View, names_of  # before trame, because its error names the cure if trame is missing
 from ._webdoor import HERE, door_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
@@ -47,8 +47,8 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
     """Serves a touchable plotter to browsers until Ctrl-C.
 
     haptics: the result of add_haptics() for a plotter that was not shown.
-    port: 0 is a free one. The address is printed.
-        It has the secret of this server, without which nobody can lead the hand or see anything.
+    port: the port; 0 chooses a free one. The address is printed.
+        It contains the secret of this server, without which nobody can lead the hand or see anything.
     host: "localhost", or "0.0.0.0" for the whole network, with a UserWarning: the traffic is not encrypted, not even
         the secret.
     """
@@ -72,7 +72,7 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
 
 
 class Frame:
-    """The HTML that a notebook shows of a view: a frame with its page."""
+    """The HTML by which a notebook shows a view: a frame with the view's page."""
 
     def __init__(self, view: View, height: int) -> None:
         self.view = view
@@ -87,7 +87,7 @@ class Frame:
 async def show(haptics: Haptics, height: int = 600) -> Frame:
     """Shows a touchable plotter in a notebook: await show(haptics) as the last line of a cell.
 
-    The notebook's browser has to reach this computer as localhost. height: of the frame, in pixels."""
+    The notebook's browser has to reach this computer as localhost. height: height of the frame in pixels."""
     server = get_server(NOTEBOOK, client_type="vue3")
     door_of(server, in_frames=True)
     view = View(haptics, server)
@@ -137,8 +137,8 @@ def _threshold(image: Any) -> float:
 
 
 def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any) -> Haptics:
-    """Makes a touchable plotter with a volume: a CT is shown by its values, and any other volume by the value that
-    separates it best."""
+    """Makes a touchable plotter with a volume. A CT gets the look of its tissues; any other volume is shown above the
+    value that best separates it from its surroundings."""
     import pyvista as pv
 
     from .pyvista import add_haptics
