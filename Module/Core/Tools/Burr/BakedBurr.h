@@ -17,14 +17,14 @@
 namespace VolumeHaptics
 {
 
-/** All numbers but SpinButton are at least 0. */
+/** The settings of a burr. All numbers except SpinButton are at least 0. */
 struct BurrSettings
 {
-  double Radius = 2.0;    ///< a, world units
-  double Speed = 1000.0;  ///< n, revolutions a second
-  double Friction = 0.3;  ///< mu, between burr and tissue
-  double Vibration = 0.0; ///< fraction of the force, 0 to 1
-  /// The number of the device's button, 0 to 31, that makes the burr spin while it is pressed; -1:
+  double Radius = 2.0;    ///< radius a of the head in world units
+  double Speed = 1000.0;  ///< revolutions n per second
+  double Friction = 0.3;  ///< friction mu between burr and tissue
+  double Vibration = 0.0; ///< fraction of the force that vibrates, 0 to 1
+  /// Number of the device's button (0 to 31) that makes the burr spin while it is pressed; -1 for
   /// none.
   int SpinButton = 0;
 };
@@ -32,31 +32,35 @@ struct BurrSettings
 struct BurrDescription
 {
   BurrSettings Settings;
-  Polyline SpecificEnergy = ConstantPolyline(10.0); ///< U, J/mm^3 of the hand's space, at least 0
-  ShellDescription Head;                            ///< head with the points of MakeHead()
+  /** Specific energy U in J/mm^3 of the hand's space, at least 0. */
+  Polyline SpecificEnergy = ConstantPolyline(10.0);
+  ShellDescription Head; ///< the head, with the points of MakeHead()
 };
 
 /**
- * A burr as a tick reads it, with what follows from its settings. Its centre is at the device's
- * tip. Its head has its size in the world, like a BakedShell; forces, energies and volumes are in
- * the hand's space.
+ * A burr as a tick reads it, with values that follow from its settings. Its centre is at the
+ * device's tip. Like a BakedShell, its head has its size in the world. Forces, energies and volumes
+ * are in the hand's space.
  */
 class BakedBurr final : public ShapedTool
 {
 public:
   explicit BakedBurr(BurrDescription description);
 
-  /** Returns the array RemovedVolume. */
+  /** Returns the column RemovedVolume. */
   static const ToolColumns& Columns();
 
-  /** Makes points of equal areas on a sphere around the origin. */
+  /** Makes points on a sphere around the origin. All points stand for equal areas. */
   static std::vector<ShellPoint> MakeHead(double radius, std::size_t points = 1000);
 
   bool IsSame(const BakedTool& other) const override;
-  /** Computes one tick, HapticSettings::TickPeriod long. The proxy is the centre of the head. */
+  /**
+   * Computes a tick, which lasts HapticSettings::TickPeriod. The proxy is the centre of the head.
+   */
   bool Step(const ToolTick& tick) const noexcept override;
   /**
-   * Carries the head to another model; removal begins anew. Returns whether the method begins anew.
+   * Moves the head to another model, and begins the removal anew. Returns whether the method begins
+   * anew.
    */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
@@ -67,10 +71,10 @@ public:
   bool Spins(std::uint32_t buttons, bool isOrdered) const noexcept override;
 
   const BurrSettings Settings;
-  const Polyline SpecificEnergyLine; ///< U, as described
+  const Polyline SpecificEnergyLine; ///< U as in the description
   const SpecificEnergyTable SpecificEnergy;
-  const double RimSpeed;  ///< v, world units a second
-  const double Frequency; ///< the frequency (Hz) of the vibration, at most MostFrequency
+  const double RimSpeed;  ///< speed v of the rim in world units per second
+  const double Frequency; ///< frequency of the vibration in Hz, at most MostFrequency
 
   static constexpr double MostFrequency = 250.0;
 };

@@ -12,27 +12,30 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The most steps in a tick, and the most trials of a step at half its length. */
+/**
+ * Limit of the steps in a tick, and limit of the trials of a step, each half as long as the one
+ * before.
+ */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
-/** A shorter step (voxels) is not felt. */
+/** Length of a step (voxels) below which it can't be felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
-/** The step (voxels) of the burr's room, which is at most a voxel. */
+/** Step (voxels) in which BurrState::Room grows. Room is at most a voxel. */
 constexpr double RoomStep = 1.0 / 16.0;
 /** The longest tick (s). */
 constexpr double LongestTick = 0.1;
-/** A stroke ends after this time (s) without removal. */
+/** Time (s) without removal after which a stroke ends. */
 constexpr double StrokeEnd = 0.5;
-/** The most energy (J) that the vibration gives back at a time. */
+/** Limit of the energy (J) that the vibration may give back. */
 constexpr double MostGivenBack = 1e-3;
 
-/** Returns the tool of a model whose tool is a burr. */
+/** Returns the tool of a model. The tool must be a burr. */
 const BakedBurr& GetBurr(const HapticModel& model) noexcept
 {
   return static_cast<const BakedBurr&>(*model.Baked->Tool);
 }
 
-/** Returns a wave from -1 to 1 of parabolas, nearly a sine, with mean zero. */
+/** Returns a wave from -1 to 1 made of parabolas, which is nearly a sine. Its mean is zero. */
 double Wave(double phase) noexcept
 {
   const double x = 2.0 * phase - 1.0;
@@ -53,7 +56,7 @@ public:
   {
   }
 
-  /** Carves towards `goal` as far as the energy suffices. */
+  /** Removes tissue towards `goal` as far as the energy suffices. `earned` (J) is added to it. */
   void Advance(const Vector3& goal, double earned) noexcept
   {
     BurrState& s = this->State;
@@ -77,12 +80,12 @@ public:
       const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
-      // A little less than the energy pays for, because the cost differs from step to step.
+      // Step slightly less than the energy pays for, because the cost differs from step to step.
       constexpr double careful = 0.8;
       const double way = isPaid ? longest : careful * s.Unspent / slope;
       if (!isPaid && way < std::min(longest, ShortestStep * this->Carver.GetVoxel()))
       {
-        // Saves the energy: a trial would cost more time than so little tissue is worth.
+        // Keep the energy: a trial would cost more time than so little tissue is worth.
         return;
       }
       if (!this->Step(goal, lag, distance, way) || !isPaid)
@@ -96,7 +99,7 @@ public:
 private:
   bool HasTime() const noexcept { return this->Record.Work < MostBurrWork; }
 
-  /** Returns the cost of the next sphere, or of its next part. */
+  /** Returns the cost of a sphere, or of its next part. */
   CarvingCost Try(const Vector3& next) noexcept
   {
     const BurrState& s = this->State;
@@ -108,7 +111,7 @@ private:
     return cost;
   }
 
-  /** Removes another part of a sphere; returns false if the tick can do no more. */
+  /** Removes another part of a sphere. Returns false if the tick can do no more. */
   bool GoOn() noexcept
   {
     BurrState& s = this->State;
@@ -120,13 +123,13 @@ private:
     }
     if (cost.Energy > s.Unspent)
     {
-      // The energy may suffice for a shorter step, or for a step to the present head. Removed
-      // tissue stays removed.
+      // The energy may suffice for a shorter step, or for a step to where the head is now. The
+      // removed tissue stays removed.
       s.Part = 0;
       s.LastCost += cost.Energy;
       if (!(cost.Energy < HUGE_VAL))
       {
-        // The first part was paid, so the next step would be as long again.
+        // The first part was paid for, so the next step would be as long as this one.
         const double half = 0.5 * Norm(s.Next - s.Carved);
         s.Shorter = half > ShortestStep * this->Carver.GetVoxel() ? half : 0.0;
       }
@@ -138,7 +141,7 @@ private:
     return s.Part == 0;
   }
 
-  /** Removes tissue between the samples that still touches the head, with a larger sphere. */
+  /** Removes tissue between the samples that still touches the head, by a larger sphere. */
   void Widen(double earned) noexcept
   {
     BurrState& s = this->State;
@@ -146,7 +149,7 @@ private:
     s.Room += RoomStep * this->Carver.GetVoxel();
     if (s.Room > this->Carver.GetVoxel())
     {
-      // No tissue is left to spend energy on.
+      // There is no tissue on which to spend the energy.
       s.Room = before;
       s.Unspent = std::min(s.Unspent, earned);
       return;
@@ -183,14 +186,14 @@ private:
     s.Unspent = std::min(s.Unspent, s.LastCost);
     if (!(s.LastCost < HUGE_VAL))
     {
-      // Tissue that can't be removed: its cost does not estimate the next step's.
+      // This tissue can't be removed, so its cost does not predict that of the next step.
       s.Unspent = s.LastCost = s.LastWay = 0.0;
     }
   }
 
   /**
-   * Makes a step, or a shorter one; returns false if the energy does not suffice even for a shorter
-   * step, or if the step takes more ticks.
+   * Takes a step or, if the energy does not suffice, a shorter one. Returns false if it does not
+   * suffice even for a shorter step, or if the step takes more ticks.
    */
   bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
   {
@@ -219,8 +222,8 @@ private:
   }
 
   /**
-   * Removes the tissue of the last trial; `way` is 0 if the first part of the sphere was removed
-   * before.
+   * Removes the tissue of the last trial. `way` is the length of the step; it is 0 if the first
+   * part of the sphere was removed earlier.
    */
   void Apply(const Vector3& next, double way, const CarvingCost& cost) noexcept
   {
@@ -238,7 +241,8 @@ private:
     s.Unspent -= cost.Energy;
     if (s.Room == 0.0)
     {
-      // Fractions are whole numbers: a single step may cost nothing, or more than its neighbours.
+      // Average the cost over steps: fractions are whole numbers, so that a single step may cost
+      // nothing, or more than its neighbours.
       const double kept = s.Part == 0 ? 0.9 : 1.0;
       s.LastCost = kept * s.LastCost + cost.Energy;
       s.LastWay = kept * s.LastWay + way;
@@ -255,14 +259,14 @@ private:
     this->Record.RemovedVolume += cost.Volume;
   }
 
-  const double Radius; ///< radius (m)
+  const double Radius; ///< in m
   TissueRemoval& Removal;
   BurrState& State;
   SphereCarver& Carver;
   BurrRecord& Record;
 };
 
-/** Returns the depth of the head's deepest point (m). */
+/** Returns the depth (m) of the head's deepest point. */
 double ComputeDepth(ShellMemory& memory) noexcept
 {
   const ShellContacts& contacts = memory.GetCurrent();
@@ -291,7 +295,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   }
   if (!hand.IsSpinning || !(force > 0.0))
   {
-    // Free, or at rest.
+    // The head is free, or the burr is at rest.
     state.IsCarving = false;
     state.Part = 0;
     state.Unspent = hand.IsSpinning ? state.Unspent : 0.0;
@@ -303,7 +307,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   memory.Carver.SetTissue(model, { touch.Level, touch.IsBelow, &burr.SpecificEnergy });
   if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
-    // Starts where the burr touches nothing yet.
+    // Start where the burr does not touch anything yet.
     const double away = ComputeDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
     state.IsCarving = true;
     state.IsRemoved = false;
@@ -312,22 +316,22 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.LastCost = state.LastWay = state.Shorter = state.Room = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
-  // The level that is felt in a cavity lies a little before the removed sphere: the burr goes on as
-  // long as it is pressed.
+  // The level that is felt in a cavity is slightly in front of the removed sphere, so carve beyond
+  // the head as long as the burr is pressed.
   const double beyond = 0.25 * memory.Carver.GetVoxel();
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
   removing.Advance(head - (beyond / force) * record.Shell.Force,
     burr.Settings.Friction * force * speed * hand.Step);
 }
 
-/** Returns the energy (J) of the spring between the hand and the head. */
+/** Returns the energy (J) in the spring between hand and head. */
 double SpringEnergy(const ShellRecord& record, const Vector3& head, const Vector3& hand) noexcept
 {
   const Vector3 lag = head - hand;
   return 0.5 * record.Stiffness * Dot(lag, lag);
 }
 
-/** Returns the force that vibrates (N). */
+/** Returns the vibrating force (N). */
 Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const BurrHand& by,
   const ShellState& before, const ShellState& after, BurrState& state,
   const ShellRecord& shell) noexcept
@@ -340,7 +344,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   const BakedBurr& burr = GetBurr(model);
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
-  // The work of the hand on the spring; the part that the spring does not store is lost.
+  // Compute the hand's work on the spring. The part of it that the spring does not store is lost.
   const double work = SpringEnergy(shell, before.Tool.Position, hand) -
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
   const double lost = before.Budget + work - after.Budget;
@@ -348,8 +352,8 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   state.Phase += burr.Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
-  // The least way of the hand until the next tick.
-  constexpr double leastWay = 1e-5; // m
+  // The least length that the hand is assumed to move until the next tick.
+  constexpr double leastWay = 1e-5; // in m
   const double way = 2.0 * Norm(moved) + leastWay;
   const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
   if (!(most > 0.0))
@@ -358,7 +362,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   }
   const Vector3 direction = (1.0 / force) * shell.Force;
   const Vector3 vibration = (most * Wave(state.Phase)) * direction;
-  // With this limit, the pressed points bear at most as much as the strongest tissue.
+  // By this limit, the load on the pressed points is at most the strength of the strongest tissue.
   const double strength = model.Baked->Materials.GetRange(2).High *
     model.Baked->Materials.GetRange(4).High / settings.ContactArea;
   const PointShell& head = *burr.Description.Points;

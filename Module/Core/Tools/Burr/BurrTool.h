@@ -2,31 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A burr: a sphere that is held by tissue, and removes it while it spins.
+ * A burr: a sphere that tissue holds, and that removes tissue while it spins.
  *
- * The head is a point shell (ShellCoupling.h) that does not turn. With the force F that the hand
- * feels, the friction mu, and the speed v = 2 pi a n of its rim, it has the power mu F v, which
- * removes tissue of specific energy U at the rate
+ * The head is a point shell (ShellCoupling.h) that does not turn. Let F be the force that the hand
+ * feels, mu the friction, and v = 2 pi a n the speed of the rim. Then the burr has the power mu F
+ * v, and removes tissue of specific energy U at the rate
  *
  *   Q = mu F v/U.
  *
- * The burr removes spheres of the head's radius, whose centre follows the head's: in steps of a
- * quarter voxel at most, each as far as the energy so far pays for. While the head is pressed in,
- * the sphere stays behind; so tissue is removed in proportion to the pressed depth, as by Archard's
- * law, and the cavity has the head's radius. A tick passes its unspent energy to the next one, at
- * most the cost of the next step. If the centre has reached the head, and tissue between the
- * samples still holds the head, larger spheres are removed, up to a voxel.
+ * The burr removes spheres of the head's radius, whose centre follows the head's centre, in steps
+ * of at most a quarter voxel, each as far as the energy pays for it. While the head is pressed in,
+ * the sphere stays behind. So the burr removes tissue in proportion to the depth, as by Archard's
+ * law, and the cavity has the head's radius. Unspent energy is kept for the next tick, but at most
+ * the cost of the next step. If the centre has reached the head, and tissue between the samples
+ * still holds the head, larger spheres are removed, by up to a voxel.
  *
- * The time of a tick is bounded (MostBurrWork). If the energy pays for more, because the head has
- * many voxels or the tissue is soft, a step goes on in the next ticks, in parts, and keeps its
- * energy: the burr removes less than Q, and saves more than a step costs, until it catches up.
+ * The time of a tick is limited (MostBurrWork). If the energy pays for more, because the head has
+ * many voxels or the tissue is soft, a step continues in the next ticks, in parts, and keeps its
+ * energy. Until the burr has caught up, it removes less than Q, and keeps more energy than the cost
+ * of a step.
  *
- * Removal gives no energy: the contacts follow the receding surface, and lose energy. A cycle of
- * the hand creates none (ShellCoupling.h).
+ * Removal gives no energy: the contacts follow the receding surface and lose energy. A closed
+ * motion of the hand creates no energy (ShellCoupling.h).
  *
- * A fraction of the force may vibrate, at the frequency of the rotation or, if that is too fast to
- * be felt, at the first half, quarter ... of it that can be felt. Its mean is zero. It gives the
- * hand at most the work that the hand has lost to the burr before.
+ * A fraction of the force may vibrate at the frequency of the rotation. If that is too high to be
+ * felt, the frequency is divided by two until it can be felt. The mean of the vibration is zero.
+ * The vibration gives the hand at most the work that the hand has lost to the burr before.
  */
 #ifndef BurrTool_h
 #define BurrTool_h
@@ -39,7 +40,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The work (CarvingCost) after which a tick begins no further brick. It takes about a fifth of a
+ * Work (CarvingCost) after which a tick begins no more bricks. It takes about a fifth of a
  * millisecond, whatever the size of the burr and of the volume.
  */
 constexpr std::size_t MostBurrWork = 20480;
@@ -47,30 +48,30 @@ constexpr std::size_t MostBurrWork = 20480;
 /** The hand that holds a burr. */
 struct BurrHand
 {
-  Vector3 Position; ///< m
+  Vector3 Position; ///< position in m
   bool IsSpinning = false;
-  double Step = 0.0; ///< s, the time since the last tick; with 0, nothing is removed
+  double Step = 0.0; ///< time since the last tick in s; with 0, nothing is removed
 };
 
-/** The working memory of a burr, kept between ticks. Larger tools need more of it. */
+/** Memory of a burr between ticks. A larger tool needs more of it. */
 struct BurrMemory
 {
   ShellMemory& Shell;
   SphereCarver& Carver;
 };
 
-/** The results of one tick. */
+/** The results of a tick. */
 struct BurrRecord
 {
   ShellRecord Shell;
-  Vector3 Force;              ///< N, on the hand, with the vibration
-  double Energy = 0.0;        ///< J, spent on removal
-  double RemovedVolume = 0.0; ///< mm^3
-  std::size_t Work = 0;       ///< work of the removal; less than MostBurrWork plus one brick's work
-  bool IsUnfinished = false;  ///< whether the head has moved farther than tissue could be removed
+  Vector3 Force;              ///< force on the hand with the vibration, in N
+  double Energy = 0.0;        ///< energy spent on removal in J
+  double RemovedVolume = 0.0; ///< in mm^3
+  std::size_t Work = 0; ///< work of the removal; less than MostBurrWork plus the work of one brick
+  bool IsUnfinished = false; ///< whether the head has moved farther than tissue could be removed
 };
 
-/** Advances the burr of a model by one tick: first the forces, then the removal. */
+/** Computes a tick of the burr of a model: first the forces, then the removal. */
 void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell, BurrState& state,
   const BurrMemory& memory, BurrRecord& record) noexcept;
 

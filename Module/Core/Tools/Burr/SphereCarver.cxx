@@ -16,14 +16,16 @@ namespace
 constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
 /**
- * The measured work (CarvingCost) for a brick and for a row, in addition to 1 each. It depends only
- * on the fractions and the sphere, not on remembered values, so that a replay ends its parts where
- * the recording did.
+ * Measured work (CarvingCost) for a brick and for a row, in addition to 1 for each. The work
+ * depends only on the fractions and the sphere, and not on what the carver remembers, so that a
+ * replay ends its parts where the recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
-constexpr std::size_t WorkOfSolid = 40;  ///< work for a brick that is not in use
-constexpr std::size_t WorkOfEmpty = 100; ///< work for such a brick, if it has no solid samples
-constexpr std::size_t KnownPart = 5;     ///< divides both after the first sphere
+constexpr std::size_t WorkOfSolid = 40; ///< work for a brick that is not in use
+/** Work for a brick that is not in use and has no solid samples. */
+constexpr std::size_t WorkOfEmpty = 100;
+/** Divisor of WorkOfSolid and WorkOfEmpty after the first sphere. */
+constexpr std::size_t KnownPart = 5;
 constexpr std::size_t WorkOfFractions = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
@@ -32,18 +34,19 @@ static_assert(SphereCarver::MostWorkOfBrick ==
   "the sum of all");
 
 /**
- * Returns the reach in index steps along an axis, on either side, of a sphere and its bounding box.
+ * Returns the reach, in index steps along an axis to both sides, of a sphere and of its bounding
+ * box.
  */
 double ReachAlong(const Vector3& row, double radius) noexcept
 {
   return radius * Norm(row);
 }
 
-/** Half a step of the fractions (1 is all of the tissue). */
+/** Half of the smallest step between fractions, where 1 is all of the tissue. */
 constexpr double HalfFraction = 0.5 / CarvedBricks::Whole;
 /**
- * Returns the part of a voxel's volume that a fraction leaves, if `edge` is the fraction at the
- * surface.
+ * Returns the part of a voxel's volume that a fraction leaves. `edge` is the fraction at the
+ * sphere's surface.
  */
 double ComputeLeft(std::int32_t fraction, double edge) noexcept
 {
@@ -55,21 +58,24 @@ double ComputeLeft(std::int32_t fraction, double edge) noexcept
 
 } // namespace
 
-/** A trial sphere, with the values that each row of samples needs. */
+/** A sphere to try, with the values that are needed for each row of samples. */
 struct SphereCarver::Sphere
 {
-  Vector3 Centre; ///< m
-  Vector3 Index;  ///< index of the centre
+  Vector3 Centre; ///< in m
+  Vector3 Index;  ///< index of Centre
   double Radius;
   double Width;
-  double Outer;       ///< m^2: samples farther away keep everything
-  double Ramp;        ///< m^2: samples farther away whose level fraction r is at least 1/2 remain
-  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep their fractions
-  Vector3 Way;        ///< m, from From to Centre
-  double Middle;      ///< m^2, from Centre to the middle between From and Centre, along Way
-  double BrickRadius; ///< m, from a brick's middle to its farthest corner
-  CarvedBox Box;      ///< the resident samples
-  CarvedBox Bricks;   ///< the sphere's whole reach, resident or not
+  double Outer; ///< squared distance (m^2) beyond which samples do not change
+  double Ramp; ///< squared distance (m^2) beyond which samples with r of at least 1/2 do not change
+  /**
+   * Whether there is a sphere around From, so that samples that are nearer to From do not change.
+   */
+  bool HasFrom;
+  Vector3 Way;   ///< from From to Centre in m
+  double Middle; ///< distance from Centre to the middle between From and Centre, along Way, in m^2
+  double BrickRadius; ///< distance from a brick's middle to its farthest corner in m
+  CarvedBox Box;      ///< the resident samples in reach
+  CarvedBox Bricks;   ///< all samples in reach, resident or not
 };
 
 SphereCarver::SphereCarver()
@@ -98,7 +104,8 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   std::copy(columns.Row, columns.Row + 3, this->Step);
   const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
   this->Voxel = std::cbrt(volume);
-  // Rounding must not choose between a cube's sides.
+  // Voxels that are cubes apart from rounding count as cubes, so that rounding does not choose a
+  // side.
   constexpr double cube = 1.0 - 1e-9;
   this->Longest = this->Voxel;
   for (const Vector3& step : this->Step)
@@ -155,7 +162,7 @@ CarvingCost SphereCarver::Try(const TissueRemoval& removal, const Vector3& centr
     const double reach = ReachAlong(this->ToIndex.Linear.Row[a], outer);
     const auto first = static_cast<double>(this->View.First[a]);
     const auto last = static_cast<double>(this->View.Last(a));
-    // Also for NaN.
+    // The condition is true for NaN, too.
     if (!(at[a] + reach >= first && at[a] - reach <= last))
     {
       return cost;
@@ -232,7 +239,7 @@ CarvingCost SphereCarver::TryTyped(
   return cost;
 }
 
-/** Returns whether a brick has to be added. */
+/** Computes the changes in a brick. Returns whether the brick must be added for them. */
 template <typename T>
 bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
   CarvingCost& cost) noexcept
@@ -274,7 +281,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
-      // The vector from the centre to sample i of the row is begin + i Step[0], with i from 0.
+      // Sample i of the row is at begin + i Step[0] from the centre.
       const Vector3 begin = (static_cast<double>(bases[0]) - sphere.Index.X) * this->Step[0] +
         (static_cast<double>(j) - sphere.Index.Y) * this->Step[1] +
         (static_cast<double>(k) - sphere.Index.Z) * this->Step[2];
@@ -311,8 +318,8 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         }
       }
       cost.Work += WorkOfFractions;
-      // All at once: the compiler vectorises this loop.
-      double ramp[BrickSide]; // distance from the surface, in widths
+      // All samples of the row at once, because the compiler vectorises this loop.
+      double ramp[BrickSide]; // distance of each sample from the surface in widths of the ramp
       for (int i = 0; i < BrickSide; ++i)
       {
         const double at = i;
@@ -345,8 +352,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
           const double volume =
             this->Volume * (ComputeLeft(old, edge) - ComputeLeft(fraction, edge));
           cost.Volume += volume;
-          if (volume > 0.0) // removing nothing takes no energy, even in tissue that can't be
-                            // removed
+          if (volume > 0.0) // removing nothing costs nothing, even in tissue that can't be removed
           {
             const Vector3 index{ static_cast<double>(bases[0] + i), static_cast<double>(j),
               static_cast<double>(k) };
@@ -367,7 +373,8 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 double SphereCarver::ComputeEdge(double value) const noexcept
 {
   const double fraction = (this->Tissue.Level - this->Air) / (value - this->Air);
-  // A sample that is not solid has the level at no fraction: it keeps all but half a step.
+  // No fraction gives the level to a sample that is not solid: it keeps all of its tissue except
+  // half a step.
   return fraction >= 0.0 && fraction < 1.0 - HalfFraction ? std::max(fraction, HalfFraction)
                                                           : 1.0 - HalfFraction;
 }

@@ -18,7 +18,7 @@ BakedNeedle::BakedNeedle(NeedleDescription description)
 
 const ToolColumns& BakedNeedle::Columns()
 {
-  // Never destroyed: a filter may live until the process exits.
+  // Never destroyed, because a filter may live until the process ends.
   static const auto* const columns = new ToolColumns{ { "ForbiddenTouches", "", 1, false,
     [](const HapticModel&, const TickRecord& record, double* numbers)
     { numbers[0] = record.ToolNumbers[0]; } } };

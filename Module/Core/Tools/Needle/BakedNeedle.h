@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A needle, baked for the servo tick: see NeedleTool.h.
+ * A needle, baked for the servo tick (NeedleTool.h).
  */
 #ifndef BakedNeedle_h
 #define BakedNeedle_h
@@ -13,13 +13,16 @@
 namespace VolumeHaptics
 {
 
-/** A needle's friction and cutting force by the scalar, used where no label sets them. */
+/**
+ * The friction and cutting force of a needle by the scalar. They are used where no label sets them.
+ */
 struct NeedleDescription
 {
-  Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau, N per metre of the shaft
-  Polyline CuttingForce = ConstantPolyline(0.0);  ///< R, N
-  bool HasCuttingForce = false;                   ///< if false, R is the material's viscosity
-  double LateralStrength = 1.0;                   ///< s_l, N
+  Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau in N per metre of the shaft
+  Polyline CuttingForce = ConstantPolyline(0.0);  ///< R in N
+  /** Whether CuttingForce is used; if not, R is the material's viscosity. */
+  bool HasCuttingForce = false;
+  double LateralStrength = 1.0; ///< s_l in N
 };
 
 class BakedNeedle final : public BakedTool
@@ -27,7 +30,7 @@ class BakedNeedle final : public BakedTool
 public:
   explicit BakedNeedle(NeedleDescription description);
 
-  /** Returns the array ForbiddenTouches. */
+  /** Returns the column ForbiddenTouches. */
   static const ToolColumns& Columns();
 
   bool IsSame(const BakedTool& other) const override;
@@ -38,7 +41,7 @@ public:
   const ToolColumns& GetColumns() const override { return Columns(); }
 
   const NeedleDescription Description;
-  const PiecewiseTable<2> Forces; ///< channels tau, R
+  const PiecewiseTable<2> Forces; ///< table of tau and R
 };
 
 } // namespace VolumeHaptics

@@ -14,24 +14,27 @@ namespace VolumeHaptics
 namespace
 {
 
-/** If the needle breaks through a surface, the lag falls by at least this fraction. */
+/** Least fraction by which the lag falls if the needle breaks through a surface. */
 constexpr double BreakFraction = 1e-3;
-/** A surface that still holds is punctured when the proxy was pushed this far (kernel lengths). */
+/**
+ * Length (kernel lengths) by which a needle must be pushed in before it punctures a surface that
+ * still holds.
+ */
 constexpr double MostPushed = 2.0;
-constexpr double SmallestLag = 1e-9; // m, the smallest lag
-/** A surface gives way at no less than this fraction of its strength. */
+constexpr double SmallestLag = 1e-9; // smallest lag in m
+/** Least fraction of its strength at which a surface gives way. */
 constexpr double WholeFraction = 0.99;
-/** The hand's direction is averaged over this length of its motion (m). */
+/** Length (m) of the hand's motion over which its direction is averaged. */
 constexpr double MotionLength = 1e-3;
 /**
- * A motion whose cosine to the normal is smaller runs along the surface, and does not give the
- * axis.
+ * Least cosine between motion and normal. A motion with a smaller one is along the surface, and
+ * does not show the axis.
  */
 constexpr double LeastPush = 0.2;
-/** The farthest beginning of a track behind the tip (steps). */
+/** Farthest beginning of a track behind the tip (steps). */
 constexpr double MostBack = 64.0;
 
-/** Adds a step to the hand's motion (m): older motions count less. */
+/** Adds a step to the hand's recent motion (m), in which older motion weighs less. */
 void UpdateMotion(const Vector3& step, Vector3& motion) noexcept
 {
   const double kept = std::max(0.0, 1.0 - Norm(step) / MotionLength);
@@ -45,8 +48,8 @@ Vector3 HeadingOf(const Vector3& v) noexcept
 }
 
 /**
- * Returns the unit direction of a needle that is inserted now; 0 if there is none.
- * @param normal normal of the surface that holds the needle; 0 if there is none
+ * Returns the unit direction of a needle that is inserted now, or 0 if it is not known.
+ * @param normal normal of the surface that holds the needle; 0 if none does
  */
 Vector3 FindAxis(const ServoState& state, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -72,16 +75,16 @@ void Begin(ServoState& state, const Vector3& entry, const Vector3& axis, const V
   state.Proxy = entry;
 }
 
-/** A surface that holds a free needle, in the tick that may break through it. */
+/** The surface that holds a free needle in a tick that may break through it. */
 struct HeldAt
 {
-  Vector3 Normal;        ///< unit, into the structure; 0: no surface holds
-  double Push = 0.0;     ///< N, the spring's push against the surface
-  NeedleTissue Behind;   ///< the tissue of the surface; not read without a push
-  double Strength = 0.0; ///< T W_d, N
+  Vector3 Normal;        ///< unit vector into the structure; 0 if no surface holds
+  double Push = 0.0;     ///< push of the spring against the surface in N
+  NeedleTissue Behind;   ///< the tissue of the surface; only read if there is a push
+  double Strength = 0.0; ///< T W_d in N
   bool IsWhole() const noexcept
   {
-    // The surface holds with all the strength of the label behind it, whatever W_d is.
+    // With a label behind it, the surface holds with the label's whole strength, whatever W_d is.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };
@@ -90,7 +93,7 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   const NeedleState& needle, const FreeTick& before, const TickRecord& record) noexcept
 {
   HeldAt held;
-  // PRECISE may pass through a surface within a tick, and has no normal force after it.
+  // PRECISE may go through a surface within a tick, and then has no normal force at its end.
   held.Normal = record.NormalForce > Law::ForceEpsilon ? record.Normal : needle.Normal;
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
   if (held.Push > 0.0)
@@ -101,7 +104,10 @@ HeldAt ComputeHeld(const HapticModel& model, const NeedleTissueReader& reader,
   return held;
 }
 
-/** Returns whether a tick of the free law has broken through the surface that held the needle. */
+/**
+ * Returns whether a tick of the free needle has broken through the surface that held it. `pushed`
+ * is how far (m) the needle was pushed in.
+ */
 bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& before,
   const Vector3& axis, const TickRecord& record, double& pushed) noexcept
 {
@@ -120,8 +126,8 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
 }
 
 /**
- * Sets the force of a surface at its puncture, beside R at the entry. The entry may be behind the
- * boundary; like the free law, this uses T and R in front of the surface.
+ * Sets the force of a surface at its puncture, in addition to R at the entry. The entry may be
+ * behind the boundary, so T and R in front of the surface are used, as by the free needle.
  */
 void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, const HeldAt& held,
   NeedleState& needle) noexcept
@@ -138,8 +144,7 @@ void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, con
 }
 
 /**
- * Returns the first place on a way that resists. The end of the way is known to resist, and its
- * beginning not to resist.
+ * Returns the first place between two places that resists. `to` must resist, and `from` must not.
  */
 Vector3 FindFirstResistance(
   const NeedleTissueReader& reader, const Vector3& from, const Vector3& to) noexcept
@@ -156,8 +161,9 @@ Vector3 FindFirstResistance(
 }
 
 /**
- * Begins the track where the tissue begins, at most as far back as the needle was pushed. A surface
- * of the scalars holds over some voxels, so a needle that breaks through it is in tissue already.
+ * Begins the track where the tissue begins, at most as far back as the needle was pushed in. A
+ * surface of the scalars holds over some voxels, so that a needle that breaks through it is already
+ * in tissue.
  */
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {
@@ -212,7 +218,7 @@ void EnterNeedle(
     return;
   }
   const NeedleTissue there = reader.At(record.Proxy);
-  // A label with a strength has its surface, if any, within a kernel length.
+  // If a label with a strength has a surface, the surface is within a kernel length.
   const Vector3 behind = record.Proxy - model.KernelLengthAlong(axis) * axis;
   const bool hasSurface = there.Puncture > 0.0 && reader.At(behind).Label != there.Label;
   const double stiffness = there.Resists() ? reader.Stiffness(record.Proxy) : 0.0;

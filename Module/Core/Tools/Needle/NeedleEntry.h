@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a free needle enters tissue.
+ * Decides when a free needle enters tissue.
  *
- * The needle has to come from a place where nothing resists. It punctures a surface when the spring
- * pushes with the whole strength and the lag then falls. A surface that never gives way is
- * punctured when the needle is two kernel lengths deep in it.
+ * The needle must come from a place where nothing resists. It punctures a surface when the spring
+ * pushes with the surface's whole strength and the lag then falls. If a surface never gives way,
+ * the needle punctures it when it has been pushed in by two kernel lengths.
  */
 #ifndef NeedleEntry_h
 #define NeedleEntry_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** The state at the beginning of a tick of the free law. */
+/** State of the free needle at the beginning of a tick. */
 struct FreeTick
 {
   explicit FreeTick(const ServoState& state) noexcept
@@ -35,8 +35,8 @@ struct FreeTick
 };
 
 /**
- * Inserts the needle and repeats the tick from `before`, if the tick has broken through a surface
- * or has come into tissue that resists. Call it after a tick of the method with a free needle.
+ * If the tick has broken through a surface or has come into tissue that resists, inserts the needle
+ * and repeats the tick from `before`. Must be called after a tick of the method with a free needle.
  */
 void EnterNeedle(
   const HapticModel& model, ServoState& state, const FreeTick& before, TickRecord& record) noexcept;

@@ -12,14 +12,14 @@ namespace
 {
 
 ///@{
-/** Channels of MaterialTable, and of labels. */
+/** Channels of MaterialTable; the first ones are also those of labels. */
 constexpr int StiffnessChannel = 0;
 constexpr int StrengthChannel = 2;
 constexpr int DragChannel = 3;
 constexpr int VisibilityChannel = 4;
 ///@}
 
-constexpr double StepFraction = 0.25; // voxels
+constexpr double StepFraction = 0.25; // in voxels
 
 } // namespace
 
@@ -40,7 +40,7 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
   NeedleTissue tissue;
   const BakedVolume& baked = *this->Model.Baked;
   const Vector3 index = this->Model.DeviceToIndex(place);
-  // Also true for NaN.
+  // The condition is true for NaN, too.
   if (!this->Field.IsInside(index))
   {
     return tissue;
@@ -61,7 +61,7 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
     tissue.HasPuncture = label->IsSet[StrengthChannel];
     tissue.Puncture = tissue.HasPuncture ? label->Value[StrengthChannel] : 0.0;
   }
-  // Also false for NaN, which a volume may contain.
+  // The conditions are false for NaN, which a volume may contain.
   tissue.Cutting = tissue.Cutting > 0.0 ? kept * tissue.Cutting : 0.0;
   tissue.Shaft = tissue.Shaft > 0.0 ? kept * tissue.Shaft : 0.0;
   tissue.Puncture = tissue.Puncture > 0.0 ? kept * tissue.Puncture : 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tissue that a needle meets: a label's numbers, or else the functions of the scalar.
+ * The tissue around a needle, from the values of a label or from the functions of the scalar.
  */
 #ifndef NeedleTissue_h
 #define NeedleTissue_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Returns the tool of a model whose tool is a needle. */
+/** Returns the tool of a model. The tool must be a needle. */
 inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 {
   return static_cast<const BakedNeedle&>(*model.Baked->Tool);
@@ -23,33 +23,32 @@ inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 /** The tissue at a place. */
 struct NeedleTissue
 {
-  double Cutting = 0.0; ///< R, N
-  double Shaft = 0.0;   ///< tau, N per metre
-  double Value = 0.0;   ///< the scalars' value
+  double Cutting = 0.0; ///< cutting force R in N
+  double Shaft = 0.0;   ///< friction tau in N per metre
+  double Value = 0.0;   ///< value of the scalars
   std::int64_t Label = NoLabel;
-  bool HasPuncture = false; ///< whether the label gives its boundary's strength, Puncture
-  double Puncture = 0.0;    ///< T, N
+  bool HasPuncture = false; ///< whether the label sets the strength of its boundary (Puncture)
+  double Puncture = 0.0;    ///< T in N
 
   bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
 };
 
-/** Reads the tissue of a model at a data time. It allocates nothing. */
+/** Reads the tissue of a model at a data time. Allocates nothing. */
 class NeedleTissueReader
 {
 public:
-  /** Makes a reader. The model has a needle, and outlives the reader. */
+  /** Makes a reader. The model must have a needle, and must outlive the reader. */
   NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
 
   /**
-   * Returns the tissue at a place. Nothing resists outside the volume, or where the volume is cut
-   * away.
+   * Returns the tissue at a place. Outside the volume, and where it is cut away, nothing resists.
    */
   NeedleTissue At(const Vector3& place) const noexcept;
 
   /**
-   * Returns T W_d (N) of the surface at a place, for a needle with this axis; 0 if the surface's
-   * normal is not along the axis, or if the label behind the surface has its own strength, because
-   * that strength then belongs to the boundary between labels.
+   * Returns T W_d (N) of the surface at a place, for a needle with an axis. Returns 0 if the
+   * surface's normal is not along the axis. Also returns 0 if the label behind the surface has a
+   * strength of its own, because this strength belongs to the boundary between labels.
    */
   double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
 
@@ -62,7 +61,7 @@ public:
   /** Returns whether a place is within the stand-off of a forbidden label. */
   bool IsForbidden(const Vector3& place) const noexcept;
 
-  /** Returns the length (m) of a quarter voxel of the finer image, along a unit axis. */
+  /** Returns the length (m) of a quarter voxel of the finer image along a unit axis. */
   double ComputeStep(const Vector3& axis) const noexcept;
 
 private:
@@ -76,7 +75,7 @@ private:
   const BakedLabels* const Labels;
   const FieldAtTime Field;
   LabelMemory& Memory;
-  const bool HasSurfaces; ///< whether any surface of the scalars holds
+  const bool HasSurfaces; ///< whether any surface of the scalars can hold
 };
 
 } // namespace VolumeHaptics

@@ -14,18 +14,21 @@ namespace
 {
 
 /**
- * The most steps in a tick; a needle that needs more ends with the force of the tissue that it has
- * reached.
+ * Limit of the steps in a tick. A needle that needs more ends with the force of the tissue that it
+ * has reached.
  */
 constexpr int MostNeedleSteps = 64;
-/** The most further steps in a tick: a thousand voxels, after which the next tick goes on. */
+/**
+ * Limit of the further steps in a tick, about a thousand voxels. The next tick continues from
+ * there.
+ */
 constexpr int MostSkippedSteps = 4096;
-/** The accuracy of boundaries, as a fraction of a step: a millionth of a voxel. */
+/** Accuracy of boundaries as a fraction of a step, a millionth of a voxel. */
 constexpr double BoundaryFraction = 4e-6;
-/** The depth (m) from which on the lateral hold is complete. */
+/** Depth (m) from which the lateral hold has its full strength. */
 constexpr double HoldDepth = 1e-3;
 
-/** A needle in the tissue, in one tick. */
+/** An inserted needle in one tick. */
 class InsertedNeedle
 {
 public:
@@ -85,12 +88,12 @@ public:
   }
 
 private:
-  /** Returns how far the tip is ahead of the proxy (m). */
+  /** Returns the distance (m) of the tip ahead of the proxy. */
   double ComputeRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
 
-  /** Moves the needle forwards by a length, into this tissue. */
+  /** Moves the needle forward by a length (m), into the given tissue. */
   void MoveBy(double length, const NeedleTissue& into) noexcept
   {
     this->Proxy = this->Ahead(length);
@@ -100,7 +103,10 @@ private:
     this->Here = into;
   }
 
-  /** Returns whether a boundary in front of the tip holds the needle; if not, the tip passes. */
+  /**
+   * Returns whether a boundary in front of the tip holds the needle. If it does not, the tip passes
+   * it.
+   */
   bool IsHeldAtBoundary(double pull, double shaft) noexcept
   {
     this->Strength = this->Needle.Puncture;
@@ -115,10 +121,7 @@ private:
     return false;
   }
 
-  /**
-   * Moves the needle to the boundary that lies within a length, or through the boundary if that
-   * costs nothing.
-   */
+  /** Moves the needle to the boundary within a length, or through it if that needs no force. */
   void MeetBoundary(double length) noexcept
   {
     const double gap = BoundaryFraction * this->Step;
@@ -145,7 +148,7 @@ private:
     this->MoveBy(behind, next);
   }
 
-  /** Returns the part of a length that lies in front of the stand-off of forbidden labels. */
+  /** Returns the part of a length that is in front of the stand-off of forbidden labels. */
   double StopAtForbidden(double length) noexcept
   {
     if (!this->Reader.IsForbidden(this->Ahead(length)))
@@ -164,7 +167,7 @@ private:
     return before;
   }
 
-  /** Counts how often a forbidden label stops the needle. */
+  /** Counts the number of times that a forbidden label has stopped the needle. */
   void CountTouch() noexcept
   {
     this->Needle.Touches += this->IsStopped && !this->Needle.IsTouching ? 1 : 0;
@@ -176,7 +179,7 @@ private:
     // The needle may have slid into other tissue.
     this->Needle.Track.Append(this->Needle.Depth, this->Here.Shaft, this->Here.Label);
     const double k = this->Stiffness;
-    double held = 0.0; // N, the force with which the tissue here holds
+    double held = 0.0; // force (N) with which the tissue holds the needle here
     for (int i = 0; i < MostNeedleSteps; ++i)
     {
       const double pull = k * this->ComputeRest();
@@ -219,9 +222,9 @@ private:
   }
 
   /**
-   * Advances the needle by `length` (m) when the tick has no steps left, through tissue that counts
-   * as that at the present place, so that no more force is felt than the tissue holds. Stops at
-   * forbidden labels; with forbidden labels, takes at most MostSkippedSteps steps.
+   * Moves the needle by `length` (m) when the tick has no steps left. All tissue on the way counts
+   * as that at the present place, so that the force does not exceed what the tissue holds. Stops at
+   * forbidden labels; if there are any, takes at most MostSkippedSteps steps.
    */
   void Skip(double length) noexcept
   {
@@ -250,7 +253,7 @@ private:
       }
       const NeedleStretch last = track.Last();
       const double room = std::max(0.0, this->Needle.Depth - last.Begin);
-      // The friction falls with the depth.
+      // The friction decreases with the depth.
       const bool isStable = k > last.Shaft;
       const double length = isStable ? std::min(room, (pull - shaft) / (k - last.Shaft)) : room;
       this->Proxy = this->Ahead(-length);
@@ -296,11 +299,11 @@ private:
   const double Stiffness;
   const double LateralStrength;
   const Vector3 Axis;
-  const double KernelLength; ///< m, the kernel's length along the axis
+  const double KernelLength; ///< length of the kernel along the axis in m
   double Step = 0.0;
-  NeedleTissue Here;     ///< the tissue around the tip
-  double Strength = 0.0; ///< N, the strength of the boundary or surface that holds the tip
-  double Moved = 0.0;    ///< m, the way forwards
+  NeedleTissue Here;     ///< tissue at the tip
+  double Strength = 0.0; ///< strength (N) of the boundary or surface that holds the tip
+  double Moved = 0.0;    ///< length moved forward in m
   bool IsStopped = false;
   bool IsUnfinished = false;
 };
@@ -314,7 +317,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // As if the method began anew.
+    // The method begins anew.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A needle: it feels surfaces with its point, punctures them, and is then held by the tissue.
+ * A needle: its point feels surfaces and punctures them; then the tissue holds the needle.
  *
- * Its axis a points from the handle to the tip. If the device measures no orientation, the axis is
- * frozen at the puncture, to the direction of the hand's motion over the last millimetre.
+ * Its axis a points from the handle to the tip. If the device does not measure an orientation, the
+ * axis is set at the puncture to the direction of the hand's motion over the last millimetre.
  *
  * **Free**, the method's own law applies. A surface is punctured when the spring breaks through it
  * along the axis. Tissue without a surface that holds is entered where R or tau resists.
@@ -17,13 +17,15 @@
  *   shaft  F_s         along a, against motion: the integral of tau over the track
  *   LINE   a, s_l      the tissue holds the needle across its axis
  *
- * All have one anchor, and their directions are parallel or at right angles: their composition is
- * the exact minimiser. So the force along the axis is -(T + R + F_s) inserting, F_s withdrawing,
- * anything between at rest; the force across it is k times the lag, up to s_l. The tip moves in
- * steps of a quarter voxel at most, which end at boundaries between labels, to the balance.
+ * All have one anchor, and their directions are parallel or perpendicular, so that their
+ * composition is the exact minimiser. So the force along the axis is -(T + R + F_s) during
+ * insertion, F_s during withdrawal, and any value between at rest. The force perpendicular to the
+ * axis is k times the lag, up to s_l. The tip moves to the balance in steps of at most a quarter
+ * voxel, which end at boundaries between labels.
  *
  * A puncture from R1 to R2 loses (T + R1 - R2)^2/(2(k + tau)), and so does a fall of R, with T = 0.
- * Nothing gives energy: the proxy only moves towards the tip, along the axis or across it.
+ * Nothing gives energy: along the axis and perpendicular to it, the proxy only moves towards the
+ * tip.
  */
 #ifndef NeedleTool_h
 #define NeedleTool_h
@@ -35,21 +37,21 @@
 namespace VolumeHaptics
 {
 
-/** Returns the direction of a stylus with a unit quaternion: the stylus's own -z. */
+/** Returns the direction of a stylus, which is its own -z. `q` must be a unit quaternion. */
 inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
 {
   return ToMatrix(q) * Vector3{ 0.0, 0.0, -1.0 };
 }
 
 /**
- * Advances an inserted needle by one tick. If the needle is withdrawn, the proxy ends at the tip,
- * free.
+ * Computes a tick of an inserted needle. If the needle is withdrawn, the proxy is at the tip
+ * afterwards, and the needle is free.
  */
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 /**
- * Moves the needle of a model along to another placement of the device, or releases it with another
- * tool.
+ * Moves the needle of a model with the device to another placement, or releases it if the next
+ * model has another tool.
  */
 void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& needle) noexcept;
 

@@ -87,7 +87,8 @@ void ShapedTool::AppendTables(std::vector<MemoryRange>& tables) const
 void ShapedTool::WriteRecord(const ToolTick& tick, const ShellRecord& felt) noexcept
 {
   TickRecord& record = tick.Record;
-  // The method does not tick. Set the state from which it would continue, and what it would read.
+  // The method computes no tick. Set the state from which it would continue, and the values that it
+  // would read.
   tick.State.Precise.ReachedTip = record.Tip;
   const double norm = Norm(felt.Force);
   record.Proxy = felt.Tool.Position;
@@ -124,7 +125,7 @@ BakedShell::BakedShell(ShellDescription description)
 
 const ToolColumns& BakedShell::Columns()
 {
-  // Never destroyed: a filter may live until the process exits.
+  // Never destroyed, because a filter may live until the process ends.
   static const auto* const columns = new ToolColumns{ { "ToolOrientation", "", 4, true,
     [](const HapticModel& model, const TickRecord& record, double* numbers)
     {

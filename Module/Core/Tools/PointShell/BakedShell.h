@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape, baked for the servo tick: see ShellCoupling.h.
+ * A tool with a shape, baked for the servo tick (ShellCoupling.h).
  *
- * Its frame is the stylus's: the origin at the device's tip, the axes those of the stylus. It has
- * its size in the world, so that it is as large as it is drawn, for any placement of the device. If
- * the device measures no orientation, the tool keeps its last one.
+ * Its frame is the stylus's: the origin is at the device's tip, and the axes are the stylus's. Its
+ * size is fixed in the world, so that it is felt as large as it is drawn, whatever the placement of
+ * the device. If the device does not measure an orientation, the tool keeps the last one.
  */
 #ifndef BakedShell_h
 #define BakedShell_h
@@ -20,26 +20,23 @@
 namespace VolumeHaptics
 {
 
-/** A tool with a shape, and how it is felt. */
+/** A tool with a shape, and the settings with which it is felt. */
 struct ShellDescription
 {
   std::shared_ptr<const PointShell> Points; ///< points in world units; not null
-  /**
-   * The settings of the shell. The contact area is in square world units here, and the scale is not
-   * used.
-   */
+  /** Settings of the shell. Here, ContactArea is in square world units, and Scale is not used. */
   ShellSettings Touch;
 };
 
-/** The base of tools that touch with the points of a shell. */
+/** Base class of tools that touch with the points of a shell. */
 class ShapedTool : public BakedTool
 {
 public:
-  /** Returns the tool of a model; null if the tool has no shape. Not for ticks. */
+  /** Returns the tool of a model, or null if the tool has no shape. Not for ticks. */
   static const ShapedTool* Find(const BakedVolume& baked) noexcept;
 
   bool IsSame(const BakedTool& other) const override;
-  /** Carries the state to another model. If the tool can't be carried, the hand begins anew. */
+  /** Moves the state to another model. If that is impossible, the hand begins anew. */
   bool Carry(const HapticModel& from, const HapticModel& to, ServoState& state,
     ToolMemory* memory) const noexcept override;
   void Begin(ServoState& state) const noexcept override;
@@ -52,7 +49,7 @@ public:
 protected:
   explicit ShapedTool(ShellDescription description);
 
-  /** Writes what is felt to the record of a tick, and to the state of the method. */
+  /** Writes the result of a tick to the record, and to the state of the method. */
   static void WriteRecord(const ToolTick& tick, const ShellRecord& felt) noexcept;
 };
 
@@ -69,13 +66,13 @@ public:
   ShellMemory Shell;
 };
 
-/** A point shell: its points are pressed out of what is solid. */
+/** A point shell as a tool. Solid tissue pushes its points out. */
 class BakedShell final : public ShapedTool
 {
 public:
   explicit BakedShell(ShellDescription description);
 
-  /** Returns the array ToolOrientation. */
+  /** Returns the column ToolOrientation. */
   static const ToolColumns& Columns();
 
   bool Step(const ToolTick& tick) const noexcept override;
@@ -88,9 +85,9 @@ public:
 
 ///@{
 /**
- * For recordings: FindKeptContacts returns the contacts that a tool with a shape has kept
- * (ToolMemory::Keep), null without such a tool; RestoreContacts continues with a copy of such
- * contacts. If they belong to another tool, RestoreContacts returns false and changes nothing.
+ * For recordings. FindKeptContacts() returns the contacts that a tool with a shape has copied
+ * (ToolMemory::Keep), or null if the memory is not of such a tool. RestoreContacts() continues with
+ * a copy of contacts; it returns false and changes nothing if they belong to another tool.
  */
 const ShellContacts* FindKeptContacts(const ToolMemory* memory) noexcept;
 bool RestoreContacts(ToolMemory& memory, const BakedVolume& baked,

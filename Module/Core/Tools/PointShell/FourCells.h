@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Four points at a time, in the lanes of vectors: their cells and samples. The rules of
- * FieldKernels.h hold here too.
+ * The cells and samples of four points at a time, in the lanes of vectors. The rules of
+ * FieldKernels.h hold here, too.
  */
 #ifndef FourCells_h
 #define FourCells_h
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Four vectors. */
+/** Four three-vectors. */
 struct FourVectors
 {
   Double4 X;
@@ -45,14 +45,17 @@ VOLUME_HAPTICS_INLINE Double4 DotOf(const FourVectors& a, const FourVectors& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
-/** Multiplies a matrix, given by rows, by vectors. */
+/** Multiplies a matrix, stored by rows, with four vectors. */
 VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
 {
   return { m[0] * v.X + m[1] * v.Y + m[2] * v.Z, m[3] * v.X + m[4] * v.Y + m[5] * v.Z,
     m[6] * v.X + m[7] * v.Y + m[8] * v.Z };
 }
 
-/** The positions of four points in their cells along an axis, as LocateCell finds one. */
+/**
+ * The cells of four points along an axis, and the points' positions in them. Computed as by
+ * LocateCell.
+ */
 struct FourPlaces
 {
   Double4 Cell;
@@ -61,15 +64,15 @@ struct FourPlaces
 VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
 {
   const Double4 inside = Smaller(Larger(position, Spread(first)), Spread(last));
-  // Both are whole numbers: the smaller one is at most the last cell.
+  // Both are whole numbers, and the smaller one is at most the last cell.
   const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
   return { cell, inside - cell };
 }
 
 /**
- * Loads two neighbours along x, at an offset from each of four samples: the first neighbours to one
- * vector, the second ones to another. IsRow tells that samples along x are adjacent in memory; sx
- * is then not used.
+ * Loads a pair of neighbours along x for each of four points. Each pair begins `distance` elements
+ * behind the point's sample. `first` gets the first neighbours, and `second` the second ones. If
+ * IsRow, samples along x are adjacent in memory, and sx is not used.
  */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -99,8 +102,8 @@ struct FourCells
   FourPlaces X;
   FourPlaces Y;
   FourPlaces Z;
-  std::int64_t Step; ///< distance between samples along x
-  const T* First[4]; ///< the first sample of each cell
+  std::int64_t Step; ///< number of elements between samples along x
+  const T* First[4]; ///< first sample of each cell
 };
 template <typename T>
 VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
@@ -110,7 +113,7 @@ VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
   FourCells<T> at{ LocateCells(x, view.First[0], view.Last[0]),
     LocateCells(y, view.First[1], view.Last[1]), LocateCells(z, view.First[2], view.Last[2]),
     stride[0], {} };
-  // Exact: no volume has 2^51 samples.
+  // The products are exact, because no volume has 2^51 samples.
   const Double4 number = static_cast<double>(stride[0]) * at.X.Cell +
     static_cast<double>(stride[1]) * at.Y.Cell + static_cast<double>(stride[2]) * at.Z.Cell;
   std::int64_t numbers[4];
@@ -122,7 +125,10 @@ VOLUME_HAPTICS_INLINE FourCells<T> ComputeCells(
   return at;
 }
 
-/** Loads two neighbours along x, at an offset from the first sample of each cell. */
+/**
+ * Loads a pair of neighbours along x for each cell. Each pair begins `distance` elements behind the
+ * cell's first sample.
+ */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
   const FourCells<T>& at, std::int64_t distance, Double4& first, Double4& second)

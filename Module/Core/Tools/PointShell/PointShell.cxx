@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Spreads the lower 20 bits, with two zeros behind each. */
+/** Spreads the lower 20 bits of a number, with two zeros after each. */
 std::uint64_t SpreadBits(std::uint64_t bits)
 {
   std::uint64_t spread = 0;
@@ -22,7 +22,9 @@ std::uint64_t SpreadBits(std::uint64_t bits)
   return spread;
 }
 
-/** Returns the place of a point along a curve that fills the box from `low` on (Morton order). */
+/**
+ * Returns the position of a point along a curve that fills the box from `low` on (Morton order).
+ */
 std::uint64_t PlaceOnCurve(const Vector3& position, const Vector3& low, double scale)
 {
   const Vector3 at = scale * (position - low);
@@ -37,7 +39,7 @@ struct ShellBox
   Vector3 High;
 };
 
-/** Returns the box of at least one point. */
+/** Returns the box of some points, of which there must be at least one. */
 ShellBox ComputeBox(const ShellPoint* begin, const ShellPoint* end)
 {
   ShellBox box{ begin->Position, begin->Position };
@@ -76,7 +78,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
   points.swap(sorted);
 }
 
-/** Makes a sphere around some points, from their box. */
+/** Computes a sphere around some points from their box. */
 ShellBlock MakeBlock(const ShellPoint* begin, const ShellPoint* end)
 {
   const ShellBox box = ComputeBox(begin, end);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surface of a tool as points with areas.
+ * The surface of a tool, as points with areas.
  */
 #ifndef PointShell_h
 #define PointShell_h
@@ -16,45 +16,44 @@ namespace VolumeHaptics
 {
 
 /**
- * A point of a tool's surface, in the tool's own frame and in any unit of length (see
- * ShellSettings::Scale), and the area that it stands for.
+ * A point of a tool's surface, in the tool's own frame and in any unit of length
+ * (ShellSettings::Scale), with the area of surface that belongs to it.
  */
 struct ShellPoint
 {
   Vector3 Position;
-  double Area = 0.0; ///< more than 0
+  double Area = 0.0; ///< area, more than 0
 };
 
-/** How a shell is felt. */
+/** Settings of how a shell is felt. */
 struct ShellSettings
 {
-  double Level = 0.0;               ///< V_c
+  double Level = 0.0;               ///< V_c, the level of contact
   bool IsBelow = false;             ///< whether values below the level are solid
-  double ContactArea = 2.5e-5;      ///< m^2, the area to which materials refer
-  double CouplingStiffness = 500.0; ///< N/m, between hand and tool
-  double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
-  double Scale = 1.0;               ///< m, length of the shell's unit
+  double ContactArea = 2.5e-5;      ///< area to which materials refer, in m^2
+  double CouplingStiffness = 500.0; ///< stiffness between hand and tool in N/m
+  double TurningStiffness = 0.5;    ///< stiffness against rotation between hand and tool in N m/rad
+  double Scale = 1.0;               ///< length of the shell's unit in m
 };
 
-/** A block of 64 neighbouring points; the last one may have fewer. */
+/** A block of 64 neighbouring points. The last block may have fewer. */
 struct ShellBlock
 {
   static constexpr std::size_t Size = 64;
 
-  Vector3 Centre; ///< the radius of a sphere that contains all points of the block
+  Vector3 Centre; ///< centre of a sphere that contains all points of the block
   double Radius = 0.0;
 };
 
 /**
- * The surface of a tool, immutable. The points are ordered so that neighbours in space are
- * neighbours in memory, and their numbers are laid out for reading several at a time.
+ * The surface of a tool. Immutable. The points are ordered so that neighbours in space are
+ * neighbours in memory, and their numbers are stored so that several can be read at a time.
  */
 class PointShell
 {
 public:
   /**
-   * Makes a shell of points; leaves out points with a number that is not finite, or without an
-   * area.
+   * Makes a shell of points. Leaves out points without an area or with a number that is not finite.
    */
   explicit PointShell(std::vector<ShellPoint> points);
 
@@ -68,9 +67,10 @@ public:
   {
     return { this->X[i], this->Y[i], this->Z[i] };
   }
-  double GetArea() const noexcept { return this->Area; }   ///< area of all points
-  double GetReach() const noexcept { return this->Reach; } ///< largest distance from the origin
-  std::size_t GetMemorySize() const noexcept;              ///< bytes
+  double GetArea() const noexcept { return this->Area; } ///< sum of all areas
+  /** Largest distance of a point from the origin. */
+  double GetReach() const noexcept { return this->Reach; }
+  std::size_t GetMemorySize() const noexcept; ///< bytes
 
 private:
   std::vector<double> X;

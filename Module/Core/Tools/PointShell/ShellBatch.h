@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data that the kernels of a shell read and write. ShellReader.h declares the kernels;
+ * The data that the kernels of a shell read and write. ShellReader.h declares the kernels, and
  * ShellContacts.h explains contacts.
  */
 #ifndef ShellBatch_h
@@ -19,16 +19,17 @@ namespace VolumeHaptics
 {
 
 /**
- * A point that is held. Kernels read it as two times four numbers, followed by the point's number.
+ * A point that is held. Kernels read it as two vectors of four numbers, followed by the point's
+ * number.
  */
 struct ShellContact
 {
-  Vector3 Offset;   ///< m, on the device's axes, from the foot to the point
-  double Depth;     ///< m, the length of Offset
-  double Energy;    ///< J
-  double Stretch;   ///< m, u
-  double Stiffness; ///< N/m^3, the stiffness with which the contact was computed
-  double Strength;  ///< N/m^2
+  Vector3 Offset;   ///< vector from the foot to the point, along the device's axes, in m
+  double Depth;     ///< length of Offset in m
+  double Energy;    ///< in J
+  double Stretch;   ///< u in m
+  double Stiffness; ///< stiffness (N/m^3) with which the contact was computed
+  double Strength;  ///< in N/m^2
   std::uint32_t Point;
 };
 static_assert(std::is_standard_layout_v<ShellContact> &&
@@ -37,94 +38,101 @@ static_assert(std::is_standard_layout_v<ShellContact> &&
     offsetof(ShellContact, Strength) == 7 * sizeof(double),
   "eight numbers in this order");
 
-/** Maps from a gradient per index step, and from the device to an index. */
+/** Maps of a gradient per index step, and of a displacement in the device's space. */
 struct ShellFrame
 {
-  double GradientToDevice[9]; ///< map by rows; per world unit, on the device's axes
-  double DeviceToIndex[9];    ///< map by rows, for displacements in m
+  double GradientToDevice[9]; ///< by rows; to a gradient per world unit along the device's axes
+  double DeviceToIndex[9];    ///< by rows; from m to index steps
   double UnitsPerMeter;
-  double Voxel;        ///< m
-  double KernelLength; ///< m
-  double KernelRadius; ///< the kernel radius (voxels), if it applies along each direction; else 0
+  double Voxel;        ///< in m
+  double KernelLength; ///< in m
+  double KernelRadius; ///< in voxels, if the kernel is that long along each direction; otherwise 0
 };
 
-/** The pose of a tool, as maps. */
+/** The pose of a tool as maps. */
 struct ShellPlacement
 {
-  double ToolToIndex[12]; ///< a matrix by rows, and an offset
-  double ToolToDevice[9]; ///< map by rows, for displacements
+  double ToolToIndex[12]; ///< a matrix by rows, followed by an offset
+  double ToolToDevice[9]; ///< by rows; for displacements
 };
 
-/** Points that may be in contact, one array per number, so that several are computed at a time. */
+/**
+ * Points that may be in contact. There is one array for each number, so that several points can be
+ * computed at a time.
+ */
 struct ShellBatch
 {
-  static constexpr std::size_t Most = 64; ///< a batch with all results fits into the first cache
+  /** Limit of the points; a batch with all results then fits into the first-level cache. */
+  static constexpr std::size_t Most = 64;
 
   std::size_t Count = 0;
-  std::uint64_t Solid = 0;          ///< a bit for each point: whether it is solid
-  std::uint32_t Point[Most];        ///< the point's number
-  const ShellContact* Before[Most]; ///< the point's last contact; zeros if it has none
-  double Position[3][Most];         ///< position in the tool's frame
-  double Area[Most];                ///< the area, in the tool's units
+  std::uint64_t Solid = 0;          ///< bit i is set if point i is solid
+  std::uint32_t Point[Most];        ///< number of each point in the shell
+  const ShellContact* Before[Most]; ///< last contact of each point; zeros if it had none
+  double Position[3][Most];         ///< position in the frame of the tool
+  double Area[Most];                ///< area in the tool's units
   ///@{
-  /** Computed from the tool's placement. */
-  double Offset[3][Most]; ///< Offset of Before
-  double Was[Most];       ///< Depth of Before
-  double Place[3][Most];  ///< the index of the known foot
-  double Index[3][Most];  ///< the index of the point
-  double Arm[3][Most];    ///< m, from the origin of the tool, on the device's axes
+  /** Members that are computed from the tool's placement. */
+  double Offset[3][Most]; ///< ShellContact::Offset of Before
+  double Was[Most];       ///< ShellContact::Depth of Before
+  double Place[3][Most];  ///< index of the known foot
+  double Index[3][Most];  ///< index of the point
+  double Arm[3][Most];    ///< vector from the tool's origin along the device's axes in m
   ///@}
   ///@{
-  /** Results; may be NaN. */
-  double Value[Most];       ///< trilinear, at Place
-  double Gradient[3][Most]; ///< central differences over one sample to either side, per index step
-  double Cell[3][Most];     ///< the derivatives in the cell of Place, per index step
-  double Normal[3][Most];   ///< n: unit, on the device's axes, into the solid side
-  double Magnitude[Most];   ///< the magnitude of the gradient, per world unit
-  double Beyond[Most];      ///< m, distance of Place beyond the level
-  double Depth[Most];       ///< m, the point's depth
-  double Foot[3][Most];     ///< the index of the foot
-  double Behind[3][Most];   ///< the index a kernel length behind the foot
+  /** Results, which may be NaN. */
+  double Value[Most];       ///< trilinear value at Place
+  double Gradient[3][Most]; ///< central differences over one sample to both sides, per index step
+  double Cell[3][Most];     ///< derivatives in the cell of Place, per index step
+  double Normal[3][Most];   ///< n, a unit vector along the device's axes into the solid side
+  double Magnitude[Most];   ///< magnitude of the gradient per world unit
+  double Beyond[Most];      ///< distance of Place beyond the level in m
+  double Depth[Most];       ///< depth of the point in m
+  double Foot[3][Most];     ///< index of the foot
+  double Behind[3][Most];   ///< index of the place a kernel length behind the foot
   ///@}
-  double Inside[Most]; ///< the trilinear value at Behind
+  double Inside[Most]; ///< trilinear value at Behind
   /**
-   * Stiffness, surface strength and visibility of the material at Behind, if ShellLaw has no table.
+   * Stiffness, surface strength and visibility of the material at Behind; only used if ShellLaw has
+   * no table.
    */
   double Material[3][Most];
 };
 
-/** Forces on points, one array per number, padded with 0 to a multiple of four. */
+/**
+ * The forces on points. There is one array for each number, filled up with 0 to a multiple of four.
+ */
 struct ShellPushes
 {
   /**
-   * The number of points that may be in contact whose forces are summed first; then these sums are
-   * added.
+   * Limit of the points that may be in contact whose forces are summed at once. The sums of several
+   * such groups are then added.
    */
   static constexpr std::size_t Most = 128;
 
   std::size_t Count = 0;
-  double Wrench[6][Most]; ///< the wrench of 1 N along the normal n: n, and arm x n in m
-  double Force[Most];     ///< N
-  double Stiffness[Most]; ///< N/m
+  double Wrench[6][Most]; ///< wrench of 1 N along the normal n: n, and arm x n in m
+  double Force[Most];     ///< in N
+  double Stiffness[Most]; ///< in N/m
 };
 
-/** Computes forces from the depths of points. */
+/** The data from which the forces of points are computed, given their depths. */
 struct ShellLaw
 {
-  const MaterialTable* Materials; ///< null if ShellBatch::Material is known
+  const MaterialTable* Materials; ///< null if ShellBatch::Material is set
   const DistinctnessTable* Distinctness;
   ///@{
-  /** The segments that contained the last numbers; used for speed only. */
+  /** The segments that contained the last numbers, which only make the next lookup faster. */
   const MaterialTable::Segment* LastMaterial;
   const DistinctnessTable::Segment* LastDistinctness;
   ///@}
-  double LeastStiffness;   ///< N/m: lower stiffness is not felt
-  double PerContactArea;   ///< 1/m^2, the inverse of the area of contact
-  double SquareMeters;     ///< the area (m^2) of a unit of ShellBatch::Area
-  double InverseRadius;    ///< 1 / the kernel's radius (voxels)
-  double Fraction;         ///< the fraction of their energies that the earlier contacts keep
-  double FarthestFollowed; ///< the limit (m) of ShellBatch::Beyond
-  bool IsStart;            ///< whether contacts begin without energy
+  double LeastStiffness;   ///< stiffness in N/m below which nothing is felt
+  double PerContactArea;   ///< inverse of the contact area in 1/m^2
+  double SquareMeters;     ///< area (m^2) of a unit of ShellBatch::Area
+  double InverseRadius;    ///< 1 divided by the kernel's radius (voxels)
+  double Fraction;         ///< fraction of their energies that the earlier contacts keep
+  double FarthestFollowed; ///< limit of ShellBatch::Beyond in m
+  bool IsStart;            ///< whether contacts begin without energy, whatever their depth
 };
 
 } // namespace VolumeHaptics

@@ -28,13 +28,13 @@ const PointShell* ShellOf(const BakedVolume& baked) noexcept
   return tool ? tool->Description.Points.get() : nullptr;
 }
 
-/** Returns the settings of a model whose tool has a shape. */
+/** Returns the settings of a model. Its tool must have a shape. */
 const ShellSettings& TouchOf(const HapticModel& model) noexcept
 {
   return static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
 }
 
-/** Maps from the frame of one model's device to the frame of another model's device. */
+/** Maps from the frame of one model's device to that of another model's device. */
 class Carrier
 {
 public:
@@ -55,8 +55,7 @@ public:
   }
 
   /**
-   * Scales the lengths of a contact; stiffness and strength per area are adapted to the new
-   * lengths.
+   * Scales the lengths of a contact, and adapts stiffness and strength per area to the new lengths.
    */
   void Carry(ShellContact& contact) const noexcept
   {
@@ -79,13 +78,13 @@ private:
   const double Scale;
 };
 
-/** Brings the tool towards the hand until the springs have this fraction of their energy. */
+/** Moves the tool towards the hand until the springs have this fraction of their energy. */
 void Relax(ShellState& state, double fraction) noexcept
 {
   const double nearer = std::sqrt(fraction);
   const ShellPose& hand = state.Hand;
   state.Tool.Position = hand.Position + nearer * (state.Tool.Position - hand.Position);
-  // The energy of the turn is proportional to sin^2(theta/2).
+  // The energy of the rotation is proportional to sin^2(theta/2).
   const Quaternion turn = state.Tool.Orientation * Conjugate(hand.Orientation);
   const Vector3 axis = nearer * Vector3{ turn.X, turn.Y, turn.Z };
   const double cosine = std::copysign(std::sqrt(std::max(1.0 - Dot(axis, axis), 0.0)), turn.W);
@@ -128,7 +127,7 @@ void CarryShell(
   const double after = energyOf(to);
   if (after > before)
   {
-    // Stiffer springs must not have more energy.
+    // The springs are stiffer, but must not have more energy.
     Relax(state, before / after);
   }
   state.Budget = energyOf(to) + room;

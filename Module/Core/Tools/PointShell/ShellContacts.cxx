@@ -13,14 +13,14 @@ namespace
 {
 
 /**
- * A foot farther from the level than this (voxels) is not found yet. The depth of its point is then
- * no work of the hand.
+ * Distance (voxels) of a foot from the level above which it is not found yet. The depth of its
+ * point is then not work of the hand.
  */
 constexpr double FarthestFollowed = 0.75;
 
-/** An allowance (voxels) for the rounding of sums of ways, and of the map to indices. */
+/** Allowance (voxels) for rounding in sums of lengths and in the map to indices. */
 constexpr double LeastClearance = 1e-4;
-/** Marks made farther from the tool than this (voxels) would not last. */
+/** Distance (voxels) from the tool above which marks would not last, so that none are made. */
 constexpr double MostWayOfMarks = 0.2;
 
 void SetRows(const Matrix3& matrix, double* rows) noexcept
@@ -50,9 +50,7 @@ Vector3 Get(const double (*numbers)[ShellBatch::Most], std::size_t i) noexcept
   return { numbers[0][i], numbers[1][i], numbers[2][i] };
 }
 
-/**
- * Moves the points of these bits, with the numbers that the law needs, to the beginning of a batch.
- */
+/** Moves the chosen points, with the numbers that the law needs, to the beginning of a batch. */
 void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
 {
   std::uint8_t from[ShellBatch::Most];
@@ -91,15 +89,15 @@ void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
 
 } // namespace
 
-/** Collects points that may be in contact, until there are enough to read them together. */
+/** Collects points that may be in contact, until there are enough to be computed together. */
 struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
   ShellLaw Law;
-  MixMemory Labels; ///< memory of label lookups, for speed only
+  MixMemory Labels; ///< results of label lookups, which only make the next lookups faster
   ShellPushes Forces;
-  std::size_t Pushing = 0; ///< candidate points since the last AddForces(); Forces holds those that
-                           ///< press
+  /** Number of candidates since the last AddForces(); Forces has those that press. */
+  std::size_t Pushing = 0;
 };
 
 ShellContactFinder::ShellContactFinder(
@@ -140,7 +138,8 @@ double ShellContactFinder::ComputePerValue(
   {
     return 0.0;
   }
-  // The length of sum g_a r_a, for slopes g_a up to these; r_a are the rows of the map to indices.
+  // Compute the length of sum g_a r_a, where g_a are slopes up to these, and r_a the rows of the
+  // map to indices.
   double square = 0.0;
   for (int a = 0; a < 3; ++a)
   {
@@ -151,7 +150,7 @@ double ShellContactFinder::ComputePerValue(
   return 1.0 / std::max(std::sqrt(square), flattest);
 }
 
-/** Computes a block's clearance again, if the tool has moved too far since. */
+/** Computes a block's clearance again if the tool has moved too far since the last time. */
 void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, double way,
   ShellClearance& clearance) const noexcept
 {
@@ -160,7 +159,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     return;
   }
   const double from = clearance.Travelled;
-  // One voxel, with an allowance for rounding.
+  // One voxel, and an allowance for rounding.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;
@@ -171,8 +170,8 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue =
     isClear || way > MostWayOfMarks ? 0.0 : this->ComputePerValue(centre, half);
-  // With these slopes, the values at the points reach the level somewhere else. The tool came from
-  // a place in this box.
+  // By the new slopes, the values at the points reach the level somewhere else. The tool has come
+  // from a place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
   const double fraction = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
@@ -182,7 +181,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   }
   clearance.IsClear[block] = isClear ? 1 : 0;
   clearance.PerValue[block] = perValue;
-  // A block that is not clear may become clear soon.
+  // A block that is not clear may soon become clear, so this is checked earlier.
   clearance.Until[block] = clearance.Travelled + way + (isClear || perValue > 0.0 ? 1.0 : 0.5);
 }
 
@@ -231,7 +230,7 @@ void ShellContactFinder::Collect(const ShellPose& pose, double way, bool isStart
     const std::size_t begin = block * ShellBlock::Size;
     const std::uint64_t solid = this->Mark(block, placement.ToolToIndex, way, clearance);
     const std::uint64_t held = from.Count > 0 ? from.Marks[block] : 0;
-    // Points that are not in contact are removed later.
+    // Points that turn out not to be in contact are removed later.
     to.Marks[block] = solid | held;
     for (std::uint64_t rest = solid | held; rest != 0; rest &= rest - 1)
     {

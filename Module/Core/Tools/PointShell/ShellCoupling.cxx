@@ -12,27 +12,29 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The farthest hand (m). */
+/** Largest coordinate of a hand (m). */
 constexpr double FarthestHand = 1e9;
 /**
- * The most poses at which a tick evaluates the contacts (each is one "look"), and the most points
- * that it reads at all poses together. Two poses are always allowed.
+ * Limit of the poses ("looks") at which a tick evaluates the contacts, and limit of the points that
+ * it reads at all poses together. Two poses are always allowed.
  */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
-/** Where a burr has removed tissue, reading a point takes about this many times as long. */
+/** Factor by which reading a point takes longer where a burr has removed tissue. */
 constexpr std::size_t PointsOfCarved = 5;
 /**
- * A tick ends if the next step would change the force by less than this fraction of the force plus
- * this number of newtons.
+ * Change of the force by the next step below which a tick ends: this fraction of the force plus
+ * this force (N).
  */
 constexpr double ForceFraction = 5e-3;
 constexpr double ForceTolerance = 5e-4;
-/** A step may raise the energy by this fraction, as noise in the data does. */
+/**
+ * Fraction by which a step may raise the energy, because noise in the data can cause such a rise.
+ */
 constexpr double EnergyTolerance = 0.02;
 /**
- * The energy that a contact has lost pays for later rises, up to this fraction of the stored
- * energy.
+ * Fraction of the stored energy up to which the energy that a contact has lost pays for later
+ * rises.
  */
 constexpr double MostReserve = 0.1;
 
@@ -51,14 +53,14 @@ struct Coupling
   struct Pull
   {
     double Energy;
-    Vector3 Force;  ///< N, on the hand
-    Vector3 Torque; ///< N m, on the hand
+    Vector3 Force;  ///< force on the hand in N
+    Vector3 Torque; ///< torque on the hand in N m
   };
   Pull At(const ShellPose& tool, const ShellPose& hand) const noexcept
   {
     const Vector3 lag = tool.Position - hand.Position;
     const Quaternion turn = tool.Orientation * Conjugate(hand.Orientation);
-    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // the axis times sin(theta/2)
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // axis of the rotation times sin(theta/2)
     return { 0.5 * this->Stiffness * Dot(lag, lag) + 2.0 * this->TurningStiffness * Dot(axis, axis),
       this->Stiffness * lag, (2.0 * this->TurningStiffness * turn.W) * axis };
   }
@@ -70,10 +72,10 @@ Coupling MakeCoupling(const ShellSettings& settings, const ForceCaps& caps) noex
   return { caps.Stiffness > 0.0 ? std::min(k, caps.Stiffness) : k, settings.TurningStiffness };
 }
 
-/** Computes the Gauss-Newton step from a pose with this pull and these contacts. */
+/** Computes the Gauss-Newton step from a pose, given the springs' pull and the contacts there. */
 Step ComputeStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
 {
-  // Cholesky: A = L L^T, by rows.
+  // Cholesky decomposition A = L L^T, by rows.
   double l[6][6];
   double b[6] = { -pull.Force.X - sum.Gradient[0], -pull.Force.Y - sum.Gradient[1],
     -pull.Force.Z - sum.Gradient[2], -pull.Torque.X - sum.Gradient[3],
@@ -111,7 +113,10 @@ Step ComputeStep(const Coupling& coupling, const Coupling::Pull& pull, const She
   return { { b[0], b[1], b[2] }, { b[3], b[4], b[5] } };
 }
 
-/** Returns the pose after a fraction of a step; the pose turns by 2 atan(|Turn|/2) < |Turn|. */
+/**
+ * Returns the pose after a fraction of a step. The pose rotates by 2 atan(|Turn|/2), which is less
+ * than |Turn|.
+ */
 ShellPose Moved(const ShellPose& pose, const Step& step, double fraction) noexcept
 {
   const Vector3 half = (0.5 * fraction) * step.Turn;
@@ -134,7 +139,7 @@ std::size_t ComputeMostLooks(const HapticModel& model, const PointShell& shell) 
   return std::clamp<std::size_t>(MostPointsRead / points, 2, MostLooks);
 }
 
-/** One tick of an enabled tool. */
+/** A tick of an enabled tool. */
 class Advance
 {
 public:
@@ -149,7 +154,7 @@ public:
   {
   }
 
-  /** Puts the tool into the hand. */
+  /** Places the tool in the hand. */
   void Start(const ShellPose& hand) noexcept
   {
     this->State.Tool = this->State.Hand = hand;
@@ -185,8 +190,8 @@ public:
       pull = this->Springs.At(next, hand);
       if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
       {
-        // The step met contacts that it was not computed for. They are in the sums now, so correct
-        // the step once.
+        // The step was computed without the contacts that it has met. The sums have them now, so
+        // correct the step once.
         next = this->Corrected(next, pull);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
@@ -225,8 +230,8 @@ public:
 
 private:
   /**
-   * Computes which points press, after a change of the model. The tool rests, and no contact gains
-   * energy.
+   * Determines which points press after a change of the model. The tool does not move, and no
+   * contact gains energy.
    */
   void Resume() noexcept
   {
@@ -234,7 +239,7 @@ private:
     const ShellPose tool = s.Tool;
     const Coupling::Pull pull = this->Springs.At(tool, s.Hand);
     s.IsCarried = false;
-    s.Budget = std::max(s.Budget, pull.Energy); // rounding
+    s.Budget = std::max(s.Budget, pull.Energy); // by rounding, the energy may exceed the budget
     this->Look(tool, false);
     this->Apply(tool, pull);
   }
@@ -265,7 +270,10 @@ private:
     return pull.Energy + this->Sum.Energy > (1.0 + EnergyTolerance) * before;
   }
 
-  /** Returns the fraction of a step in which no point moves farther than feet can be followed. */
+  /**
+   * Returns the largest fraction of a step in which all points move only as far as their feet can
+   * be tracked.
+   */
   double ComputeFraction(const Step& step) const noexcept
   {
     const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
@@ -274,8 +282,8 @@ private:
   }
 
   /**
-   * Corrects a pose by the contacts at another pose. The result stays as near to the tool as feet
-   * can be followed.
+   * Corrects a pose by the contacts at another pose. The result is so near to the tool that feet
+   * can be tracked.
    */
   ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
   {
@@ -283,7 +291,7 @@ private:
     return Moved(from, step, this->ComputeFraction(step));
   }
 
-  /** Returns whether one step turns a free tool to the hand's orientation. */
+  /** Returns whether one step rotates a free tool to the hand's orientation. */
   bool IsNearlyTurned(const ShellPose& hand) const noexcept
   {
     const Quaternion turn = this->State.Tool.Orientation * Conjugate(hand.Orientation);
@@ -291,7 +299,7 @@ private:
     return std::abs(turn.W) > least;
   }
 
-  /** Adopts the pose of the last look, if the budget pays for its pull. */
+  /** Adopts the pose of the last look if the budget pays for its pull. Returns whether it does. */
   bool Apply(const ShellPose& next, const Coupling::Pull& pull) noexcept
   {
     ShellState& s = this->State;
@@ -328,8 +336,8 @@ private:
   bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
   {
     const double tolerance = ForceTolerance + ForceFraction * Norm(pull.Force);
-    // The force at an arm of this length has the torque's change.
-    constexpr double leastArm = 1e-3; // m
+    // At an arm of this length, a force of this size has the torque's change.
+    constexpr double leastArm = 1e-3; // in m
     const double torque = std::max(this->Reach, leastArm) * tolerance;
     return this->Springs.Stiffness * Norm(step.Move) > tolerance ||
       this->Springs.TurningStiffness * Norm(step.Turn) > torque;
@@ -341,9 +349,9 @@ private:
   const std::size_t Most;
   ShellState& State;
   ShellMemory& Memory;
-  ShellSum Sum;        ///< the sum at the last look
-  double Way = 0.0;    ///< voxels, from the tool to the last look
-  bool IsAway = false; ///< whether the last look was not adopted
+  ShellSum Sum;        ///< sum at the pose of the last look
+  double Way = 0.0;    ///< length from the tool to the last look in voxels
+  bool IsAway = false; ///< whether the pose of the last look was not adopted
   std::uint32_t Looks = 0;
   bool IsUnfinished = false;
 };

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape in the hand: from the pose of the hand to force and torque.
+ * A tool with a shape in the hand: computes force and torque from the pose of the hand.
  *
- * Between the hand's pose (y, q_y) and the tool's (x, q_x) are two springs with the energy
+ * Between the hand's pose (y, q_y) and the tool's pose (x, q_x) are two springs with the energy
  *
  *   U = k/2 |x - y|^2 + 2 k_r sin^2(theta/2),
  *
- * theta being the angle between both. The tool is where the sum of U and the contacts' energy E
+ * where theta is the angle between both. The tool is where the sum of U and the contacts' energy E
  * (ShellContacts.h) is smallest: it has no mass (a quasi-static coupling). A tick takes
- * Gauss-Newton steps towards that pose, from the tool's last pose; usually one is enough. No point
- * moves farther than a quarter of a voxel between two looks, so that thin walls hold fast tools.
+ * Gauss-Newton steps from the tool's last pose towards that pose; usually one step is enough. No
+ * point moves farther than a quarter of a voxel between two looks, so that thin walls hold fast
+ * tools.
  *
- * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the turn.
+ * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the rotation.
  *
- * Passivity. A budget S holds the energy that the hand has put in: while the tool rests and the
- * hand moves, S changes by the same amount as U. Steps keep U + E <= S; if nothing else helps, the
- * contacts lose energy. So U <= S always, and the hand gets back at most what it has put in, for
- * any volume, materials and accuracy of the steps. The energy that a contact has lost pays for
+ * Passivity: a budget S holds the energy that the hand has put in. When the hand moves while the
+ * tool rests, S changes by the same amount as U. Steps keep U + E <= S; if nothing else helps, the
+ * contacts lose energy. So U <= S always holds, and the hand gets back at most what it has put in,
+ * for any volume, materials and accuracy of the steps. The energy that a contact has lost pays for
  * later rises, but only up to a tenth of the stored energy, and not after the contact.
  */
 #ifndef ShellCoupling_h
@@ -29,7 +30,7 @@
 namespace VolumeHaptics
 {
 
-/** The contacts at ShellState::Tool, and room for the contacts of a step; for one shell. */
+/** The contacts at ShellState::Tool, and memory for the contacts of a step. For one shell. */
 class ShellMemory
 {
 public:
@@ -49,22 +50,21 @@ public:
 
   ///@{
   /**
-   * Copies the current contacts (Keep), and returns the copy (GetKept): a recording begins with
-   * them.
+   * Keep() copies the current contacts, and GetKept() returns the copy. A recording begins with it.
    */
   void Keep() noexcept;
   const ShellContacts& GetKept() const noexcept { return this->Kept; }
   ///@}
   /**
-   * Continues with the contacts of a copy, in ascending order of their points. If the contacts
-   * can't belong to this shell, returns false and changes nothing.
+   * Continues with a copy of contacts, which must be in ascending order of their points. Returns
+   * false and changes nothing if the contacts can't belong to this shell.
    */
   bool Restore(const std::vector<ShellContact>& contacts, double fraction) noexcept;
-  /** Appends the memory that a tick writes. */
+  /** Appends the ranges of memory that a tick writes. */
   void AppendTables(std::vector<MemoryRange>& tables) const;
 
   ShellClearance Clearance;
-  /** BakedVolume::Number of the model to which the contacts belong. */
+  /** BakedVolume::Number of the contacts' model. */
   std::uint64_t Model = 0;
 
 private:
@@ -74,22 +74,25 @@ private:
   int Current = 0;
 };
 
-/** The results of one tick, in device space: metres, newtons. */
+/** The results of a tick in device space: metres and newtons. */
 struct ShellRecord
 {
   ShellPose Hand;
   ShellPose Tool;
-  Vector3 Force;              ///< N, on the hand
-  Vector3 Torque;             ///< N m, on the hand, about the origin of the tool
-  double Stiffness = 0.0;     ///< N/m, the coupling's stiffness
-  double Energy = 0.0;        ///< J, energy in the contacts
+  Vector3 Force;              ///< force on the hand in N
+  Vector3 Torque;             ///< torque on the hand about the tool's origin in N m
+  double Stiffness = 0.0;     ///< stiffness of the coupling in N/m
+  double Energy = 0.0;        ///< energy in the contacts in J
   std::uint32_t Contacts = 0; ///< number of pressed points
   std::uint32_t Yielding = 0; ///< number of points at the limit of their material
-  std::uint32_t Looks = 0;    ///< how often the volume was read at all points
-  bool IsUnfinished = false;  ///< whether the tool has not reached its pose yet
+  std::uint32_t Looks = 0;    ///< number of poses at which the volume was read at all points
+  bool IsUnfinished = false;  ///< whether the tool has not reached its final pose yet
 };
 
-/** Returns the settings of a model whose tool has a shape, in the device's units of length. */
+/**
+ * Returns the settings of a model in the device's units of length. The model's tool must have a
+ * shape.
+ */
 ShellSettings ComputeShellSettings(const HapticModel& model) noexcept;
 
 /** Returns the energy (J) in the springs between hand and tool. */
@@ -97,10 +100,10 @@ double ComputeCouplingEnergy(const ShellSettings& settings, const ForceCaps& cap
   const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**
- * Advances the state by one tick. A hand that is not finite, far away, or without a unit quaternion
- * gives zero force and disables the state, and so does a model other than the last tick's, or a
- * memory of another shell. The next tick then begins at the hand. It neither allocates, locks nor
- * throws.
+ * Advances the state by one tick. If the hand is not finite, is far away, or has no unit
+ * quaternion, the force is zero and the state becomes disabled, and also if the model is not that
+ * of the last tick, or the memory belongs to another shell. The next tick then begins with the tool
+ * in the hand. The function neither allocates, locks nor throws.
  */
 void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
   const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept;

@@ -3,7 +3,7 @@
 /**
  * @file
  * Values and gradients at the feet of points, for ShellKernels.h. The rules of FieldKernels.h hold
- * here too.
+ * here, too.
  */
 #ifndef ShellFootKernels_h
 #define ShellFootKernels_h
@@ -20,7 +20,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Reads value and gradient from positions that are clamped to the samples one by one. */
+/** Reads value and gradient. Each position is clamped to the samples. */
 template <typename T>
 VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
   const FieldView& view, double x, double y, double z, double* to)
@@ -41,8 +41,8 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
 }
 
 /**
- * Reads the value and its central differences: seven interpolations with the same weights. Since
- * the differences reach over one sample on either side, 32 samples are enough.
+ * Reads the value and its central differences. These are seven interpolations with the same
+ * weights. The differences reach over one sample on both sides, so that 32 samples suffice.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, double z, double* to)
@@ -68,7 +68,8 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   const double fz = az.Fraction;
   const double ey = 1.0 - fy;
   const double ez = 1.0 - fz;
-  // Four lines along x each: the cell's own, the lines beside it along y, and those along z.
+  // Four lines along x each: those of the cell, their neighbours along y, and their neighbours
+  // along z.
   const T* const inner[4] = { p, p + sy, p + sz, p + sy + sz };
   const T* const besideY[4] = { p - sy, p - sy + sz, p + 2 * sy, p + 2 * sy + sz };
   const T* const besideZ[4] = { p - sz, p - sz + sy, p + 2 * sz, p + 2 * sz + sy };
@@ -102,7 +103,7 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   {
     if (!IsNumber(to[0] + to[1] + to[2] + to[3]))
     {
-      // Skips a sample without a weight, so that one that is not a number does not count.
+      // ReadFootAtBorder() ignores samples with the weight 0, which may be NaN.
       ReadFootAtBorder<T>(view, x, y, z, to);
     }
   }
@@ -114,7 +115,7 @@ void ReadOneFoot(const ShellReading& reading, double x, double y, double z, doub
   ReadFoot<T>(reading.View, x, y, z, to);
 }
 
-/** One lane of ReadFoot's sums, for four points at a time. */
+/** One lane of ReadFoot's sums for four points. */
 struct FourFeet
 {
   Double4 Of[7];
@@ -126,9 +127,9 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
 }
 
 /**
- * Computes the fraction of one line along x in the sums of ReadFoot, for four cells at a time.
- * isSecondY and isSecondZ choose one of a cell's four lines. IsRow tells that the line's samples
- * are adjacent.
+ * Computes what one line along x adds to the sums of ReadFoot, for four cells at a time. isSecondY
+ * and isSecondZ choose one of a cell's four lines. If IsRow, the line's samples are adjacent in
+ * memory.
  */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64_t* stride,
@@ -138,7 +139,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
   const Double4 ey = one - fy;
   const Double4 ez = one - fz;
   const auto minus = [](const Double4& a) { return -1.0 * a; };
-  // Weights of this line, of the line across y, and of the line across z.
+  // Weights of this line, of the line opposite along y, and of the line opposite along z.
   const Double4 wy = isSecondY ? fy : ey;
   const Double4 wz = isSecondZ ? fz : ez;
   const Double4 own = wy * wz;
@@ -146,7 +147,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
   const Double4 acrossZ = wy * (isSecondZ ? ez : fz);
   const std::int64_t sx = IsRow ? 1 : stride[0];
   const std::int64_t line = (isSecondY ? stride[1] : 0) + (isSecondZ ? stride[2] : 0);
-  // The lanes of ReadFoot have the neighbour lines in another order along y.
+  // In the lanes of ReadFoot, the neighbours along y are in another order.
   const bool isBehind = isSecondZ;
   const Double4 outer = (isSecondZ ? fy : ey) * (isSecondY ? fz : ez);
   const std::int64_t besideY =
@@ -197,7 +198,7 @@ VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, Sh
   const Double4 fy = at.Y.Fraction;
   const Double4 fz = at.Z.Fraction;
   const std::int64_t* const stride = view.Volume.Stride;
-  // Adds in the order of AddLanes.
+  // Add in the same order as AddLanes.
   FourFeet sum = AddFeet(ReadLine<T, IsRow>(at, stride, fy, fz, false, false),
     ReadLine<T, IsRow>(at, stride, fy, fz, false, true));
   sum = AddFeet(sum,
@@ -234,7 +235,7 @@ void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
                               : ReadFourFeet<T, false>(reading.View, i, batch);
     for (std::size_t n = i; n < i + 4; ++n)
     {
-      // ReadFoot handles samples that are not numbers.
+      // ReadFoot handles samples that are NaN or infinite.
       const bool isDone = isRead &&
         (!std::is_floating_point_v<T> ||
           IsNumber(

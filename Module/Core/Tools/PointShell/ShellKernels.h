@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the volume at many points at once, as templates. Included by one translation unit per
- * instruction set only; the rules of FieldKernels.h hold here too.
+ * Reads the volume at many points at once, as templates. Only one translation unit for each
+ * instruction set may include this file. The rules of FieldKernels.h hold here, too.
  */
 #ifndef ShellKernels_h
 #define ShellKernels_h
@@ -54,15 +54,18 @@ void PlacePoints(
   }
 }
 
-/** Computes the feet of four points from the samples, and which of them may be in contact. */
+/**
+ * Computes the feet of four points from the samples. Returns the bits of points that may be in
+ * contact.
+ */
 VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   const ShellReading& reading, const ShellFrame& frame, std::size_t i, ShellBatch& batch)
 {
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
   const Double4 magnitude = Root(DotOf(gradient, gradient));
   const FourVectors normal = Scaled(Spread(reading.Sign) / magnitude, gradient);
-  // Differences over two samples are less steep than the edge of a mask: the slope of the cell
-  // gives the step along the normal to the level.
+  // Differences over two samples are less steep than the edge of a mask, so the slope in the cell
+  // determines the step along the normal to the level.
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
@@ -84,7 +87,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   StoreVectors(foot, batch.Foot, i);
   StoreVectors({ foot.X + reach * along.X, foot.Y + reach * along.Y, foot.Z + reach * along.Z },
     batch.Behind, i);
-  // Also false for NaN: without a gradient there is no contact.
+  // The conditions are false for NaN, too: without a gradient there is no contact.
   const Double4 floor = 1e-12 * Larger(value, -1.0 * value);
   const std::uint64_t isRising = IsAbove(magnitude, floor) & IsAbove(Spread(HUGE_VAL), magnitude);
   const std::uint64_t isDeep = IsAbove(depth, Spread(0.0)) & batch.Solid >> i;
@@ -111,7 +114,7 @@ std::uint64_t ComputeAllFeet(
   return there & FirstBits(batch.Count);
 }
 
-/** Computes some rows of AddFunction's sums: as many as there are registers for. */
+/** Computes as many rows of AddFunction's sums as there are registers for. */
 template <int First, int Last>
 VOLUME_HAPTICS_INLINE void AddRows(const ShellPushes& forces, double* gradient, double* curvature)
 {
@@ -209,8 +212,7 @@ void ReadValues(const ShellReading& reading, const ShellNumbers& indices, double
     {
       if (!IsNumber(to[n]))
       {
-        readOne(n); // skips samples without a weight, so that those that are not numbers do not
-                    // count
+        readOne(n); // ignores samples with the weight 0, which may be NaN
       }
     }
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The law of contacts, four points at a time, for ShellKernels.h. The rules of FieldKernels.h hold
- * here too.
+ * The law of contacts for four points at a time, for ShellKernels.h. The rules of FieldKernels.h
+ * hold here, too.
  */
 #ifndef ShellLawKernels_h
 #define ShellLawKernels_h
@@ -29,8 +29,8 @@ VOLUME_HAPTICS_INLINE std::uint32_t CountLanes(std::uint64_t bits)
 }
 
 /**
- * Loads four of the eight numbers of four contacts: those from number `first` (0 or 4) on. Each
- * result holds one number, with one contact in each lane.
+ * Loads four of the eight numbers of four contacts, beginning with number `first` (0 or 4). Each
+ * result has one of the numbers, with one contact in each lane.
  */
 VOLUME_HAPTICS_INLINE void LoadContacts(const ShellContact* const* from, std::size_t first,
   Double4& a, Double4& b, Double4& c, Double4& d)
@@ -44,15 +44,15 @@ VOLUME_HAPTICS_INLINE void LoadContacts(const ShellContact* const* from, std::si
   Transpose(a, b, c, d);
 }
 
-/** The segments of a table that hold four numbers. */
+/** The segments of a table that contain four numbers. */
 template <typename Segment>
 struct FourSegments
 {
   const Segment* Of[4];
-  Double4 Way; ///< distances from the segments' beginnings
-  bool IsOne;  ///< whether all four are the same segment
+  Double4 Way; ///< distances of the numbers from the segments' beginnings
+  bool IsOne;  ///< whether all four numbers are in the same segment
 };
-/** Returns a channel of a table at the four numbers. */
+/** Returns a channel of the table at the four numbers. */
 template <typename Segment>
 VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, int channel)
 {
@@ -68,8 +68,8 @@ VOLUME_HAPTICS_INLINE Double4 Evaluate(const FourSegments<Segment>& segments, in
     segments.Way;
 }
 /**
- * Finds the segments of four numbers. Tries the segment of the last numbers first, which mostly
- * contains these numbers, too.
+ * Finds the segments of four numbers. Tries the segment of the last numbers first, because mostly
+ * it contains these, too.
  */
 template <typename Table>
 VOLUME_HAPTICS_INLINE FourSegments<typename Table::Segment> FindSegments(
@@ -108,15 +108,16 @@ VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
   return ChooseAbove(one, fade, ChooseAbove(fade, zero, fade, zero), one);
 }
 
-/** The law of a contact: stiffness (N/m^3) and strength (N/m^2) per unit of area. */
+/** The law of four contacts: stiffness (N/m^3) and strength (N/m^2) per unit of area. */
 struct FourLaws
 {
   Double4 Stiffness;
   Double4 Strength;
-  Double4 IsFelt; ///< 1 if the contact is felt, else 0
+  Double4 IsFelt; ///< 1 for a contact that is felt, else 0
 
   /**
-   * Returns the energy (J/m^2) at depths u, some of which may yield; pull is the stiffness times u.
+   * Returns the energy (J/m^2) at depths u. `pull` is the stiffness times u. `yielding` has a bit
+   * for each contact that yields.
    */
   Double4 EnergyAt(const Double4& u, const Double4& pull, std::uint64_t yielding) const
   {
@@ -128,7 +129,7 @@ struct FourLaws
     const Double4 most = this->Strength / this->Stiffness;
     return ChooseAbove(pull, this->Strength, this->Strength * (u - 0.5 * most), stored);
   }
-  /** Returns the depths at which the contacts have these energies (J/m^2). */
+  /** Returns the depths at which contacts have these energies (J/m^2). */
   Double4 DepthOf(const Double4& energy) const
   {
     const Double4 most = this->Strength / this->Stiffness;
@@ -171,7 +172,7 @@ VOLUME_HAPTICS_INLINE FourLaws ComputeLaws(
   return laws;
 }
 
-/** Returns the depth u of four points: see ShellContacts.h. */
+/** Returns the depth u of four points (ShellContacts.h). */
 VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLaws& laws,
   const Double4& area, const ShellBatch& batch, std::size_t i)
 {
@@ -191,7 +192,7 @@ VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLa
     isWhole && (IsEqual(stiffness, laws.Stiffness) & IsEqual(strength, laws.Strength)) == AllLanes;
   if (!areSame)
   {
-    // If the material changes, a contact keeps its energy.
+    // If the material has changed, a contact keeps its energy.
     const Double4 other = Smaller(was, laws.DepthOf(law.Fraction * energy / area));
     const Double4 same = ChooseEqual(strength, laws.Strength, kept, other);
     kept = isWhole ? ChooseEqual(stiffness, laws.Stiffness, same, other) : other;
@@ -204,16 +205,16 @@ VOLUME_HAPTICS_INLINE Double4 ComputeStretches(const ShellLaw& law, const FourLa
   return ChooseAbove(laws.IsFelt, zero, Larger(zero, kept + change), zero);
 }
 
-/** Four points with their law, ready to be appended. */
+/** Four points and the results of their law, before they are appended. */
 struct FourHolds
 {
   FourVectors Normal;
   Double4 Energy;
   Double4 Force;
   Double4 Stiffness;
-  std::uint64_t Held;     ///< a bit for each lane: whether the point is in contact
-  std::uint64_t Pressed;  ///< a bit for each lane: whether the point is pressed
-  std::uint64_t Yielding; ///< a bit for each lane: whether the point is at its material's limit
+  std::uint64_t Held;     ///< bit for each lane whose point is in contact
+  std::uint64_t Pressed;  ///< bit for each lane whose point is pressed
+  std::uint64_t Yielding; ///< bit for each lane whose point is at the limit of its material
 };
 
 /** Appends the forces of the pressed points. */
@@ -246,13 +247,13 @@ VOLUME_HAPTICS_INLINE void Push(const FourHolds& holds, const FourVectors& arm, 
   }
 }
 
-/** See HoldFunction. */
+/** Implements HoldFunction. */
 std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch& batch,
   ShellContact*& to, ShellPushes& pushes, ShellSum& sum) noexcept
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
-    // Repeats the last point, so that no other material is looked up.
+    // Repeat the last point, so that no other material is looked up.
     const std::size_t last = batch.Count - 1;
     batch.Before[i] = batch.Before[last];
     batch.Magnitude[i] = batch.Magnitude[last];
@@ -279,7 +280,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
     const Double4 pull = laws.Stiffness * stretch;
     FourHolds holds;
     holds.Yielding = IsAbove(pull, laws.Strength);
-    // The point has left a wall, and the pull back is zero or too large.
+    // A point that is outside a wall leaves it if the force back is zero or too large.
     const std::uint64_t left = ~(batch.Solid >> i) & (IsEqual(stretch, zero) | holds.Yielding);
     const std::size_t rest = batch.Count - i;
     holds.Held = ~left & (rest < 4 ? AllLanes >> (4 - rest) : AllLanes);
@@ -298,7 +299,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
     Double4 second[4] = { holds.Energy, stretch, laws.Stiffness, laws.Strength };
     Transpose(first[0], first[1], first[2], first[3]);
     Transpose(second[0], second[1], second[2], second[3]);
-    // One by one, in the order of the list.
+    // Append the contacts one by one, in the order of the list.
     const auto append = [&](int lane)
     {
       auto* const numbers = reinterpret_cast<double*>(next);

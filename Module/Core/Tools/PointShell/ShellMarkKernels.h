@@ -3,7 +3,7 @@
 /**
  * @file
  * Tests which points of a shell are solid, and what a box of samples contains, for ShellKernels.h.
- * The rules of FieldKernels.h hold here too.
+ * The rules of FieldKernels.h hold here, too.
  */
 #ifndef ShellMarkKernels_h
 #define ShellMarkKernels_h
@@ -22,18 +22,18 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the mark of one point from the point's index and the trilinear value there. */
+/** Returns the mark of one point, given its index and the trilinear value there. */
 VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
   const ShellReading& reading, double x, double y, double z, double value)
 {
   const bool isInside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x <= reading.Border[0] &&
     y <= reading.Border[1] && z <= reading.Border[2];
-  // False for NaN.
+  // The condition is false for NaN.
   const bool isBeyond = reading.Sign * (value - reading.Level) >= 0.0;
   return isInside && isBeyond ? 1 : 0;
 }
 
-/** Returns the marks of four points, and writes their values. */
+/** Returns the marks of four points, and writes the points' values. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
   const ShellReading& reading, const FourVectors& points, const double* map, Double4& values)
@@ -70,7 +70,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
     {
       if (!IsNumber(values[lane]))
       {
-        // Skips a sample without a weight, so that one that is not a number does not count.
+        // Trilinear() ignores samples with the weight 0, which may be NaN.
         values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
       }
     }
@@ -119,7 +119,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
   const Double4 level = Spread(reading.Level);
   while (late != 0)
   {
-    // The last point may be repeated.
+    // The last point may occur several times.
     int at[4];
     const auto next = [&late](int last)
     {
@@ -136,10 +136,10 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
     Double4 values;
     const std::uint64_t found =
       MarkFour<T, IsRow>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
-    // Distances from the level, with an allowance for rounding.
+    // The distances from the level, less an allowance for rounding.
     const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
-    // A short way if a value is not a number, or the slope is not known; finite, because it is
-    // scaled.
+    // If a value is NaN, or if the slope is not known, the mark is valid only here. The limit keeps
+    // the length finite, because it is scaled.
     constexpr double farthest = 1e300;
     const Double4 from = Spread(before.From);
     double until[4];
@@ -167,7 +167,7 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
                                : UpdateLate<T, false>(reading, points, map, before, late);
 }
 
-/** Collects the largest size of differences; they must be numbers. */
+/** Computes the largest magnitude of differences. The result is infinite if one is not a number. */
 class MostDifference
 {
 public:
@@ -175,7 +175,7 @@ public:
   {
     const Double4 difference = next - at;
     this->Most = Larger(Larger(difference, -1.0 * difference), this->Most);
-    // Becomes different from 0 if a difference is not a number.
+    // The sum differs from 0 if a difference is not a number.
     this->Odd = this->Odd + (difference - difference);
   }
   double Compute() const
@@ -193,7 +193,10 @@ private:
   Double4 Odd = MakeDouble4(0.0, 0.0, 0.0, 0.0);
 };
 
-/** Computes the largest slopes in a box with rows, of at least four samples along x. */
+/**
+ * Computes the largest slopes in a box whose samples along x are adjacent in memory, and which has
+ * at least five of them.
+ */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
   const ShellReading& reading, const std::int64_t* low, const std::int64_t* high, double* most)
@@ -206,12 +209,12 @@ VOLUME_HAPTICS_INLINE void ComputeMostSlopesOfRows(
     {
       const T* const row =
         static_cast<const T*>(reading.View.Volume.Data) + j * stride[1] + k * stride[2];
-      // The last samples have no neighbour: each is its own neighbour.
+      // The last samples have no neighbour in the box, so they are compared with themselves.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0];; i += 4)
       {
-        // Some of the last samples may be repeated.
+        // The last four samples may overlap the previous ones.
         const bool isLast = i + 3 >= high[0];
         const T* const at = row + (isLast ? high[0] - 3 : i);
         const Double4 here = LoadDouble4(at);
@@ -261,7 +264,7 @@ void ComputeMostSlopes(const ShellReading& reading, const std::int64_t* low,
     {
       const T* at = static_cast<const T*>(reading.View.Volume.Data) + low[0] * stride[0] +
         j * stride[1] + k * stride[2];
-      // The last samples have no neighbour: each is its own neighbour.
+      // The last samples have no neighbour in the box, so they are compared with themselves.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0]; i <= high[0]; ++i, at += stride[0])

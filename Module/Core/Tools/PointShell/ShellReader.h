@@ -4,8 +4,8 @@
  * @file
  * Reads a volume at the points of a shell.
  *
- * The kernels are compiled once per instruction set and chosen at run time, as in FieldSampler.h;
- * all give the same bits.
+ * The kernels are compiled once for each instruction set, and chosen at run time, as in
+ * FieldSampler.h. All variants have the same results, to the bit.
  */
 #ifndef ShellReader_h
 #define ShellReader_h
@@ -20,16 +20,16 @@
 namespace VolumeHaptics
 {
 
-/** The volume that is read, and the level beyond which it is solid. Borrows the samples. */
+/** The volume to read, and the level beyond which it is solid. Keeps only a view of the samples. */
 struct ShellReading
 {
-  FieldView View;                       ///< samples without a kernel
-  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  FieldView View;                       ///< the samples, without a kernel
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< largest index of the volume along each axis
   double Level = 0.0;
-  double Sign = 1.0; ///< -1 if values below the level are solid
+  double Sign = 1.0; ///< 1, or -1 if values below the level are solid
 };
 
-/** Points in the frame of a tool, or indices. */
+/** Coordinates of points in the frame of a tool, or indices. */
 struct ShellNumbers
 {
   const double* X;
@@ -39,63 +39,64 @@ struct ShellNumbers
 };
 
 /**
- * Marks up to 64 points: sets the bits of points within the volume whose trilinear value is solid;
- * NaN is not solid. The map from the tool to indices is a matrix by rows, and an offset.
+ * Marks up to 64 points: sets the bits of the points in the volume whose trilinear value is solid.
+ * NaN is not solid. `map`, from the tool to indices, is a matrix by rows, followed by an offset.
  */
 using MarkFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map) noexcept;
 /**
- * The last marks of 1 to 64 points, made when the tool was near. Only points that may have reached
- * the level since are read again. Lengths are the largest way of any point, in voxels.
+ * The last marks of 1 to 64 points, which were made when the tool was nearby. Only points that may
+ * have reached the level since then are read again. Lengths are the largest motion of any point in
+ * voxels.
  */
 struct ShellMarking
 {
   std::uint64_t Marks; ///< the last marks
-  double* Until;       ///< for each of 64 points: the length up to which its mark is valid
-  double Now;          ///< the tool's length now
-  double From;         ///< new marks count their lengths from here
-  double PerValue;     ///< the fewest voxels over which a value changes by 1; 0 if that is unknown
+  double* Until;       ///< for each of 64 points, the length up to which its mark is valid
+  double Now;          ///< present length of the tool's motion
+  double From;         ///< length from which new marks count
+  double PerValue; ///< least number of voxels over which a value changes by 1; 0 if it is not known
 };
-/** Does the same as MarkFunction; also writes to ShellMarking::Until. */
+/** Does the same as MarkFunction, and updates ShellMarking::Until. */
 using MarkingFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
-/** Returns whether any sample in a box of indices is solid; NaN is not solid. */
+/** Returns whether any sample in a box of indices is solid. NaN is not solid. */
 using BoxFunction = bool (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
 /**
- * Computes the largest differences between neighbours in a box of indices, along each axis; not
- * finite if a sample is not.
+ * Computes the largest differences between neighbours in a box of indices, along each axis. A
+ * result is not finite if a sample is not.
  */
 using SlopeFunction = void (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
 
-/** Computes the places of the points and their feet from Position and Before. */
+/** Computes the members that depend on the tool's placement from Position and Before. */
 using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
-/** Reads value, gradient and derivatives in the cell at a place: seven numbers. */
+/** Reads value, gradient and cell derivatives at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
-/** Reads value, gradient and cell derivatives for a batch, at Place. */
+/** Reads value, gradient and cell derivatives at Place, for a batch. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
- * Computes the other results from Place's results, Index, Offset and Solid. Sets the bits of points
- * that may be in contact: there is a gradient, and the points are deep enough. In a thin wall,
- * points may still be in contact after they have come out of the wall's other side.
+ * Computes the other results from the values at Place, Index, Offset and Solid. Sets the bits of
+ * points that may be in contact: those with a gradient that are deep enough. In a thin wall, a
+ * point may still be in contact after it has come out on the other side.
  */
 using FeetFunction = std::uint64_t (*)(
   const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
-/** Reads trilinear values at indices; BorderValue if a value is not finite. */
+/** Reads trilinear values at indices. Where a value is not finite, it is BorderValue. */
 using ValuesFunction = void (*)(
   const ShellReading&, const ShellNumbers& indices, double* to) noexcept;
 /**
- * The law of ShellContacts.h: appends the contacts, and the forces of pressed points, and adds to
- * the energy and the numbers of contacts. The batch must not be empty. Sets the bits of points that
- * are in contact.
+ * Applies the law of ShellContacts.h: appends the contacts and the forces of pressed points, and
+ * adds to the energy and the numbers of contacts. Sets the bits of points that are in contact. The
+ * batch must not be empty.
  */
 using HoldFunction = std::uint64_t (*)(const ShellReading&, ShellLaw&, ShellBatch&,
   ShellContact*& next, ShellPushes&, ShellSum&) noexcept;
 /**
- * For the wrenches w: adds the sum of force w to the six numbers, and the sum of stiffness w w^T to
- * the 21 numbers of a lower triangle, by rows.
+ * Adds to `gradient` (six numbers) the sum of force w over all wrenches w, and to `curvature` (21
+ * numbers, a lower triangle by rows) the sum of stiffness w w^T.
  */
 using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curvature) noexcept;
 
@@ -116,12 +117,12 @@ struct ShellFunctions
 };
 
 ///@{
-/** Not inline, because of the kernels: see FieldKernels.h. */
+/** Not inline, because the kernels must not call inline functions (FieldKernels.h). */
 const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept;
 const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept;
 ///@}
 
-/** A volume, ready to be read, with its removed tissue. */
+/** A volume as the kernels read it, with its removed tissue. */
 class ShellReader
 {
 public:
@@ -133,34 +134,35 @@ public:
   ShellReader(const VolumeView& view, double level, bool isBelow, const CarvedView& carved,
     InstructionSet instructions = DetectInstructionSet()) noexcept;
 
-  /** See MarkFunction. Removal of tissue never makes a place solid. */
+  /** Does the same as MarkFunction. Removal of tissue never makes a place solid. */
   std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
   {
     return this->Unmark(
       points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
   }
-  /** Does the same as Mark, as if nothing was removed, for points with earlier marks. */
+  /** Does the same as Mark, as if nothing were removed. The points must have earlier marks. */
   std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
     const ShellMarking& before) const noexcept
   {
     return this->Functions.Marking(this->Reading, points, toolToIndex, before);
   }
-  /** Clears the marks of removed tissue. */
+  /** Clears the marks of points whose tissue was removed. */
   std::uint64_t Unmark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept
   {
     return marks != 0 && this->Carved.HasAny() ? this->Remark(points, toolToIndex, marks) : marks;
   }
   /**
-   * Returns false if no position in a box around an index (half its size along each axis, in
-   * samples) is solid. Returns true if one may be, or if the box has too many samples to check.
-   * Ignores removal: so the answer stays while tissue is only removed.
+   * Returns false if no position in a box around an index is solid. `half` is half of the box's
+   * size along each axis, in samples. Returns true if a position may be solid, or if the box has
+   * too many samples to check. Ignores removal, so that the answer stays valid while tissue is only
+   * removed.
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   /**
-   * Computes the largest slopes along each axis, per sample, in such a box. Returns false if the
-   * box has too many samples to check, reaches beyond the resident samples, or has a sample that is
-   * not finite. Ignores removal.
+   * Computes the largest slopes (per sample) along each axis in such a box. Returns false if the
+   * box has too many samples to check, reaches outside the resident samples, or has a sample that
+   * is not finite. Ignores removal.
    */
   bool ComputeSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
@@ -196,21 +198,21 @@ public:
   }
 
 private:
-  /** The most samples that are copied at a time: 32 KiB. */
+  /** Limit of the samples that are copied at a time (32 KiB). */
   static constexpr std::int64_t MostCopied = 4096;
   /**
-   * If a point needs more samples than this, it gets a copy of its own, which then takes less time.
+   * Number of samples for one point above which it gets a copy of its own, because that is faster.
    */
   static constexpr std::int64_t WorthOfPoint = 40;
 
-  /** Calls f(copy, i) for the boxes in which tissue was removed, and for some boxes beside them. */
+  /** Calls f(copy, i) for the boxes in which tissue was removed, and for some boxes near them. */
   template <typename F>
   void ForEachCopy(const CarvedBox* boxes, std::size_t count, const F& f) const noexcept;
   /** Clears the marks of points whose tissue was removed. */
   std::uint64_t Remark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
   ///@{
-  /** Replaces values by the values of the remaining tissue where tissue was removed. */
+  /** Replace values where tissue was removed by those of the remaining tissue. */
   void ReadCarved(ShellBatch& batch) const noexcept;
   void ReadCarved(const ShellNumbers& indices, double* to) const noexcept;
   ///@}
