@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> DetectEdges(vtkDataSet* part)
   constexpr double sharp = 30.0; // degrees
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(part);
-  // The faces of a structured grid do not share points.
+  // Join the points, because the faces of a structured grid do not share them.
   vtkNew<vtkCleanPolyData> join;
   join->SetInputConnection(surface->GetOutputPort());
   join->ToleranceIsAbsoluteOn();
@@ -62,7 +62,7 @@ namespace Explore
 namespace
 {
 /// Makes lines that show where the cells of a grid are: the sharp edges and the open ends of the
-/// surfaces of its parts or, if there are no such lines, the box around all parts.
+/// surfaces of its parts. If there are no such lines, makes the box around all parts.
 
 vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts)
 {
@@ -93,7 +93,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// The most samples of the image: more would take minutes.
+/// Largest number of samples of the image. More samples would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
 struct Format
@@ -101,7 +101,7 @@ struct Format
   const char* Ending;
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
-  double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats don't say
+  double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats do not define a unit
 };
 
 template <typename Reader>
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   return reader;
 }
 
-/// The reader splits folder and name only on request.
+/// Makes a reader of EnSight files, which splits folder and name only on request.
 vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
 {
   auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
@@ -140,7 +140,7 @@ const Format* FindFormat(const std::string& path)
   return found == std::end(FORMATS) ? nullptr : found;
 }
 
-/// Reads the last time, if there are several. Empty if nothing could be read.
+/// Reads the last time if there are several. Returns null if nothing could be read.
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
@@ -187,7 +187,7 @@ double ComputeFinestSpacing(const vtkBoundingBox& box)
   return std::cbrt(edges[0] * edges[1] * edges[2] / MOST_SAMPLES);
 }
 
-/// Makes the image over the bounds of all parts, without arrays.
+/// Makes an image without arrays over the bounds of all parts.
 vtkSmartPointer<vtkImageData> MakeFrame(
   const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
 {
@@ -229,7 +229,7 @@ vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
   return image;
 }
 
-/// Outside of all cells, sets scalars to the least value inside, vectors and tensors to 0.
+/// Sets values outside all cells: scalars to the least value inside, vectors and tensors to 0.
 void FillOutside(vtkImageData* image)
 {
   constexpr const char* maskName = "vtkValidPointMask";
@@ -262,7 +262,7 @@ void FillOutside(vtkImageData* image)
   }
 }
 
-/// Returns the active array of a kind, from the part that has one.
+/// Returns the name of the active array of a kind, from the first part that has one.
 std::string FindActive(const std::vector<vtkDataSet*>& parts)
 {
   for (vtkDataSet* const part : parts)

@@ -12,14 +12,14 @@ namespace Explore
 /// The endings of grid files, for messages.
 extern const char* const GRID_ENDINGS;
 
-/// Whether a file, by its name, holds a data set that is not an image: a rectilinear, structured or
+/// Whether a file's name is that of a data set that is not an image: a rectilinear, structured or
 /// unstructured grid, or several of them.
 bool IsGrid(const std::string& path);
 
-/// Reads such a file and resamples it to an image with cubes as large as a cell is on average, as
-/// the filter does with data that are no image. Cell arrays are averaged to the points; outside of
-/// all cells, scalars are the least value and vectors and tensors 0. If there are several times,
-/// the last one is read. Throws InputError.
+/// Reads a grid file and resamples it to an image whose voxels are cubes as large as the average
+/// cell, as the filter does with data that are not images. Averages cell arrays to the points.
+/// Outside all cells, scalars have the least value, and vectors and tensors are 0. If there are
+/// several times, reads the last one. Throws InputError.
 Volume ReadGrid(const std::string& path);
 } // namespace Explore
 

@@ -30,7 +30,7 @@ bool IsNrrd(const std::string& path)
     ".nrrd";
 }
 
-/// Reads a NRRD file, perhaps with segments in layers.
+/// Reads a NRRD file, which may have segments in layers.
 Volume ReadSegmentation(const std::string& path)
 {
   vtkNew<vtkHapticSegmentationReader> reader;
@@ -60,8 +60,8 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
-/// Rounds labels that a NIfTI header scales a little, such as by 1.00002, if each of them is within
-/// 0.001 of a whole number. Returns the first value that is not; 0 if all are.
+/// Rounds labels that a NIfTI header scales by very little, such as by 1.00002, if all of them are
+/// within 0.001 of whole numbers. Returns the first value that is not; 0 if all are.
 double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
 {
   constexpr double most = 0.001;
@@ -93,7 +93,7 @@ double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
   return 0.0;
 }
 
-/// Whether a label other than 0 lies in the box of a volume.
+/// Whether the box of a volume contains a label other than 0.
 bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
 {
   vtkDataArray* const values = labels->GetPointData()->GetScalars();
@@ -115,7 +115,7 @@ bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
   return false;
 }
 
-/// Collects the numbers of labels, without 0. Throws InputError for other values, or too many.
+/// Collects the label numbers except 0. Throws InputError for other values, or for too many labels.
 std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
 {
   constexpr std::size_t most = 4096;
@@ -142,7 +142,7 @@ std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
   return labels;
 }
 
-/// Chooses colours whose hues are spread by the golden section.
+/// Sets the colour of a label. The hues of successive labels differ by the golden section.
 void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 {
   const double hue = std::fmod(0.08 + 0.618034 * static_cast<double>(number), 1.0);
@@ -164,10 +164,10 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
     volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
   }
   vtkHapticLabelTable* const table = volume.LabelTable;
-  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // names say that they are labels
+  volume.MayBeLabels = volume.MayBeLabels && !hasNames; // names prove that the values are labels
   if (!hasNames && !vtksys::SystemTools::FileIsDirectory(path))
   {
-    const MessageCapture capture; // files without names are allowed: the labels then have numbers
+    const MessageCapture capture; // a file may have no names: its labels are then named by numbers
     table->ReadFile(path.c_str());
   }
   std::size_t number = 0;
@@ -213,7 +213,7 @@ Volume ReadLabels(const std::string& path)
     throw InputError(path, "has several volumes, and labels are one",
       "write the volume that is meant into a file of its own");
   }
-  labels.Notes.clear(); // of a volume
+  labels.Notes.clear(); // the notes of the volume reader do not apply to labels
   const double wrong = RoundLabels(labels.Image, labels.Notes);
   if (wrong != 0.0)
   {
@@ -225,7 +225,7 @@ Volume ReadLabels(const std::string& path)
   if (!labels.LabelTable)
   {
     labels.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
-    const MessageCapture capture; // without names there are numbers
+    const MessageCapture capture; // a file may have no names: its labels are then named by numbers
     labels.LabelTable->ReadFile(path.c_str());
   }
   return labels;
@@ -234,7 +234,7 @@ Volume ReadLabels(const std::string& path)
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
-  volume.MayBeLabels = false; // its labels are known
+  volume.MayBeLabels = false; // its labels are in the segmentation
   const Volume labels = ReadLabels(segmentation);
   volume.Labels = labels.Image;
   volume.LabelTable = labels.LabelTable;

@@ -10,20 +10,20 @@
 
 namespace Explore
 {
-/// Reads a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm, with the names that its
-/// file has in the table. Its voxels stay in the order of the file; numbers within 0.001 of whole
-/// ones are rounded. Throws InputError, with the fault and the cure.
+/// Reads a segmentation (.seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm). The table gets the
+/// names that the file has. The voxels stay in the order of the file. Numbers within 0.001 of whole
+/// numbers are rounded. Throws InputError, with the fault and the cure.
 Volume ReadLabels(const std::string& path);
 
-/// Adds to a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm,
-/// with the file's names, and tables of labels, which add up: see vtkHapticLabelTable::ReadFile.
-/// Throws InputError, with the fault and the cure.
+/// Adds to a volume the labels of a segmentation (.seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm)
+/// with the file's names, and the contents of label tables, which add up: see
+/// vtkHapticLabelTable::ReadFile. Throws InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
-/// Uses the volume itself as a label image: its values are numbers of labels, with the names and
-/// colours from the file at `path`. Other labels get generated names and colours. Throws InputError
-/// if the values can't be labels.
+/// Uses the volume itself as a label image. Its values are label numbers; names and colours come
+/// from the file at `path`. Other labels get generated names and colours. Throws InputError if the
+/// values can't be labels.
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 

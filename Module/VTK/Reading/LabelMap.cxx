@@ -13,11 +13,11 @@
 namespace
 {
 constexpr std::size_t MOST_LABELS = 512;
-constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer's labels go beyond 10000
-constexpr double LEAST_ALIKE = 0.75;      // least fraction of neighbours along rows with the same
-                                          // value
-constexpr double MOST_BETWEEN = 0.05;     // largest fraction of the voxels at a step that have a
-                                          // value within it
+constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer's labels are above 10000
+// smallest fraction of the neighbours along rows that must be equal
+constexpr double LEAST_ALIKE = 0.75;
+// largest fraction of the voxels at a step whose values may be within the step
+constexpr double MOST_BETWEEN = 0.05;
 constexpr vtkIdType MOST_ROWS = 20000;
 } // namespace
 

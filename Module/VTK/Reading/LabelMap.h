@@ -7,9 +7,9 @@
 
 namespace Explore
 {
-/// Whether the values of a volume look like numbers of labels: few whole numbers of 0 or more, most
-/// voxels like their neighbours, and steps of any size between the others. In a scan noise makes
-/// neighbours differ, and a blurred edge makes most steps small.
+/// Whether the values of a volume look like label numbers: they are few whole numbers of 0 or more,
+/// most voxels equal their neighbours, and the other steps are of any size. In a scan, noise makes
+/// neighbours differ, and blurred edges make most steps small.
 bool LooksLikeLabels(vtkImageData* image);
 } // namespace Explore
 

@@ -20,7 +20,7 @@
 
 namespace
 {
-/// Returns column c of the direction matrix, normalised.
+/// Returns the normalised column c of the direction matrix.
 void GetAxis(vtkImageData* image, int c, double axis[3])
 {
   const double* const stored = image->GetDirectionMatrix()->GetData();
@@ -53,7 +53,8 @@ vtkSmartPointer<vtkImageData> SpaceSlicesEvenly(
   {
     step = std::min(step, along[i] - along[i - 1]);
   }
-  // Keeps the last slice the last one: the step shrinks by less than one part in the number.
+  // Keep the last slice at its position: the step shrinks by less than its length divided by the
+  // number of steps.
   const double length = along.back() - along.front();
   const int count = static_cast<int>(std::ceil(length / step - 1e-3)) + 1;
   step = length / (count - 1);
@@ -107,7 +108,7 @@ double MeasureShear(vtkImageData* image)
 
 std::string StraightenIfSheared(vtkSmartPointer<vtkImageData>& image, bool areLabels)
 {
-  constexpr double smallest = 0.1; // degrees; 0.2 mm in 100 mm
+  constexpr double smallest = 0.1; // degrees; equals 0.2 mm in 100 mm
   const double shear = MeasureShear(image);
   if (!(shear > smallest))
   {
@@ -151,7 +152,7 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   spacing[1] *= std::abs(vtkMath::Dot(second, axes[1]));
   spacing[2] *= std::abs(vtkMath::Dot(z, axes[2]));
 
-  // The box that contains all corners, along the new axes.
+  // Compute the box that contains all corners, along the new axes.
   int extent[6];
   image->GetExtent(extent);
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
@@ -196,8 +197,7 @@ vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels
   straight->SetOrigin(origin);
   straight->SetDirectionMatrix(direction);
 
-  // The map from the new image's indices to the old one's, because VTK's reslicing ignores
-  // directions.
+  // Map the new image's indices to the old image's, because VTK's reslicing ignores directions.
   vtkNew<vtkMatrix4x4> map;
   vtkMatrix4x4::Multiply4x4(
     image->GetPhysicalToIndexMatrix(), straight->GetIndexToPhysicalMatrix(), map);

@@ -31,7 +31,7 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-// The smallest edge at which a kernel of the default radius, 2 voxels, has room on both sides.
+// Smallest size at which a kernel of the default radius, 2 voxels, has room on both sides.
 constexpr int MINIMUM_SIZE = 5;
 
 std::string SizeText(const int size[3])
@@ -75,7 +75,7 @@ void CheckGeometry(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Makes point scalars from the arrays that exist.
+/// Makes an existing array the active point scalars.
 void ChooseScalars(const std::string& path, Volume& volume)
 {
   vtkImageData* image = volume.Image;
@@ -108,7 +108,8 @@ void ChooseScalars(const std::string& path, Volume& volume)
   }
 }
 
-/// Replaces red, green and blue bytes (perhaps with opacity) by their brightness, which is felt.
+/// Replaces red, green and blue bytes, with or without opacity, by their brightness, which is then
+/// felt.
 void UseBrightness(Volume& volume)
 {
   vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
@@ -117,7 +118,7 @@ void UseBrightness(Volume& volume)
   brightness->SetNumberOfValues(colours->GetNumberOfTuples());
   for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
   {
-    // The weights of vtkImageLuminance.
+    // These are the weights of vtkImageLuminance.
     const double value = 0.30 * colours->GetComponent(i, 0) + 0.59 * colours->GetComponent(i, 1) +
       0.11 * colours->GetComponent(i, 2);
     brightness->SetValue(i, static_cast<unsigned char>(value));
@@ -166,8 +167,8 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Sets samples outside to the value with which the filter would feel them, also for the picture,
-/// the thresholds and the kind of the volume.
+/// Sets outside samples to the value with which the filter feels them, so that the picture, the
+/// thresholds and the kind of the volume agree with the touch.
 void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -186,11 +187,11 @@ void UseOutside(Volume& volume)
   vtkNew<vtkImageData> image;
   image->ShallowCopy(volume.Image);
   image->GetPointData()->SetScalars(VolumeHaptics::CopyFilled(outside, scalars, 0));
-  volume.Image = image; // the scalars may end with the image before
+  volume.Image = image; // last, because the old image may own the scalars
 }
 
-/// Corrects Hounsfield units that are stored higher, as scanners do, also for the picture, the
-/// thresholds and the kind of the volume.
+/// Corrects Hounsfield units that a scanner has stored higher, so that the picture, the thresholds
+/// and the kind of the volume agree with the touch.
 void UseHounsfieldUnits(Volume& volume)
 {
   if (volume.IsField || !Explore::MayBeHounsfield(volume.Modality))

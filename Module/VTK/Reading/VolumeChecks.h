@@ -10,14 +10,16 @@ namespace Explore
 {
 struct Volume;
 
-/// Throws InputError unless so many frames, of so many bytes each, fit into the free memory.
+/// Throws InputError unless this number of frames, each of this size (bytes), fits into the free
+/// memory.
 void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 
-/// Whether the values of a DICOM modality may be Hounsfield units; those of an unknown one may.
+/// Whether the values of a DICOM modality may be Hounsfield units. True for an unknown modality.
 bool MayBeHounsfield(const std::string& modality);
 
-/// Throws InputError unless the volume can be touched; makes the first point array (or cell array)
-/// the active scalars and reduces it to its first component, with a note.
+/// Throws InputError unless the volume can be touched. If there are no active scalars, activates
+/// the first point array, or a cell array; reduces the scalars to their first component, with a
+/// note.
 void CheckVolume(const std::string& path, Volume& volume);
 } // namespace Explore
 

@@ -12,9 +12,9 @@
 
 namespace
 {
-constexpr std::size_t PART_SIZE = 1 << 18; // bytes unpacked at once
-constexpr int ANY_HEADER = 15 + 32;        // accepts the head of zlib or of gzip
-constexpr std::size_t LONGEST_END = 1024;  // bytes in which an XML file has its end
+constexpr std::size_t PART_SIZE = 1 << 18; // bytes that are unpacked at once
+constexpr int ANY_HEADER = 15 + 32;        // accepts the header of zlib or of gzip
+constexpr std::size_t LONGEST_END = 1024;  // bytes in which the end of an XML file is searched for
 
 std::string ReadPart(std::ifstream& in, std::size_t from, std::size_t size)
 {
@@ -51,7 +51,7 @@ double CountUnpacked(const std::string& file, std::size_t offset)
     {
       if (state == Z_STREAM_END && stream.avail_in > 0)
       {
-        // Several gzip streams may follow each other; other data after them are not part of the
+        // Several gzip streams may follow each other. Other data after them do not belong to the
         // contents.
         const bool isGzip = *stream.next_in == 0x1f;
         if (hasAny && !isGzip)

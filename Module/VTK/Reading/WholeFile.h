@@ -8,13 +8,15 @@
 
 namespace Explore
 {
-/// Counts the bytes that zlib or gzip packed, from an offset of a file to its end; -1 if they are
-/// cut off, or if a check sum is wrong. VTK's readers stop when they have what they need, or where
-/// the file is damaged, and use whatever was in memory for the rest.
+/// Returns the number of unpacked bytes that zlib or gzip packed, from an offset of a file to its
+/// end; -1 if the packed bytes are cut off, or if a checksum is wrong. VTK's readers stop when they
+/// have what they need, or where the file is damaged, and fill the rest with whatever was in
+/// memory.
 double CountUnpacked(const std::string& file, std::size_t offset);
 
-/// Returns why a file of VTK's XML formats, or a piece that it names, is not complete; empty if it
-/// is. VTK's readers use whatever was in memory for missing appended samples.
+/// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete;
+/// empty if it is complete. VTK's readers fill missing appended samples with whatever was in
+/// memory.
 std::string DetectMissingEnd(const std::string& file);
 } // namespace Explore
 

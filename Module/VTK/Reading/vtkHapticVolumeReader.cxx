@@ -29,7 +29,7 @@ class vtkHapticVolumeReader::vtkInternals
 public:
   Explore::Volume Volume;
   std::string Notes;
-  std::string Error; // empty: the volume was read
+  std::string Error; // empty if the volume was read
   vtkTimeStamp ReadTime;
 
   void Read(vtkHapticVolumeReader* self)
@@ -45,7 +45,7 @@ public:
     }
     try
     {
-      const Explore::MessageCapture capture; // the errors say it all
+      const Explore::MessageCapture capture; // the errors say everything
       this->Volume = self->AsLabels
         ? Explore::ReadLabels(self->FileName)
         : Explore::LoadIntoMemory({ self->FileName }, self->Series, self->ArrayName);
@@ -191,7 +191,7 @@ int vtkHapticVolumeReader::RequestData(
     }
   }
   output->ShallowCopy(image);
-  vtkNew<vtkFieldData> fields; // the volume's own stay as they were
+  vtkNew<vtkFieldData> fields; // copied, so that the volume's own fields stay unchanged
   fields->ShallowCopy(image->GetFieldData());
   if (volume.LabelTable)
   {

@@ -11,14 +11,14 @@
 
 namespace Explore
 {
-/// Reads one series of DICOM slices, sorted by their position, with the rescale to
-/// Hounsfield units applied, from a folder or the folders below it. `series` is its number in the
-/// list of all series, from 1 on; 0 stands for the series with most pixels, and a note lists the
-/// others. Throws InputError if the folder holds something else.
+/// Reads one series of DICOM slices from a folder or the folders below it, sorted by their
+/// position, with the rescale to Hounsfield units applied. `series` is its number in the list of
+/// all series, which begins at 1; 0 stands for the series with most pixels, and a note lists the
+/// others. Throws InputError if the folder contains something else.
 Volume ReadDicomFolder(const std::string& path, int series = 0);
 
-/// Reads the series to which a slice belongs, from the folder of its file; a file with several
-/// frames alone. For the directory of a medium (DICOMDIR), reads like ReadDicomFolder.
+/// Reads the series to which a slice belongs, from the folder of its file. A file with several
+/// frames is read alone. The directory of a medium (DICOMDIR) is read like ReadDicomFolder.
 Volume ReadDicomFile(const std::string& path, int series = 0);
 
 /// Whether a file is a DICOM slice, or the directory of a medium.
@@ -27,8 +27,8 @@ bool IsDicomFile(const std::string& path);
 /// Throws InputError unless the first pixels of all slices are on one line.
 void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices);
 
-/// Places the image of slices, which may be tilted against the line on which they follow each
-/// other. `length` (mm) is the distance from the first to the last slice.
+/// Sets the geometry of an image of slices, which may be tilted against the line on which they
+/// follow each other. `length` (mm) is the distance from the first to the last slice.
 void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImageData* image);
 } // namespace Explore
 

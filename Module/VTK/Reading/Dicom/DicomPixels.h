@@ -13,30 +13,30 @@
 
 namespace Explore
 {
-/// Reads the samples of slices. Stores the samples of the last compressed file, whose frames follow
-/// each other.
+/// Reads the samples of slices. Stores the unpacked samples of the last compressed file, because
+/// the file's frames follow each other.
 class DicomPixels
 {
 public:
-  /// Reads the samples of a slice in a series at `path`, which is used in errors. Changes the
-  /// header to describe the unpacked samples. Throws an InputError.
+  /// Reads the samples of a slice in a series at `path`, which is named in errors. Changes the
+  /// header to describe the unpacked samples. Throws InputError.
   std::string Read(const std::string& path, DicomHeader& slice);
 
 private:
   void Unpack(const std::string& path, const DicomHeader& slice);
 
-  std::string File; // the unpacked file
+  std::string File; // name of the file that was unpacked
   std::string Bytes;
   DicomHeader Unpacked; // describes the samples of that file
 };
 
-/// Returns how many bytes one of the slices will take in memory, for a check before they are read:
-/// compressed files can promise any number.
+/// Returns the size (bytes) of one of the slices in memory, for a check before they are read,
+/// because compressed files can promise any number.
 double MeasureSlices(const std::vector<DicomHeader>& slices);
 
-/// Reads the values of slices in this order into an image without a place, of the smallest type
-/// that holds all values. Pixels that were not measured get the least value, with a note. Throws an
-/// InputError.
+/// Reads the values of slices in this order into an image without a position. Chooses the smallest
+/// type that can store all values. Pixels that were not measured get the least value, with a note.
+/// Throws InputError.
 vtkSmartPointer<vtkImageData> ReadSlices(
   const std::string& path, const std::vector<DicomHeader>& slices, std::vector<std::string>& notes);
 } // namespace Explore

@@ -23,10 +23,12 @@ using Explore::InputError;
 using Explore::Volume;
 
 constexpr double SAME_PLANE = 1e-2; // mm
-constexpr double OFF = 0.1;         // steps: how far a place may be from a whole number of steps
+// steps: largest distance of a position from a whole number of steps
+constexpr double OFF = 0.1;
 constexpr double MOST_EMPTY = 1000.0;
 
-/// Returns a frame for each place, in order. Frames of several segments may share a place.
+/// Returns one frame for each position, in order. Frames of several segments may have the same
+/// position.
 std::vector<DicomHeader> FindPlanes(const std::vector<DicomHeader>& frames)
 {
   std::vector<DicomHeader> places;
@@ -40,7 +42,8 @@ std::vector<DicomHeader> FindPlanes(const std::vector<DicomHeader>& frames)
   return places;
 }
 
-/// Whether all places are at whole numbers of steps. Files leave out frames without a voxel.
+/// Whether the distances of all positions are whole numbers of steps. Files leave out frames
+/// without voxels.
 bool IsStep(const std::vector<DicomHeader>& places, double step)
 {
   return step > 0.0 &&
@@ -107,7 +110,7 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
   volume.Format = "DICOM segmentation";
   volume.Axes = WorldAxes::Patient;
   volume.Modality = frames.front().Modality;
-  // A single slice gets empty slices on either side, because labels are volumes.
+  // A single slice gets empty slices on both sides, because labels are volumes.
   const int beside = places.size() > 1 ? 0 : 2;
   const int count = static_cast<int>(std::lround((to - from) / step)) + 1 + 2 * beside;
   const DicomHeader& first = places.front();

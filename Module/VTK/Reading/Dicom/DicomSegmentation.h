@@ -11,9 +11,9 @@
 
 namespace Explore
 {
-/// Reads the labels of a DICOM segmentation (SEG, binary, fractional or label map), with the names
-/// and colours of its segments in the volume's table. `frames` are all frames of one file, in the
-/// order of their places. Throws InputError, with `path`.
+/// Reads the labels of a DICOM segmentation (SEG, binary, fractional or label map). The names and
+/// colours of its segments are in the volume's table. `frames` are all frames of one file, in the
+/// order of their positions. Throws InputError, which names `path`.
 Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHeader>& frames);
 } // namespace Explore
 

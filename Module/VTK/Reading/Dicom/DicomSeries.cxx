@@ -20,7 +20,8 @@ using Explore::DicomHeader;
 using Explore::DicomSeries;
 using Files = vtksys::SystemTools;
 
-constexpr int DEEPEST_FOLDER = 8;        // patient, study and series need fewer
+// largest depth of folders; patient, study and series need fewer
+constexpr int DEEPEST_FOLDER = 8;
 constexpr double SAME_DIRECTION = 0.999; // cosine
 constexpr double SAME_PLACE = 1e-3;      // mm
 
@@ -36,13 +37,13 @@ bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.Position, b.Position)) < SAME_PLACE;
 }
 
-/// Removes slices that an export holds twice: they have the same identifier, place and facts.
-/// Returns their number.
+/// Removes slices that an export contains twice. Such slices have the same identifier, position and
+/// facts. Returns their number.
 std::size_t RemoveCopies(std::vector<DicomHeader>& slices)
 {
   std::map<std::pair<std::string, int>, const DicomHeader*> known;
   std::vector<DicomHeader> left;
-  left.reserve(slices.size()); // keeps addresses valid
+  left.reserve(slices.size()); // no reallocation, so that addresses stay valid
   for (const DicomHeader& slice : slices)
   {
     const auto [found, isNew] = known.insert({ { slice.Instance, slice.Frame }, nullptr });
@@ -66,7 +67,8 @@ void SortByPlace(std::vector<DicomHeader>& slices)
     [](const DicomHeader& a, const DicomHeader& b) { return a.Along < b.Along; });
 }
 
-/// Places slices without a position where SliceLocation says, if that tells them apart.
+/// Sets the position of slices without a position from SliceLocation, if this distinguishes them.
+/// Returns whether it does.
 bool PlaceByLocation(std::vector<DicomHeader>& slices)
 {
   std::set<double> places;
@@ -93,7 +95,7 @@ bool PlaceByLocation(std::vector<DicomHeader>& slices)
   return true;
 }
 
-/// Returns how many slices are at each place; 0 if the numbers differ.
+/// Returns the number of slices at each position; 0 if the numbers differ.
 std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
 {
   std::size_t count = 0, here = 0;
@@ -113,8 +115,8 @@ std::size_t CountAtPlace(const std::vector<DicomHeader>& slices)
   return count;
 }
 
-/// Returns the volumes in a series whose slices differ in a fact that does not follow time, such
-/// as the echo; empty if they don't differ.
+/// Splits a series by a fact that does not follow time, such as the echo. Returns one series for
+/// each value; none if the slices do not differ in it.
 template <typename Fact>
 std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& name, Fact&& fact)
 {
@@ -139,7 +141,8 @@ std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& n
   return parts.size() > 1 ? all : std::vector<DicomSeries>();
 }
 
-/// Parts the slices into phases by a fact. Returns false if the fact does not rise at each place.
+/// Divides the slices into phases by a fact. Returns false if the fact does not rise at each
+/// position.
 bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact& fact)
 {
   std::vector<std::vector<DicomHeader>> phases(count);
@@ -177,8 +180,8 @@ bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact
   return true;
 }
 
-/// Splits a series of several volumes: images of several kinds, or the phases of a volume that
-/// moves. A series that can't be split stays as it is.
+/// Splits a series of several volumes: images of several kinds, or the phases of a moving volume. A
+/// series that can't be split is returned unchanged.
 std::vector<DicomSeries> Part(const DicomSeries& series)
 {
   const std::size_t count = CountAtPlace(series.Slices);
@@ -246,7 +249,7 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
     if (Files::FileIsDirectory(path))
     {
       hasFolders = true;
-      // A link may lead back to its own folder, or to another visited folder.
+      // A link may lead back to its own folder, or to another folder that was visited.
       if (depth < DEEPEST_FOLDER && visited.insert(Files::GetRealPath(path)).second)
       {
         AddFolder(path, depth + 1, visited, all, hasFolders);
@@ -260,12 +263,13 @@ void AddFolder(const std::string& folder, int depth, std::set<std::string>& visi
   }
 }
 
-/// Counts the pixels of a series that can be a volume, so that it precedes others: a localizer, a
-/// capture of the screen, or images made from a scan may have more pixels than the scan.
+/// Returns the number of pixels of a series that can be a volume, and less for other series,
+/// because a localizer, a capture of the screen, or images made from a scan may have more pixels
+/// than the scan.
 double CountPixels(const DicomSeries& series)
 {
   const DicomHeader& first = series.Slices.front();
-  constexpr std::size_t fewest = 5; // slices
+  constexpr std::size_t fewest = 5; // smallest number of slices of a volume
   const bool isMade = first.IsSegmentation() || first.Modality == "RTDOSE";
   const double weight = series.Slices.size() < fewest ? 1e-18 : isMade ? 1e-9 : 1.0;
   return weight * static_cast<double>(series.Slices.size()) * first.Width * first.Height;
