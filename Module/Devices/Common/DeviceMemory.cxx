@@ -47,7 +47,7 @@ std::string WriteNumber(double number)
   return out.str();
 }
 
-/** Replaces the spaces of an identity, because spaces separate the words of a line. */
+/** Returns an identity with its spaces replaced, because spaces separate the words of a line. */
 std::string MakeWord(const std::string& identity)
 {
   std::string word;
@@ -85,7 +85,7 @@ bool IsDay(const std::string& text)
   return true;
 }
 
-/** Reads the facts of a line; returns false if the line contains anything else. */
+/** Reads the facts of a line. Returns false if the line contains anything else. */
 bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
 {
   std::string word;
@@ -108,7 +108,8 @@ bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
       return false;
     }
   }
-  return !facts.Calibrated.empty() || facts.Scale == 1.0; // otherwise the line is incomplete
+  // false if the line is incomplete: a scale without its day
+  return !facts.Calibrated.empty() || facts.Scale == 1.0;
 }
 
 std::string MakeLine(const std::string& word, const DeviceFacts& facts)
@@ -123,8 +124,8 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
 }
 
 /**
- * Reads the lines; there are none if there is no file. If the file can't be read, returns false and
- * writes the reason to `error`.
+ * Reads the lines of a file. If there is no file, there are no lines. Returns false and writes the
+ * reason to `error` if the file can't be read.
  */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {

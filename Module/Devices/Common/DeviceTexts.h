@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shared texts of all kinds of devices: reads ids, and explains why a device can't be opened.
+ * Texts that all kinds of devices share: reads ids, and explains why a device can't be opened.
  */
 #ifndef DeviceTexts_h
 #define DeviceTexts_h
@@ -15,13 +15,13 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Returns the number N of an id KIND:N, and 0 for KIND alone. For any other id, returns a number
- * below zero and writes the fault to `error`.
+ * Returns the number N of an id KIND:N, or 0 for an id KIND. For any other id, returns a negative
+ * number and writes the fault to `error`.
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
- * Returns the cure if this user may not open a device: the udev rule. The subsystem is "usb" or
- * "hidraw".
+ * Returns the cure if this user may not open a device, which is a udev rule. `subsystem` is "usb"
+ * or "hidraw".
  */
 std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
 ///@}

@@ -65,7 +65,7 @@ void HardwareDevice::SeekPriority()
         this->Priority->AskRealtimeKit();
       });
   }
-  catch (const std::system_error&) // the device works without it
+  catch (const std::system_error&) // the device works without the request
   {
   }
 }
@@ -80,7 +80,7 @@ void HardwareDevice::Run()
   }
   catch (const std::exception& e)
   {
-    // Memory may have run out, for example: only the device's own watchdog remains.
+    // Memory may have run out, for example. Then only the device's own watchdog can end the force.
     this->Exchange.SetCondition(DeviceStage::Lost, e.what());
   }
 }
@@ -89,7 +89,8 @@ void HardwareDevice::Close()
 {
   if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
   {
-    // Leaks the threads, neither joined nor detached, because they do not exist in this process.
+    // The threads do not exist in this process, so they can neither be joined nor detached: leak
+    // them.
     static_cast<void>(new std::thread(std::move(this->Thread)));
     static_cast<void>(new std::thread(std::move(this->Request)));
     this->IsAbandoned = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device whose own thread talks to it.
+ * A device that a thread of its own communicates with.
  */
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
@@ -20,25 +20,28 @@ namespace VolumeHaptics
 {
 
 /**
- * Converts true newtons to a driver's newtons, as the last step before a device. See
- * DeviceBackend::SetForceScale. Any thread may call it.
+ * Converts true newtons to the newtons that a driver is asked for (DeviceBackend::SetForceScale).
+ * This is the last step before a device. Any thread may call it.
  */
 class TrueNewtons
 {
 public:
-  /** Sets the scale. `most` (N) is the largest force that the driver may be asked for. */
+  /**
+   * Sets the ratio of true newtons to the driver's newtons. `most` (N) is the largest force that
+   * the driver may be asked for.
+   */
   void Set(double scale, double most) noexcept
   {
     this->MostAsked.store(most);
     this->Scale.store(scale);
   }
-  /** Converts the limits of a device to true newtons, within what the driver allows. */
+  /** Converts the limits of a device to true newtons. They do not exceed what the driver allows. */
   DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
   {
     limits.MaximumForce *= std::min(1.0, this->Scale.load());
     return limits;
   }
-  /** Returns the force (N) to request from the driver. */
+  /** Returns the force (N) to ask the driver for. */
   Vector3 Ask(const Vector3& force) const noexcept
   {
     const double scale = this->Scale.load(std::memory_order_relaxed);
@@ -52,7 +55,7 @@ private:
   std::atomic<double> MostAsked{ 0.0 };
 };
 
-/** Talks to one kind of device. */
+/** Communicates with one kind of device. */
 class HardwareDriver
 {
 public:
@@ -64,26 +67,26 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
   /**
-   * Returns DeviceBackend::GetIdentity, once the device is connected or held by a guard; empty if
-   * the device gives no force.
+   * Returns DeviceBackend::GetIdentity. Called when the device is connected or a guard has it.
+   * Empty if the device exerts no force.
    */
   virtual std::string GetIdentity() const { return {}; }
-  /** Returns DeviceBackend::KeepsIdentity, for the same device. */
+  /** Returns DeviceBackend::KeepsIdentity of the same device. */
   virtual bool KeepsIdentity() const { return true; }
 
   /**
-   * Finds the device and claims it for this process alone. If this fails, returns false and writes
-   * the reason and the cure to `error`.
+   * Finds the device and claims it for this process alone. Returns false and writes the reason and
+   * the cure to `error` if this fails.
    */
   virtual bool Connect(std::string& error) = 0;
   /**
-   * Runs on the device's thread until the exchange must stop: homes, sends forces, reports
-   * positions. Every wait has a time limit. After a loss it does nothing until it is stopped; if
-   * homing is requested and the device is connected, it homes. At its end it sends zero force, if
-   * it can.
+   * Runs on the device's thread until the exchange must stop: homes the device, sends forces, and
+   * reports positions. Every wait has a time limit. After the device is lost, only waits for the
+   * stop, or homes it if that is requested and the device is connected. At its end it sends zero
+   * force if it can.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
-  /** Releases the device. Called after Serve. */
+  /** Releases the device. Called after Serve(). */
   virtual void Disconnect() noexcept = 0;
 };
 
@@ -127,17 +130,17 @@ public:
 
 private:
   void Run();
-  /** Requests a real-time class for the thread, which does not wait for it. */
+  /** Requests a real-time class for the thread, which does not wait for the answer. */
   void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;
-  std::unique_ptr<ServoPriority> Priority; // asks for the priority of Thread
-  std::thread Request;                     // runs SeekPriority's request; may be missing
-  std::int64_t Process = 0;                // the process that the threads belong to
-  bool IsAbandoned = false;                // whether this is a forked child, which has no threads
+  std::unique_ptr<ServoPriority> Priority; // requests the priority of Thread
+  std::thread Request;                     // runs SeekPriority's request; may not exist
+  std::int64_t Process = 0;                // process to which the threads belong
+  bool IsAbandoned = false; // whether this object is in a forked child, which has no threads
 };
 
 } // namespace VolumeHaptics

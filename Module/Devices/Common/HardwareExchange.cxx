@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** ns; the two clocks differ by less than this without a sleep. */
+/** Difference of the two clocks (ns) above which the computer was asleep. */
 constexpr std::int64_t ShortestSleep = 50000000;
 
 } // namespace
@@ -48,7 +48,7 @@ void HardwareExchange::WakeUp() noexcept
 {
 #if defined(__linux__)
   const std::uint64_t one = 1;
-  // Fails only if the descriptor is readable already.
+  // Writing fails only if the descriptor is readable already.
   [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
 #endif
 }
@@ -146,8 +146,8 @@ void HardwareExchange::RequestHome() noexcept
 
 DeviceCondition HardwareExchange::GetCondition() noexcept
 {
-  // Read before the condition: the device's thread takes the request after it has set its own
-  // condition.
+  // Read before the condition, because the device's thread resets the request only after it has set
+  // its own condition.
   const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
   this->Conditions.Update();
   DeviceCondition condition = this->Conditions.Read();
@@ -170,13 +170,13 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
-    // Counted before the stage is set: when the servo polls, the device may also have been ready
-    // before.
+    // Counted before the stage is set. When the servo polls, the device may have been ready before,
+    // too.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
-  // Written after the stage: a caller who reads "ready" and arms must not find that the servo
-  // disagrees.
+  // Written after the stage, so that a caller who reads "ready" and arms finds that the servo
+  // agrees.
   this->Conditions.Write(condition);
 }
 
@@ -194,8 +194,8 @@ bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->ReadAsleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
-  // If this thread is held up between the two clocks, it measures too little sleep, and would count
-  // the rest as a new sleep.
+  // If this thread was delayed between reading the two clocks, it has measured too little sleep.
+  // Without the maximum, it would count the rest as a new sleep.
   this->SleptBefore = std::max(this->SleptBefore, slept);
   if (has)
   {
@@ -225,13 +225,13 @@ DeviceState HardwareExchange::Receive(DeviceSample& sample) noexcept
   const bool isTold = this->Samples.Update();
   if (isTold || this->IsUnderWay)
   {
-    // Buttons stay pressed and turns go on in ticks between two samples.
+    // In ticks without a new sample, buttons stay pressed and rotations continue.
     sample = this->Samples.Read();
     const bool isNew = isTold && (sample.Time != this->TimeSeen || !this->IsUnderWay);
     this->TimeSeen = sample.Time;
     sample.Fresh = isNew;
     sample.Alive = isTold;
-    // The zero may have changed: earlier positions are invalid.
+    // The zero may have changed, so that earlier positions are not valid.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }
@@ -280,7 +280,7 @@ DeviceCommand HardwareExchange::GetCommand() noexcept
   const double share = std::clamp(1.0 - age / FadeTime, 0.0, 1.0);
   const DeviceCommand command{ share * latest.Force, share * latest.Torque };
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
-  // A force from before homing was computed for another position.
+  // A force from before homing was computed for another position, so it must not flow.
   const bool flows = IsFinite(command.Force) && IsFinite(command.Torque) &&
     Norm(command.Force) + Norm(command.Torque) > 0.0 &&
     latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&

@@ -19,11 +19,11 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int MostLinks = 40; // the most links on one path, as in Linux
+constexpr int MostLinks = 40; // limit of the links in a path, as in Linux
 
 /**
- * Returns why a path is not safe, and the cure; empty if only this user, root and a trusted group
- * can write it.
+ * Returns why a path is not safe, and the cure. Returns an empty text if only this user, root and a
+ * trusted group can write it.
  */
 std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
 {
@@ -41,7 +41,7 @@ std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
       "your own.";
   }
   const mode_t open = trusted != NoGroup && info.st_gid == trusted ? S_IWOTH : S_IWGRP | S_IWOTH;
-  // The mode of a link does not count: its folder determines who can replace it.
+  // The mode of a link does not count, because its folder determines who can replace it.
   const bool isOpen = !S_ISLNK(info.st_mode) && (info.st_mode & open) != 0;
   const bool isSticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
   return !isOpen || (isAbove && isSticky)
@@ -50,8 +50,8 @@ std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
 }
 
 /**
- * Returns the real path. If another user can write a link or a folder on the way to it, returns an
- * empty path and writes the reason and the cure to `error`.
+ * Returns the real path. If another user can write a link or a folder in the path, returns an empty
+ * path and writes the reason and the cure to `error`.
  */
 std::string Resolve(const std::string& path, gid_t trusted, std::string& error)
 {
@@ -125,7 +125,7 @@ gid_t FindPrivateGroup()
 std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& error)
 {
   namespace fs = std::filesystem;
-  // Others may neither add links to the searched folder nor replace the file.
+  // Others must neither be able to add links to the named folder nor to replace the file.
   const std::string folder = Resolve(fs::path(path).parent_path().string(), trusted, error);
   const std::string real = error.empty() ? Resolve(path, trusted, error) : std::string();
   std::error_code ignored;

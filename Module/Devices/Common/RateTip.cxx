@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest counted time (s), so that the tip does not leap if the thread was held up. */
+/** Longest time (s) that counts, so that the tip does not leap after a delay of the thread. */
 constexpr double LongestRound = 0.02;
 
 } // namespace

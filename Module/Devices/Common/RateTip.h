@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A virtual tip whose speed a device controls, for devices that are pushed rather than moved.
+ * A virtual tip whose speed a device controls. For devices that are pushed rather than moved.
  *
- * In the tip's frame x is to the right, y up and z towards the hand. The tip starts at the origin
- * and stays in a ball around it.
+ * In the tip's frame, x points to the right, y up and z towards the hand. The tip begins at the
+ * origin and stays in a ball around it.
  */
 #ifndef RateTip_h
 #define RateTip_h
@@ -18,16 +18,17 @@ namespace VolumeHaptics
 class RateTip
 {
 public:
-  static constexpr double FullSpeed = 0.1; ///< m/s, the speed of the tip at a full push
-  static constexpr double FullTurn = 1.0;  ///< rad/s, the speed of the view at a full turn
-  static constexpr double Radius = 0.1;    ///< m: radius of the ball
+  static constexpr double FullSpeed = 0.1; ///< speed of the tip at a full push in m/s
+  /** Angular velocity of the view at a full rotation in rad/s. */
+  static constexpr double FullTurn = 1.0;
+  static constexpr double Radius = 0.1; ///< radius of the ball in m
 
-  /** Puts the tip at the origin, at rest. */
+  /** Places the tip at the origin, at rest. */
   void Begin(HardwareExchange& exchange) noexcept;
   /**
-   * Moves the tip by the time since the last call, and reports it. The norms of push and turn are 0
-   * to 1. A released device may send nothing, but the tip's place is always known, because only
-   * this function moves it.
+   * Moves the tip by the time since the last call, and reports it. The norms of `push` and `turn`
+   * are from 0 to 1. A released device may send nothing, but the tip's position is always known,
+   * because only this function moves it.
    */
   void Move(HardwareExchange& exchange, const Vector3& push, const Vector3& turn,
     std::uint32_t buttons) noexcept;

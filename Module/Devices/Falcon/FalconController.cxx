@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double MaximumSpeed = 2.5; // m/s
-// Two reports that the bus delivered close together may have been measured a millisecond apart.
+// Shortest time between two measurements, even if the bus delivers two reports close together.
 constexpr double ShortestTime = 1e-3; // s
 constexpr double Tolerance = 2e-3;    // m
 
@@ -90,8 +90,8 @@ void FalconController::ReportState() noexcept
 
 bool FalconController::IsPossible(const Vector3& position, double elapsed) const noexcept
 {
-  // Twice the speed at which the servo cuts the force: at a higher speed, the device itself is in
-  // doubt.
+  // Allow twice the speed at which the servo cuts the force. At a higher speed, the reports
+  // themselves are in doubt.
   const double far = Tolerance + 2.0 * MaximumSpeed * std::max(elapsed, ShortestTime);
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }
@@ -121,7 +121,7 @@ void FalconController::UpdateHoming(const FalconReport& report) noexcept
   DeviceSample sample;
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
-  // Reported before the stage becomes Ready, so that no older sample is used instead of this one.
+  // Reported before the stage becomes Ready, so that no older sample is used.
   this->Exchange.Report(sample);
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The decisions of a session with a Novint Falcon, without a transport: the contents of the next
- * packet, and whether the device can still be trusted.
+ * The decisions in a session with a Novint Falcon: the contents of the next packet, and whether the
+ * device can still be trusted. There is no transport here.
  *
- * The device's space is right-handed, in metres, seen by the hand: x to the right, y up, z out of
- * the device towards the hand. Its origin is the middle of the workspace, which is (0, 0, 0.125) in
- * the frame of FalconKinematics.h; forces are the same in both. The directions of the axes are not
- * verified on a real device.
+ * The device's space is right-handed, in metres, as seen by the hand: x points to the right, y up,
+ * and z out of the device towards the hand. Its origin is the middle of the workspace, which is (0,
+ * 0, 0.125) in the frame of FalconKinematics.h. Forces are the same in both frames. The directions
+ * of the axes have not been verified on a real device.
  */
 #ifndef FalconController_h
 #define FalconController_h
@@ -19,20 +19,23 @@
 namespace VolumeHaptics
 {
 
-/** Returns the device's limits: 8 N, 3000 N/m, 20 N s/m, a ball of 0.04 m radius, 2.5 m/s. */
+/**
+ * Returns the device's limits: 8 N, 3000 N/m, 20 N s/m, a ball with a radius of 0.04 m, and 2.5
+ * m/s.
+ */
 DeviceLimits FalconLimits() noexcept;
 
 /** The middle of the workspace, in the frame of FalconKinematics.h (m). */
 constexpr Vector3 FalconMiddle = { 0.0, 0.0, 0.125 };
 
 /**
- * Converts FalconReport::Buttons to DeviceSample::Buttons: bit 0 is the centre, 1 plus, 2 minus, 3
- * forward.
+ * Converts FalconReport::Buttons to DeviceSample::Buttons. Bit 0 is the centre button, bit 1 plus,
+ * bit 2 minus, bit 3 forward.
  */
 std::uint32_t FalconButtonsOf(std::uint8_t buttons) noexcept;
 
 /**
- * Converts the bits of DeviceBackend::SetLights to the colours of a packet: bit 0 is green, bit 1
+ * Converts the bits of DeviceBackend::SetLights to the colours of a packet. Bit 0 is green, bit 1
  * blue, bit 2 red.
  */
 constexpr std::uint8_t FalconColours(int lights) noexcept
@@ -43,35 +46,36 @@ constexpr std::uint8_t FalconColours(int lights) noexcept
 class FalconController
 {
 public:
-  /** The largest distance (m) of the grip from the last report, however old that is. */
+  /** Largest possible distance (m) of the grip from the last report, however old that report is. */
   static constexpr double LongestStep = 0.02;
-  /** The largest number of packets in a row without an answer. */
+  /** Largest number of consecutive packets without an answer. */
   static constexpr int MostMissed = 10;
 
-  /** Begins with homing; `homingTime` (s) limits each of its steps. */
+  /** Begins with homing. `homingTime` (s) limits each of its steps. */
   FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
   /**
-   * Processes the latest report; `elapsed` (s) is the time since the last call of this function or
-   * of Miss.
+   * Processes the latest report. `elapsed` (s) is the time since the last call of Receive() or
+   * Miss().
    */
   void Receive(const FalconReport& report, double elapsed) noexcept;
   /** Records that a packet was not answered in time. `why` may be nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
-  /** Makes all commands zero until Restart. `text` gives the fault and the cure. */
+  /** Makes all commands zero until Restart(). `text` has the fault and the cure. */
   void Lose(const char* text) noexcept;
-  /** Does the same as Lose, if the exchange already has the reason. */
+  /** Does the same as Lose() if the exchange already has the reason. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
-  /** Begins again with homing. Call it after HardwareExchange::DrainHomeRequest. */
+  /** Begins again with homing. Must be called after HardwareExchange::DrainHomeRequest(). */
   void Restart() noexcept;
 
   /**
-   * Returns the packet to send now. Motors get the servo's force while the device is ready, else
-   * zero. While homing, the colours show the progress of homing; then green, blue while there is
-   * force, red after a loss. SetLights replaces them except while homing, when they guide the hand.
+   * Returns the packet to send now. While the device is ready, the motors get the servo's force,
+   * otherwise zero. The colours show the progress of homing; later green, blue while there is
+   * force, and red after a loss. SetLights() replaces them, except during homing, when they guide
+   * the hand.
    */
   FalconOrder GetOrder() noexcept;
 
@@ -82,10 +86,10 @@ private:
 
   HardwareExchange& Exchange;
   FalconHoming Homing;
-  FalconHomingState Told = FalconHomingState::Ready; ///< the homing state that the condition shows
+  FalconHomingState Told = FalconHomingState::Ready; ///< homing state that the condition shows
   FalconPose Pose;
-  double SincePose = 0.0; ///< s, the time since Pose was reached
-  int Missed = 0;         ///< number of packets in a row without an answer
+  double SincePose = 0.0; ///< time since Pose was reached in s
+  int Missed = 0;         ///< number of consecutive packets without an answer
   bool IsStopped = false;
 };
 

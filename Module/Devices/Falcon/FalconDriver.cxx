@@ -31,9 +31,7 @@ namespace
 {
 
 ///@{
-/**
- * The smallest and the largest image (bytes); the device holds some 30 KiB.
- */
+/** Smallest and largest size of an image (bytes). The device has room for about 30 KiB. */
 constexpr std::size_t FalconSmallestFirmware = 1024;
 constexpr std::size_t FalconLargestFirmware = 128 * 1024;
 ///@}
@@ -48,7 +46,7 @@ std::string SizeText(std::uintmax_t size)
     std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
 }
 
-/** Reads the image; returns an empty text if that succeeded, else the fault. */
+/** Reads an image. Returns the fault, or an empty text if there is none. */
 std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 {
   std::error_code trouble;
@@ -78,9 +76,9 @@ std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 }
 
 /**
- * Reads an image. If there is no such file, if the file can't be read, or if its size can't be that
- * of an image, returns false and writes the file, the fault and the cure to `error`. An empty name
- * means that there is no file.
+ * Reads an image. An empty name means that there is no file. Returns false and writes file, fault
+ * and cure to `error` if there is no such file, if it can't be read, or if its size can't be that
+ * of an image.
  */
 bool ReadFalconFirmware(
   const std::string& file, std::vector<std::uint8_t>& image, std::string& error)
@@ -105,23 +103,24 @@ bool ReadFalconFirmware(
 }
 
 /**
- * The exchange of run packets with a Novint Falcon, at the servo's pace.
+ * Exchanges run packets with a Novint Falcon at the servo's pace.
  *
- * A packet is sent as soon as the servo gives a force, but only when it is the host's turn
- * (FalconTurns.h). Without a force, one is sent every 2 ms, so that homing goes on and zero is
- * renewed. Receiving transfers are always posted. Everything is allocated before the first round.
+ * A packet is sent as soon as the servo has a force, but only when it is the host's turn
+ * (FalconTurns.h). Without a force, a packet is sent every 2 ms, so that homing continues and zero
+ * is renewed. Receiving transfers are always submitted. All memory is allocated before the first
+ * round.
  */
 class FalconRounds final : public UsbTransferOwner
 {
 public:
-  /** The longest time (ns) without a packet. */
+  /** Longest time (ns) without a packet. */
   static constexpr std::int64_t IdleTime = 2000000;
 
   /** The interface and the exchange must outlive this object. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
   /**
-   * If the device is connected, sends zero commands and waits until they are sent, for a fraction
-   * of a second at most.
+   * If the device is connected, sends zero commands, and waits until they are sent, at most for a
+   * fraction of a second.
    */
   ~FalconRounds();
 
@@ -129,22 +128,23 @@ public:
   void Wait() noexcept;
 
   ///@{
-  /** Return what ended the last Wait. */
+  /** Return what has ended the last Wait(). */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
   /**
-   * Returns whether a packet was not answered in time; GetGarbage returns the reason, or nullptr.
+   * HasMissed() returns whether a packet was not answered in time. GetGarbage() returns the reason,
+   * or nullptr.
    */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
   /**
-   * Returns the worst result of a transfer during the last Wait, or of submitting a transfer since
-   * the previous Wait.
+   * Returns the worst result of the transfers during the last Wait(), and of submitting transfers
+   * since the previous Wait().
    */
   UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
   ///@}
 
-  /** Returns whether a packet should be sent now. */
+  /** Returns whether a packet must be sent now. */
   bool IsDue() noexcept;
   void Send(const FalconOrder& order) noexcept;
 
@@ -174,7 +174,7 @@ private:
   std::unique_ptr<Transfers> Flight;
   FalconStream Stream;
   FalconReport Report;
-  std::uint32_t DroppedBefore = 0; ///< the value of GetDropped at the last report
+  std::uint32_t DroppedBefore = 0; ///< value of GetDropped() at the last report
   FalconTurns Turns;
   std::int64_t SentAt = 0;
   bool Woken = false;
@@ -186,7 +186,7 @@ private:
   bool InStalled = false;
 };
 
-// ns
+// Times in ns.
 constexpr std::int64_t LastPacketTime = 100 * ServoClock::Millisecond;
 constexpr std::int64_t CancelTime = 500 * ServoClock::Millisecond;
 
@@ -217,7 +217,7 @@ FalconRounds::~FalconRounds()
   this->Finish();
   if (this->Flight->AreFlying())
   {
-    // The system still uses the transfers: only closing the device releases them.
+    // The system still uses the transfers, and only closing the device releases them.
     static_cast<void>(this->Flight.release());
   }
 }
@@ -275,7 +275,7 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Turns.Sent(this->SentAt);
   }
-  // Only when zero is on its way, because a faulty device may take seconds to answer.
+  // Only after zero was submitted, because a faulty device may take seconds to answer.
   if (this->InStalled)
   {
     this->Usb.ClearHalt(FalconIn);
@@ -314,7 +314,7 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
   if (outcome > UsbOutcome::Cancelled)
   {
-    // No answer is expected, so zero goes out at once.
+    // There is no answer to wait for, so zero can be sent at once.
     this->Turns.Abandon();
   }
   if (isOut && outcome == UsbOutcome::Done)
@@ -369,7 +369,7 @@ void FalconRounds::Finish() noexcept
   }
 }
 
-/** Packets, 50 ms each. If none is answered, the device has no firmware. */
+/** Number of packets, 50 ms each, after which a device without an answer has no firmware. */
 constexpr int ProbePackets = 5;
 constexpr double MicrosecondsPerSecond = 1e6;
 constexpr std::int64_t QuietTime = 20000000; // ns
@@ -396,7 +396,8 @@ FalconDriver::FalconDriver(int number, DeviceOptions options)
 
 std::vector<std::string> FalconDriver::MakeWords(int number, const DeviceOptions& options)
 {
-  // Pass an integer, which all locales write alike. Decades stand for no limit.
+  // Pass an integer, because all locales write it in the same way. A time of decades means no
+  // limit.
   const double time = std::clamp(options.HomingTime, 0.0, 1e9) * MicrosecondsPerSecond;
   return { "falcon", std::to_string(number), std::to_string(std::llround(time)),
     options.FirmwareFile };
@@ -423,7 +424,7 @@ DeviceLimits FalconDriver::GetLimits() const
 
 std::string FalconDriver::GetIdentity() const
 {
-  // A guard may have the device, so search it again.
+  // A guard may have the device, so look for it again.
   std::string error;
   const UsbContext context = MakeUsbContext(error);
   const std::vector<UsbDevice> devices =
@@ -471,7 +472,7 @@ void FalconDriver::Serve(HardwareExchange& exchange)
     {
       exchange.SetCondition(DeviceStage::Lost, GoneText);
     }
-    // Homing does not bring back an unplugged device.
+    // Homing can't bring back an unplugged device.
     while (!exchange.MustStop() && (end == End::Gone || !exchange.DrainHomeRequest()))
     {
       if (end == End::Gone)

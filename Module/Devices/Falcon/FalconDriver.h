@@ -19,13 +19,13 @@ constexpr UsbProduct FalconProduct = { 0x0403, 0xcb48, "Novint Falcon" };
 class FalconDriver final : public HardwareDriver
 {
 public:
-  /** `number` is the device's number in ListUsbDevices. */
+  /** @param number number of the device in ListUsbDevices */
   FalconDriver(int number, DeviceOptions options);
 
   ///@{
   /**
-   * Convert the arguments to words on a command line, and back. If the words are not valid,
-   * MakeFromWords returns null and writes the reason to `error`.
+   * Convert the arguments to words on a command line, and back. MakeFromWords() returns null and
+   * writes the reason to `error` if the words are not valid.
    */
   static std::vector<std::string> MakeWords(int number, const DeviceOptions& options);
   static std::unique_ptr<HardwareDriver> MakeFromWords(
@@ -35,17 +35,20 @@ public:
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override;
-  /** Connects to the device. If the firmware does not run, the image must exist; Serve loads it. */
+  /**
+   * Connects to the device. If its firmware does not run, there must be an image, which Serve()
+   * loads.
+   */
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override { this->Usb.Close(); }
 
 private:
-  /** How a part of a session ended. */
+  /** How a part of a session has ended. */
   enum class End
   {
     Done,
-    Failed, ///< the part may be tried again with Home()
+    Failed, ///< the part may be tried again by Home()
     Gone
   };
   End Load(HardwareExchange& exchange);
@@ -55,7 +58,7 @@ private:
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;
-  std::vector<std::uint8_t> Firmware; ///< image to load; empty if the firmware runs already
+  std::vector<std::uint8_t> Firmware; ///< image to load; empty if the firmware already runs
 };
 
 } // namespace VolumeHaptics

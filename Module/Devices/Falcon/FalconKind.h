@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Novint Falcons, "falcon:N", in builds with libusb.
+ * Lists and makes Novint Falcons, "falcon:N", in builds with libusb.
  */
 #ifndef FalconKind_h
 #define FalconKind_h

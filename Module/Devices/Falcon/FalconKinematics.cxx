@@ -15,9 +15,9 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Degree = Pi / 180.0;
 constexpr double AngleAtZero = 35.0 * Degree;
 constexpr double AnglePerCount = 0.0364347 * Degree;
-constexpr double CommandPerTorque = -1e4; // 1/(N m)
+constexpr double CommandPerTorque = -1e4; // per N m
 
-// m; named as in the literature on delta robots.
+// Lengths in m, with the names used in the literature on delta robots.
 constexpr double A = 0.060;
 constexpr double B = 0.1025;
 constexpr double C = 0.01443;
@@ -27,13 +27,13 @@ constexpr double R = 0.040;
 constexpr double S = -0.02309;
 
 constexpr Vector3 Start = { 0.0, 0.0, 0.11 };
-constexpr double Converged = 1e-12; // m, the length of a step that ends the iteration
-// The smallest determinant of the legs' unit normals: near zero a count moves the grip by any
+constexpr double Converged = 1e-12; // length in m of a step that ends the iteration
+// Smallest determinant of the legs' unit normals. Near zero, one count would move the grip by any
 // distance.
 constexpr double Singular = 0.02;
-// The derivative (m^2/rad) of half of g by the angle, near which a leg counts as stretched. At zero
-// a leg is stretched and no longer moves the grip; this limit is a fraction of a count away from
-// zero.
+// Limit (m^2/rad) of the derivative of half of g with respect to the angle, near which a leg counts
+// as stretched. At zero a leg is stretched and no longer moves the grip; the limit is a fraction of
+// a count away from that.
 constexpr double Stretched = -1e-6;
 
 struct Azimuth
@@ -45,7 +45,9 @@ struct Azimuth
 constexpr Azimuth Azimuths[3] = { { -0.25881904510252076, 0.96592582628906829 },
   { 0.96592582628906829, -0.25881904510252076 }, { -0.70710678118654752, -0.70710678118654752 } };
 
-/** A position in a leg's frame, and the parallelogram's length seen along it. */
+/**
+ * A position in a leg's frame, and the length of the parallelogram as seen along the arm's axis.
+ */
 struct Leg
 {
   double U;
@@ -72,7 +74,7 @@ bool SeeFromLeg(const Azimuth& azimuth, const Vector3& p, Leg& leg) noexcept
   return true;
 }
 
-/** Half of g and its derivatives by position and angle. */
+/** Half of g, and its derivatives with respect to position and angle. */
 struct Closure
 {
   double Value;
@@ -129,11 +131,14 @@ bool Close(const Vector3& p, const Vector3& angles, Closures& all) noexcept
 bool IsRegular(const Matrix3& byPosition) noexcept
 {
   const double volume = Norm(byPosition.Row[0]) * Norm(byPosition.Row[1]) * Norm(byPosition.Row[2]);
-  // The legs follow each other clockwise.
+  // The legs are arranged clockwise.
   return -Determinant(byPosition) > Singular * volume;
 }
 
-/** Returns whether the arms bend outwards, as they are built: the sign of the inverse's root. */
+/**
+ * Returns whether the arms are bent outwards, as they are built. This is the sign of the inverse's
+ * root.
+ */
 bool IsBentAsBuilt(const Vector3& byAngle) noexcept
 {
   return byAngle.X < Stretched && byAngle.Y < Stretched && byAngle.Z < Stretched;
@@ -202,7 +207,7 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // The half-angle's tangent t: l2 t^2 + l1 t + l0 = 0.
+    // Solve l2 t^2 + l1 t + l0 = 0 for t, the tangent of half the angle.
     const double rest = leg.W * leg.W - leg.Length * leg.Length;
     const double inner = leg.U + C - A;
     const double outer = leg.U + C + A;
@@ -214,7 +219,8 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // Written as a quotient of two parts, so that a vanishing l2 is no division by zero.
+    // Computed by atan2 from numerator and denominator, so that an l2 of zero causes no division by
+    // zero.
     const double over = -l1 - std::sqrt(square);
     found[i] = 2.0 * std::atan2(std::copysign(1.0, l2) * over, 2.0 * std::fabs(l2));
   }

@@ -11,7 +11,7 @@ namespace
 {
 constexpr FtdiRequest PrepareRequests[] = { FtdiPurgeTransmit, FtdiPurgeReceive, FtdiLatency(16),
   FtdiBaud(FalconGreetingBaud), Ftdi8N1, FtdiNoFlowControl, FtdiRtsLow, FtdiDtrLow, FtdiDtrHigh };
-// A late answer to the last greeting must not count as the answer to the next.
+// A late answer to one greeting must not count as the answer to the next.
 constexpr FtdiRequest GreetAgainRequests[] = { FtdiPurgeReceive };
 constexpr FtdiRequest SpeedUpRequests[] = { FtdiDtrLow, FtdiBaud(FalconLoadingBaud) };
 
@@ -207,7 +207,7 @@ void FalconLoader::Receive(const std::uint8_t* bytes, std::size_t size) noexcept
   {
     return;
   }
-  // A line that was just pulled up may look like a byte to the converter.
+  // To the converter, a line that was just pulled up may look like a byte.
   if (this->Now == Stage::Greet && this->Matched == 0 && !this->ZeroTaken && *bytes == 0)
   {
     this->ZeroTaken = true;

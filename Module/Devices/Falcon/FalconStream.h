@@ -13,24 +13,27 @@ namespace VolumeHaptics
 {
 
 /**
- * Assembles packets that are split across transfers, and skips bytes that belong to no packet. If a
- * byte can't be at its index, all bytes before the next '<' are dropped, also those that wait: a
- * packet that was cut off never spoils the next packet. Needs 16 bytes of memory; the work is
- * proportional to the bytes that arrive.
+ * Assembles packets that are split over several transfers, and skips bytes that belong to no
+ * packet. If a byte can't be at its index, all bytes before the next '<' are dropped, including
+ * those that wait, so that a packet that was cut off never spoils the next one. Needs 16 bytes of
+ * memory. The work is proportional to the number of bytes.
  */
 class FalconStream
 {
 public:
   /**
-   * Processes a bulk IN transfer with the converter's status bytes. Returns how many reports were
-   * completed; `report` becomes the last of them, and is unchanged if there is none.
+   * Processes a bulk IN transfer with the converter's status bytes. Returns the number of reports
+   * that were completed. `report` becomes the last of them; if there is none, it does not change.
    */
   int Receive(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 
-  /** Drops the waiting bytes, as after a purge, and resets the counts. */
+  /** Drops the waiting bytes and resets the counts, as after a purge. */
   void Restart() noexcept { *this = {}; }
 
-  /** Returns how many bytes were dropped since the start; the count saturates. */
+  /**
+   * Returns the number of bytes that were dropped since the start. The count stops at its largest
+   * value.
+   */
   std::uint32_t GetDropped() const noexcept { return this->Dropped; }
   /** Returns why the last bytes were dropped. */
   FalconFlaw GetFlaw() const noexcept { return this->Flaw; }

@@ -31,29 +31,32 @@ class FalconTurns
 public:
   ///@{
   /**
-   * The longest time (ns) for an answer, and the time for which the line has to be silent to be
-   * drained. The device's own round takes about a millisecond, and the bus and its converter about
-   * two more.
+   * Longest time (ns) for an answer, and the time for which the line must be silent to count as
+   * drained. A round of the device takes about a millisecond, and the bus and its converter take
+   * about two more.
    */
   static constexpr std::int64_t AnswerTime = 10000000;
   static constexpr std::int64_t SilentTime = 4000000;
   static constexpr int MostDoubts = 3;
   ///@}
 
-  /** Records that a packet was sent at a time `now` (ns). */
+  /** Records that a packet was sent. `now` is in ns. */
   void Sent(std::int64_t now) noexcept;
-  /** Records that reports came. */
+  /** Records that a number of reports came. `now` is in ns. */
   void Answered(std::int64_t now, int reports) noexcept;
-  /** Records that the transfer failed: there is no answer to wait for. */
+  /** Records that the transfer failed, so that no answer will come. */
   void Abandon() noexcept;
 
   /**
-   * Returns whether an answer was missed since the last call, or the packet itself is stuck in its
-   * transfer. The host may then send again.
+   * Returns whether an answer was missed since the last call, or whether the packet itself is stuck
+   * in its transfer. The host may then send again.
    */
   bool CheckMissed(std::int64_t now, bool isSending) noexcept;
   bool MaySend(std::int64_t now) noexcept;
-  /** Returns the time (ns) at which CheckMissed or MaySend changes if nothing comes before. */
+  /**
+   * Returns the time (ns) at which the result of CheckMissed() or MaySend() changes if nothing else
+   * happens.
+   */
   std::int64_t GetDeadline() const noexcept
   {
     return this->Since + (this->Turn == Side::Drain ? SilentTime : AnswerTime);
@@ -63,16 +66,16 @@ private:
   enum class Side : std::uint8_t
   {
     Host,
-    Device, ///< the device's answer is due
-    Drain   ///< an answer came, and more may be on their way
+    Device, ///< an answer of the device is due
+    Drain   ///< an answer has come, and more may come
   };
 
   static constexpr int MostOwed = 1000;
 
   Side Turn = Side::Host;
   int Owed = 0;           ///< number of answers that are still due
-  int Doubts = 0;         ///< the largest number of rounds that still drain the line
-  std::int64_t Since = 0; ///< ns, the time of the last packet or answer
+  int Doubts = 0;         ///< number of further rounds, at most, that drain the line
+  std::int64_t Since = 0; ///< time of the last packet or answer in ns
 };
 
 } // namespace VolumeHaptics

@@ -34,8 +34,8 @@ enum Argument
 };
 
 /**
- * Closes the files that the guard inherited from the program: if the guard held a pipe open, it
- * would not end with the program.
+ * Closes the files that the guard has inherited from the program, except `kept`. Otherwise the
+ * guard might hold a pipe open when the program ends.
  */
 void CloseOthers(std::vector<int> kept)
 {
@@ -56,7 +56,7 @@ void CloseOthers(std::vector<int> kept)
 }
 
 /**
- * Blocks signals for all threads from here on; returns a file descriptor that SIGTERM makes
+ * Blocks signals for all threads that are made later. Returns a file descriptor that SIGTERM makes
  * readable.
  */
 int OpenSignals()
@@ -70,8 +70,8 @@ int OpenSignals()
 }
 
 /**
- * Waits for the end of the program, in any way. The link hangs up when its last file descriptor is
- * closed, by exit or exec, and an ended process makes its own descriptor readable even if one of
+ * Waits until the program has ended in any way. The link hangs up when its last file descriptor is
+ * closed, by exit or exec. An ended process also makes its own descriptor readable, even if one of
  * its children still holds the link.
  */
 void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange)
@@ -80,8 +80,8 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 #if defined(SYS_pidfd_open)
   process = static_cast<int>(syscall(SYS_pidfd_open, parent, 0u));
 #endif
-  // The program may have died before its descriptor was opened, and its number may belong to
-  // another process by now.
+  // The program may have ended before its descriptor was opened, and its number may belong to
+  // another process now.
   const bool isGone = getppid() != parent;
   std::array<pollfd, 3> watched{ { { link, 0, 0 }, { process, POLLIN, 0 },
     { signals, POLLIN, 0 } } };
@@ -125,7 +125,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   const int link = std::atoi(arguments[Link].c_str());
   const int signals = OpenSignals();
   std::string error;
-  static GuardMemory memory; // threads use it until the process is gone
+  static GuardMemory memory; // static, because threads use it until the process ends
   if (arguments[Layout] != GuardMemory::GetLayout())
   {
     Answer(link, '-',
@@ -153,7 +153,8 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (Answer(link, '+', driver->GetName()))
   {
     ServoPriority::RaiseThread();
-    // Locks as much as the user may: otherwise a page may have to be read from the disk first.
+    // Lock as much memory as the user may, because otherwise a page might have to be read from the
+    // disk first.
     mlockall(MCL_CURRENT);
     Serve(*driver, exchange);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The guard's side: everything that the guard's program does.
+ * The guard's process: everything that the guard's program does.
  */
 #ifndef GuardMain_h
 #define GuardMain_h
@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Makes a driver from the words of GuardedDevice. If this fails, returns null and writes the reason
- * to `error`.
+ * Makes a driver from the words of GuardedDevice. Returns null and writes the reason to `error` if
+ * this fails.
  */
 using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
   const std::vector<std::string>& words, std::string& error)>;

@@ -14,7 +14,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Changed whenever the two sides exchange something new beside the exchange. */
+/**
+ * Number that must change whenever program and guard communicate something new outside the
+ * exchange.
+ */
 constexpr int Protocol = 1;
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The memory that a program and its guard share: an exchange only.
+ * The memory that a program and its guard share. It contains only an exchange.
  *
- * It has no name in the file system. The guard inherits it as a file descriptor, and it disappears
- * with the last of the two processes.
+ * It has no name in the file system. The guard inherits it as a file descriptor. It disappears when
+ * the last one of the two processes ends.
  */
 #ifndef GuardMemory_h
 #define GuardMemory_h
@@ -24,22 +24,25 @@ public:
   GuardMemory& operator=(const GuardMemory&) = delete;
 
   /**
-   * Makes new memory with an unused exchange, for the program. The new memory replaces the old one,
-   * at the same address, so that an earlier guard no longer reaches it. If this fails, returns
-   * false and writes the reason to `error`.
+   * Makes new memory with an unused exchange, for the program. It replaces the old memory at the
+   * same address, so that an earlier guard can no longer reach it. Returns false and writes the
+   * reason to `error` if this fails.
    */
   bool Renew(std::string& error);
   /**
-   * Maps the memory behind an inherited file descriptor, for the guard. If this fails, returns
-   * false and writes the reason to `error`.
+   * Maps the memory of an inherited file descriptor, for the guard. Returns false and writes the
+   * reason to `error` if this fails.
    */
   bool Adopt(int descriptor, std::string& error);
 
-  /** Returns the file descriptor; negative if there is no memory. */
+  /** Returns the file descriptor, or a negative number if there is no memory. */
   int GetDescriptor() const noexcept { return this->Descriptor; }
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
-  /** Returns the layout of the memory in this build. A guard with another layout does not start. */
+  /**
+   * Returns a text that describes the layout of the memory in this build. A guard with another
+   * layout does not start.
+   */
   static std::string GetLayout();
 
 private:
@@ -49,7 +52,7 @@ private:
   int Descriptor = -1;
   void* Address = nullptr;
   HardwareExchange* Exchange = nullptr;
-  bool IsOwner = false; ///< whether this is the program, which made the exchange
+  bool IsOwner = false; ///< whether this is the program's process, which has made the exchange
 };
 
 } // namespace VolumeHaptics

@@ -27,7 +27,7 @@ namespace
 
 const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
-/** The time (ms) for opening; a device that does not answer takes a few seconds. */
+/** Longest time (ms) for opening a device. A device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
 constexpr int MostFoldersUp = 6;
 
@@ -36,7 +36,7 @@ const char* const Cure =
   "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
   "without a guard: then it may keep its last force if this program is killed or stopped.";
 
-/** Sets signals and file descriptors as a new program expects them. */
+/** Resets signals and file descriptors to the state that a new program expects. */
 class SpawnSettings
 {
 public:
@@ -49,8 +49,8 @@ public:
     posix_spawnattr_setsigmask(&this->Attributes, &signals);
     sigfillset(&signals);
     posix_spawnattr_setsigdefault(&this->Attributes, &signals);
-    // A separate process group: Ctrl+C and Ctrl+Z in a terminal go to the program, not to its
-    // guard.
+    // The guard gets its own process group, so that Ctrl+C and Ctrl+Z in a terminal reach only the
+    // program.
     posix_spawnattr_setpgroup(&this->Attributes, 0);
     posix_spawnattr_setflags(
       &this->Attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
@@ -65,7 +65,7 @@ public:
   SpawnSettings(const SpawnSettings&) = delete;
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 
-  /** Passes a descriptor to the new program, which inherits it under the same number. */
+  /** Passes a descriptor to the new program, where it has the same number. */
   void Pass(int descriptor)
   {
     posix_spawn_file_actions_adddup2(&this->Actions, descriptor, descriptor);
@@ -121,7 +121,8 @@ std::string FindGuardProgram(std::string& error)
   {
     program = FindGuardNear(info.dli_fname, obstacle);
   }
-  // If this library is part of the program itself, only the program's first argument identifies it.
+  // If this library is linked into the program itself, its path may be only the program's first
+  // argument. So look near the program, too.
   program = program.empty() ? FindGuardNear("/proc/self/exe", obstacle) : program;
   if (program.empty())
   {
@@ -255,7 +256,7 @@ bool GuardProcess::End(std::string& how)
     {
       result = waitpid(this->Process, &status, 0);
     } while (result < 0 && errno == EINTR);
-    // The program may have asked the system to discard the status, or have read it itself.
+    // The program may have set that the system discards the status, or may have read it itself.
     isWell = result != this->Process || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
     if (!isWell)
     {

@@ -17,15 +17,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Finds the guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, else the one
- * near this library. If there is none, returns an empty path and writes the reason and the cure to
- * `error`.
+ * Finds the guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, otherwise the
+ * one near this library. If there is none, returns an empty path and writes the reason and the cure
+ * to `error`.
  */
 std::string FindGuardProgram(std::string& error);
 /**
- * Searches volumehaptics-guard in and above the folder of a file, and in a folder "bin" there. The
- * guard runs with all rights of the user, so a program that another user could have written is
- * skipped. The obstacle then receives the reason, unless it has a text already.
+ * Looks for volumehaptics-guard in the folder of a file, in all folders above, and in a folder
+ * "bin" in each of them. The guard runs with all rights of the user, so a program that another user
+ * could have written is skipped. Then `obstacle` receives the reason, unless it already has a text.
  */
 std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
@@ -39,23 +39,26 @@ public:
   GuardProcess& operator=(const GuardProcess&) = delete;
 
   /**
-   * Starts the process, waits until it has the device, and writes the device's readable name to
-   * `name`. If this fails, returns false and writes the reason and the cure to `error`. The guard
-   * makes the driver of the device from the words.
+   * Starts the process and waits until it has the device. Writes the device's readable name to
+   * `name`. The guard makes the driver from the words `device`. Returns false and writes the reason
+   * and the cure to `error` if this fails.
    */
   bool Start(GuardMemory& memory, const std::vector<std::string>& device, std::string& name,
     std::string& error);
 
-  /** Returns whether the process has ended; waits at most a time (ms) for the end. */
+  /** Returns whether the process has ended. Waits at most `time` (ms) for that. */
   bool HasEnded(int time) const noexcept;
   /** Returns whether a signal has stopped the process since the last call. */
   bool HasStopped() const noexcept;
   /**
-   * Kills the process if it still runs. Returns whether the process had ended by itself, as it does
-   * on request; `how` receives how it ended.
+   * Kills the process if it still runs. Returns whether it had ended by itself, as it does on
+   * request. `how` receives how it has ended.
    */
   bool End(std::string& how);
-  /** Lets go of the guard without ending it, in a forked child: the parent owns the guard. */
+  /**
+   * Releases the guard without ending it. Called in a forked child, because the parent owns the
+   * guard.
+   */
   void Abandon() noexcept;
 
 private:

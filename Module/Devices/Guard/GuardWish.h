@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether the user wants a guard. Available on all systems, unlike the guard itself.
+ * Whether the user wants a guard. Exists on all systems, unlike the guard itself.
  */
 #ifndef GuardWish_h
 #define GuardWish_h
@@ -12,10 +12,13 @@
 namespace VolumeHaptics
 {
 
-/** Returns false if DeviceOptions::UseGuard is false, or VOLUMEHAPTICS_GUARD=off. */
+/**
+ * Returns whether a guard is wanted. Returns false if DeviceOptions::UseGuard is false or if
+ * VOLUMEHAPTICS_GUARD is "off".
+ */
 bool IsGuardWanted(const DeviceOptions& options);
 
-/** Returns the reason and the cure for a device on a system that has no guard. */
+/** Returns the reason why a device has no guard on this system, and the cure. */
 std::string MakeNoGuardText(const std::string& device);
 
 } // namespace VolumeHaptics

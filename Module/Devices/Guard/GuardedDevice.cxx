@@ -16,7 +16,7 @@ namespace
 constexpr int LookTime = 20; // ms
 constexpr int RescueAttempts = 50;
 /**
- * The longest time until zero is sent and the device closed; it takes a second at most, even if the
+ * Longest time until zero was sent and the device is closed. It takes at most a second, even if the
  * device does not answer.
  */
 constexpr std::int64_t EndTime = 5000 * ServoClock::Millisecond;
@@ -104,7 +104,7 @@ void GuardedDevice::Watch()
   this->EndedCondition = this->GetExchange().GetCondition();
   if (!hasEndedByItself || this->EndedCondition.Stage != DeviceStage::Lost)
   {
-    // The guard has given no reason.
+    // The guard has not told the reason.
     this->EndedCondition.Stage = DeviceStage::Lost;
     std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
       "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
@@ -122,7 +122,7 @@ void GuardedDevice::Rescue() noexcept
   {
     std::string ignored;
     bool isDone = false;
-    // The system may take a moment until it gives the device to another process.
+    // The system may take a moment until another process can claim the device.
     for (int attempt = 0; attempt < RescueAttempts && !isDone; ++attempt)
     {
       isDone = this->Driver->Connect(ignored);
@@ -132,7 +132,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // Memory or something else is missing: nothing more can be done.
+    // Memory or something else is missing, and nothing more can be done.
   }
 }
 
@@ -142,7 +142,8 @@ void GuardedDevice::Close()
   {
     if (!this->IsAbandoned)
     {
-      // Leaks the thread, which does not exist in this process; the guard continues for the parent.
+      // The thread does not exist in this process, so leak it. The guard continues to serve the
+      // parent.
       static_cast<void>(new std::thread(std::move(this->Watcher)));
       this->Guard.Abandon();
       static_cast<void>(this->Driver.release());

@@ -32,10 +32,10 @@ class GuardedDevice final : public DeviceBackend
 {
 public:
   /**
-   * Makes a device that a guard talks to. The guard gets the words of the device on its command
-   * line, and makes a driver from them. The driver here gives the limits, and connects only if the
-   * guard has ended: its Connect must send zero. If this fails, returns null and writes the reason
-   * to `error`.
+   * Makes a device that a guard serves. The guard gets `words` on its command line and makes a
+   * driver from them. `driver` is the driver in this process: it provides the limits, and connects
+   * only after the guard has ended, so that its Connect() must send zero. Returns null and writes
+   * the reason to `error` if this fails.
    */
   static std::unique_ptr<GuardedDevice> Make(
     std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
@@ -68,7 +68,7 @@ private:
   {
     Guard,  ///< the guard has the device
     Rescue, ///< the guard has ended, and this process sends zero
-    None    ///< zero was sent
+    None    ///< nobody has the device, and zero was sent
   };
 
   GuardedDevice(std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words);
@@ -84,9 +84,9 @@ private:
   GuardProcess Guard;
   TrueNewtons Newtons;
   std::thread Watcher;
-  std::int64_t Process = 0;       ///< the process that started the guard
-  bool IsAbandoned = false;       ///< whether this is a forked child
-  DeviceCondition EndedCondition; ///< the condition once the guard no longer has the device
+  std::int64_t Process = 0;       ///< process that has started the guard
+  bool IsAbandoned = false;       ///< whether this object is in a forked child
+  DeviceCondition EndedCondition; ///< condition after the guard has released the device
   std::atomic<Side> HasDevice{ Side::Guard };
   std::atomic<bool> IsClosing{ false };
 };

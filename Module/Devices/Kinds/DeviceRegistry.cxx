@@ -41,8 +41,8 @@ DeviceKind WithoutLibrary(const char* name, const std::string& library, const st
 #endif
 
 /**
- * Returns all built-in kinds. A kind whose library is missing from this build lists no device, and
- * its Make gives the reason.
+ * Returns all built-in kinds. If a kind's library is missing from this build, the kind lists no
+ * device, and its Make returns the reason.
  */
 std::vector<DeviceKind> GetBuiltInKinds()
 {
@@ -83,7 +83,7 @@ std::vector<DeviceKind> GetBuiltInKinds()
 
 std::mutex Mutex;
 
-/** Returns all kinds. Call this function under the mutex. */
+/** Returns all kinds. Must be called with the mutex locked. */
 std::vector<DeviceKind>& Kinds()
 {
   static std::vector<DeviceKind> kinds = GetBuiltInKinds();
@@ -158,8 +158,8 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 {
   const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  // A kind with a single device may have its whole id as its name, beside kinds whose names begin
-  // alike.
+  // Look for a kind with the whole id as its name first, because a kind with a single device may
+  // have such a name, and names of other kinds may begin like it.
   for (const std::string& name : { id, id.substr(0, id.find(':')) })
   {
     for (const DeviceKind& kind : kinds)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All kinds of devices that this process knows: the built-in ones and the added ones.
+ * All kinds of devices that this process knows: the built-in kinds and the added ones.
  */
 #ifndef DeviceRegistry_h
 #define DeviceRegistry_h
@@ -13,12 +13,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds a kind. If the name is taken or invalid, or if the kind can't list or make devices, returns
- * false and writes the reason to `error`. Any thread.
+ * Adds a kind. From any thread. Returns false and writes the reason to `error` if the name is taken
+ * or not valid, or if the kind can't list or make devices.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 
-/** Lists every device that is plugged in, in the order of the kinds. */
+/** Lists all devices that are plugged in, in the order of the kinds. */
 std::vector<DeviceListing> ListDevices();
 
 /** The reason why this computer has no devices of a kind. */
@@ -28,12 +28,12 @@ struct DeviceObstacle
   std::string Text; ///< the obstacle and its cure
 };
 
-/** Lists the kinds that this computer can't have, in order, by DeviceKind::Missing. */
+/** Lists the kinds whose DeviceKind::Missing returns an obstacle, in the order of the kinds. */
 std::vector<DeviceObstacle> ListMissingKinds();
 
 /**
- * Makes a back end for an id, not open yet. If this fails, returns null and writes the reason and
- * the cure to `error`.
+ * Makes a back end for an id. It is not open yet. Returns null and writes the reason and the cure
+ * to `error` if this fails.
  */
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error);

@@ -28,8 +28,8 @@ bool ReplayDevice::Open(std::string& error)
 
 DeviceLimits ReplayDevice::GetLimits() const
 {
-  // No hand holds the device, so only the shown force is limited. A path that jumps is played
-  // unchanged.
+  // No hand holds the device, so that only the displayed force needs a limit. A path that jumps is
+  // replayed unchanged.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
   limits.MovesTip = false;

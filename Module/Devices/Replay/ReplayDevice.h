@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device whose stylus follows a recording, one position a tick.
+ * A device whose stylus follows a recording, one position in each tick.
  */
 #ifndef ReplayDevice_h
 #define ReplayDevice_h
@@ -18,9 +18,9 @@ class ReplayDevice : public DeviceBackend
 {
 public:
   /**
-   * Makes a device for a recording with this name; `tips` are in m, in this device's space. The
-   * device is Finished after the last tip. There is one orientation per tip, or none; an
-   * orientation that is not of unit norm is not valid.
+   * Makes a device for a recording. `tips` are in m in this device's space; after the last one, the
+   * device is Finished. `name` is the recording's name. `orientations` has one orientation for each
+   * tip, or none. An orientation whose norm is not 1 is not valid.
    */
   ReplayDevice(
     std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations = {});
