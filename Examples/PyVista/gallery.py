@@ -23,8 +23,7 @@ COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
 
 
 def options(about, volume=True):
-    """Reads the options. Returns the head, if the script needs one, and the picture's file; None stands for a window.
-    """
+    """Reads the options. Returns the head, if the script needs one, and the picture's file (None for a window)."""
     parser = argparse.ArgumentParser(description=about)
     if volume:
         parser.add_argument(

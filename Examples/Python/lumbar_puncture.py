@@ -51,8 +51,7 @@ def crop(hu, organs):
 
 
 def refine(hu, organs, spacing):
-    """Resamples to slices that are as close as pixels, because skin is thin and a surface needs two voxels to be felt.
-    """
+    """Resamples to slices as close as pixels, because skin is thin and a surface needs two voxels to be felt."""
     parts = int(np.ceil(spacing[2] / spacing[0]))
     at = np.arange((len(hu) - 1) * parts + 1) / parts
     below = np.minimum(at.astype(int), len(hu) - 2)
@@ -145,8 +144,7 @@ CANAL_STEPS = 10  # mm from the canal's middle, a distance at which bone is alwa
 
 
 def make_path(entry, target):
-    """Returns the tip's path (mm), one point per millisecond: from 10 mm outside to 8 mm beyond the target, and back.
-    """
+    """Returns the tip's path (mm), a point per millisecond: from 10 mm outside to 8 mm beyond the target, and back."""
     way = (target - entry) / np.linalg.norm(target - entry)
     begin, end = entry - 10.0 * way, target + 8.0 * way
     there = np.arange(0.0, np.linalg.norm(end - begin), 1e-3 * SPEED)

@@ -12,8 +12,7 @@ from force_scene import make_actor
 
 
 def read_scan(file):
-    """Returns the samples [z, y, x] of a NIfTI file, their spacing (mm), and the matrix to the patient's axes, or None.
-    """
+    """Returns a NIfTI file's samples [z, y, x], their spacing (mm), and the matrix to the patient's axes or None."""
     reader = vtkNIFTIImageReader()
     reader.SetFileName(str(file))
     reader.Update()

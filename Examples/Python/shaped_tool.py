@@ -49,8 +49,7 @@ def read(file):
 
 
 def find_skin(head, angles):
-    """Returns where rays from the middle of the head, in a plane from ear to ear, leave it (mm), and their directions.
-    """
+    """Returns where rays in a plane from ear to ear, from the head's middle, leave it (mm), and their directions."""
     directions = np.stack([np.sin(angles), np.zeros_like(angles), np.cos(angles)], axis=-1)
     reaches = np.arange(60.0, 112.0, 0.25)  # mm, within the volume
     points, data, probe = vtkPoints(), vtkPolyData(), vtkProbeFilter()

@@ -62,7 +62,7 @@ constexpr double Patience = 60.0; // s, without --seconds
 /// Range of suitable weights, as fractions of the largest force, if the device's newtons are true.
 constexpr double LightFraction = 0.1;
 constexpr double HeavyFraction = 0.6;
-/// Fractions of the largest force with which the scale is pressed. The first one has to exceed
+/// The forces that press the scale, as fractions of the largest force. The first one has to exceed
 /// twice the friction, which may have the wrong direction before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
 constexpr int Tries = 3;
@@ -240,8 +240,8 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
   return true;
 }
 
-/// Reads the number of grams that the user types. Returns 1 if there is one, 0 for an empty line,
-/// by which the user asks for another push, and -1 after an error.
+/// Reads the number of grams that the user types. Returns 1 for a number, 0 for an empty line,
+/// which asks for another push, and -1 after an error.
 int AskForGrams(ToolStreams streams, double& grams)
 {
   for (int i = 0; i < Tries; ++i)

@@ -18,7 +18,7 @@ constexpr double RestTime = 2.0;
 /// MostSaturation: longest time (s) at the limit before the measurement is refused.
 constexpr double SaturatedFraction = 0.97;
 constexpr double MostSaturation = 1.0;
-/// Longest time (s) in which a released handle comes to rest.
+/// Longest time (s) until a released handle is at rest.
 constexpr double SettleTime = 20.0;
 /// A weight is noticed if it changes the force by more than NoticedFraction of the largest force
 /// and by more than NoticedFriction times the friction, which can hold the handle in either

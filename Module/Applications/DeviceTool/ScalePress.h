@@ -25,7 +25,7 @@ class ScalePress
 {
 public:
   static constexpr double HoldTime = 7.0; ///< s
-  static constexpr double ReadTime = 5.0; ///< s, last part of HoldTime, in which the user reads the
+  static constexpr double ReadTime = 5.0; ///< s, the end of HoldTime, while the user reads the
                                           ///< scale
 
   struct Settings

@@ -295,7 +295,7 @@ int RunAll(Explore::Options options)
     options.Replay.clear();
     const Explore::Options before = options;
     options.Measurements.clear();
-    // Options that were given for one volume do not apply to another one.
+    // Options for one volume do not apply to another volume.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;

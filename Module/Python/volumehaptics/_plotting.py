@@ -269,7 +269,7 @@ def _geometry(image: vtkImageData) -> tuple[Any, ...]:
 
 
 def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticTimeStepSource:
-    """Makes a source of images, each of which is one time step of the same volume."""
+    """Makes a source of images: each image is one time step of the same volume."""
     if len(frames) < 2:
         raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
     for frame in frames:

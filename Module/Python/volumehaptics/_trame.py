@@ -25,7 +25,7 @@ def is_view(target: Any) -> bool:
 
 
 def window_of(view: Any) -> Any:
-    """Returns the window with which a view was made. trame's classes store it in a private attribute."""
+    """Returns the window that a view was made for. trame's classes store it in a private attribute."""
     return next((value for name, value in vars(view).items() if name.endswith("__view")), None)
 
 

@@ -72,7 +72,7 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
 
 
 class Frame:
-    """The HTML by which a notebook shows a view: a frame with the view's page."""
+    """The HTML that shows a view in a notebook: a frame with the view's page."""
 
     def __init__(self, view: View, height: int) -> None:
         self.view = view

@@ -29,7 +29,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest span of scalars that are taken for labels, for each of which the table has an entry. */
+/**
+ * Largest span of scalars that are taken for labels. The table has an entry for each number within
+ * it.
+ */
 constexpr int MostScalarLabels = 1 << 16;
 
 /** Returns the value of a function at a scalar, or the function's default if it has no points. */
@@ -48,9 +51,9 @@ double ComputeScalarMaterial(vtkHapticProperty* property, const char* name, doub
 }
 
 /**
- * Fills a table for a segmentation that is touched itself, with the materials to which a property's
- * functions map its numbers. The table gets an entry for each whole number between the smallest and
- * the largest sample, including the background. Returns false, and leaves the table empty, if the
+ * Fills a table for a segmentation that is touched itself: the property's functions map each of its
+ * numbers to a material. The table gets an entry for each whole number between the smallest and the
+ * largest sample, including the background. Returns false, and leaves the table empty, if the
  * samples can't be labels: several components, values that are not finite, or a span of more than
  * MostScalarLabels.
  */
@@ -81,8 +84,8 @@ bool FillScalarLabels(
 constexpr const char* LabelImage = "label image on input port 3";
 
 /**
- * Whether a value is a whole number of at most 2^53, up to which a double is exact. Returns false
- * for NaN.
+ * Whether a value is a whole number of at most 2^53, because a double is exact up to there. Returns
+ * false for NaN.
  */
 template <typename T>
 bool IsWhole(T value)

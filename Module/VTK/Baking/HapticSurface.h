@@ -50,8 +50,8 @@ struct IsoSurface
 };
 
 /**
- * Copies the polygons and strips of a surface to another one without copying their memory. The copy
- * has cursors of its own, so that a worker may traverse it.
+ * Copies the polygons and strips of a surface to another surface; both share their memory. The copy
+ * has its own cursors, so that a worker may traverse it.
  */
 void ShareCells(vtkPolyData* from, vtkPolyData* to);
 
@@ -62,7 +62,7 @@ inline constexpr double ShortMeshing = 40e-3;
 double EstimateMeshTime(const IsoSurface& iso);
 
 /**
- * Meshes an isosurface in the samples of an extent, whose indices are those that indexToWorld maps.
+ * Meshes an isosurface in the samples of an extent. indexToWorld maps the indices of this extent.
  * Returns null if there are no triangles. Any thread may call it, but the array must have VTK's
  * standard memory layout.
  */

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the width (samples) by which an estimator blurs edges. */
+/** Returns the width (samples) that an estimator adds to edges by blurring. */
 double ComputeBlur(const GradientKernel& kernel)
 {
   switch (kernel.Estimator)

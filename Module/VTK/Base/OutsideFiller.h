@@ -57,7 +57,7 @@ bool AreScalars(int components);
 class OutsideFiller
 {
 public:
-  /** Returns the array, or the copy in which its outside samples are filled. */
+  /** Returns the array, or its copy with filled outside samples. */
   vtkSmartPointer<vtkDataArray> Fill(vtkImageData* image, vtkDataArray* scalars, int component);
   /** Returns which samples were outside in the last array. */
   const OutsideSamples& GetLast() const { return this->Last; }

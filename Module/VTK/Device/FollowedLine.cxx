@@ -111,7 +111,7 @@ public:
 
 protected:
   LineIntegrator() = default;
-  /** Gives the line to the instance that vtkStreamTracer makes and integrates with. */
+  /** Sets the line of the instance that vtkStreamTracer makes and integrates with. */
   vtkObjectBase* NewInstanceInternal() const override
   {
     LineIntegrator* const copy = LineIntegrator::New();

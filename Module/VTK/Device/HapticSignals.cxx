@@ -289,7 +289,7 @@ void StartWatching()
 }
 
 /**
- * Gives the thread an alternate stack while this lives, if it has none: without one, no handler
+ * Sets an alternate stack for the thread while this lives, if it has none: without one, no handler
  * could run after a stack overflow.
  */
 class AlternateStack

@@ -69,9 +69,9 @@ public:
   bool IsUpToDate() const;
 
   /**
-   * Passes the latest tip to the source of a volume that is read region by region. Returns whether
-   * the source has a new region, which makes the model out of date. Writes to `status` what the
-   * source waits for.
+   * Sets the latest position of the tip in the source of a volume that is read region by region.
+   * Returns whether the source has a new region, which makes the model out of date. Writes to
+   * `status` what the source waits for.
    */
   bool PollRegion(std::string& status);
 

@@ -57,7 +57,7 @@ void ServoThreads::End()
 {
   if (this->HasEnded.load() || !this->IsOurs())
   {
-    return; // the threads are gone, or belong to the process from which this one was forked
+    return; // the threads have ended, or belong to the parent of this forked process
   }
   // These flags stop the threads; TerminateThread only joins them.
   this->Loop.RequestStop();

@@ -277,11 +277,11 @@ public:
    * EndLongWork, and stays off if that call is missing.
    *
    * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
-   * AttentionTime (unless that is 0), the force stays on: fading would disturb more than such a
-   * short pause, and the factor of eight allows for a slow computer. Publish calls these functions
-   * by itself for a large mesh that can't be made in the background, because its array has a memory
-   * layout of its own. vtkHapticRecorder calls them to write a long recording. If
-   * the pipeline before the filter takes seconds, the application has to call them.
+   * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
+   * pause, and the factor of eight allows for a slow computer. Publish calls these functions by
+   * itself for a large mesh that can't be made in the background, because its array has a memory
+   * layout of its own. vtkHapticRecorder calls them to write a long recording. If the pipeline
+   * before the filter takes seconds, the application has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();

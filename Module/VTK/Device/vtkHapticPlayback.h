@@ -49,8 +49,8 @@ public:
    * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
    * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
    * and another end never step the data time nor the force. At the end of the time steps, it holds
-   * (ModeToOnce, the default), goes on to the first step through a mean interval in which the
-   * last step is blended to it (ModeToLoop), or turns around (ModeToPingPong).
+   * (ModeToOnce, the default), blends the last step into the first one during a mean interval and
+   * plays again (ModeToLoop), or plays backwards (ModeToPingPong).
    *
    * SetDataTime jumps to another time, in the units of the source; beyond the time steps, the
    * nearest step is used. The volume there is felt as a new one: a force that would jump begins

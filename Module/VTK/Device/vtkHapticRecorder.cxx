@@ -152,8 +152,8 @@ public:
   const std::string& GetFile() const { return this->File; }
 
   /**
-   * Hands over the volume's hashes when they are known; call this often while a recording is under
-   * way. Reports an error, once for each recording, if the recording fails, for example with a full
+   * Adds the volume's hashes to the recording when they are known; call this often while recording.
+   * Reports an error, once for each recording, if the recording fails, for example with a full
    * disk.
    */
   void Update();
@@ -165,8 +165,8 @@ private:
   /** Returns the hashes of what a filter touches now; null until they are known. */
   const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
-   * Hands over the hashes at the end of a recording. Waits for them unless the device is armed,
-   * because a hand would then have to wait, too.
+   * Adds the hashes at the end of a recording. Waits for them unless the device is armed, because
+   * the hand would have to wait then, too.
    */
   void AwaitHashes(HapticRecording& recording);
   void ReportTrouble();
@@ -175,7 +175,8 @@ private:
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   std::string File;
-  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< felt filter, until its hashes are handed over
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< felt filter, until its hashes are in the
+                                                ///< recording
   KeyedWork<HashKey, RecordingHashes> Hashing;
   bool IsTroubleTold = false;
 };

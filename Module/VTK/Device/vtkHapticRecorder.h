@@ -104,7 +104,10 @@ private:
   vtkHapticDevice* FindDevice();
   void Attach(VolumeHaptics::DeviceParts& parts);
   void Detach();
-  /** Hands over the volume's hashes when they are known, and reports errors; call this often. */
+  /**
+   * Adds the volume's hashes to the recording when they are known, and reports errors; call this
+   * often.
+   */
   void Update();
   /** Writes the recording if there is one, without announcing long work. */
   void Finish();

@@ -121,7 +121,7 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  // Don't get a missing function: that would create one, with which mappers would then draw.
+  // Don't get a missing function: this would create one, and mappers would then draw with it.
   if (volume->HasGradientOpacity(component))
   {
     material.GradientVisibility =

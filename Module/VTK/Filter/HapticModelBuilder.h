@@ -42,7 +42,7 @@ struct HapticModelOptions
   /** Time steps of a volume that moves; the image is at its first step. */
   std::vector<ImageTimeStep> TimeSteps;
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
-  TimeStepSeries Series;         ///< the whole series to which TimeSteps belong
+  TimeStepSeries Series;         ///< the whole series that contains TimeSteps
   OutsideSamples Outside;        ///< outside samples of TimeSteps, to be filled
   HapticModes Modes;             ///< modes for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr; ///< null stands for a point

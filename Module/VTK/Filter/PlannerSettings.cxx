@@ -138,13 +138,13 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
   double voxels = radius + ResidencySpare;
   if (hasModes)
   {
-    // Residency.cxx reads: the step of a derivative, and the way that a push may lead.
+    // Residency.cxx reads: the step of a derivative, and the distance that a push may cover.
     voxels += 1.0 + ModeWay;
   }
   else if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
-    // Residency.cxx reads: the corners of the cube in which a surface is searched for, and the
-    // reach of its curvature.
+    // Residency.cxx reads: the corners of the cube that is searched for a surface, and the samples
+    // that its curvature needs.
     voxels += LocalCornerReach + radius;
   }
   else if (method == vtkVolumeHapticsFilter::PROXY &&

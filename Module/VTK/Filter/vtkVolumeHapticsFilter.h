@@ -384,9 +384,9 @@ public:
 
   ///@{
   /**
-   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS: as soon as
-   * distinctness and strength say so, which on a blurred edge is some voxels before its middle.
-   * EDGE (default): not before the middle of the edge, so that what is felt lies on what is seen.
+   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS: as soon as distinctness
+   * and strength suffice; on a blurred edge, this is some voxels before its middle. EDGE (default):
+   * not before the middle of the edge, so that what is felt lies on what is seen.
    *
    * At the middle, V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a linear
    * ramp both settings are alike.
@@ -405,9 +405,10 @@ public:
 
   ///@{
   /**
-   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL: those
-   * a kernel radius to either side of the proxy, as in the paper. FAR_SIDE (default): those that a
-   * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
+   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL: those a
+   * kernel radius to either side of the proxy, as in the paper. FAR_SIDE (default): the values at
+   * both ends of a blurred edge, so that skin feels like the tissue behind it from the first touch
+   * on.
    *
    * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
    * Along a surface in contact, the values change over 2.5 voxels of the proxy's path, and the

@@ -16,7 +16,7 @@ constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
 /**
  * Number of rows that are read in a large volume. Each block of voxels needs 36 rows of samples
- * around it, from which its gradients are estimated.
+ * around it, because its gradients are estimated from them.
  */
 constexpr std::int64_t MostRows = 512;
 constexpr std::int64_t MostVoxelsInARow = 2048;

@@ -72,8 +72,8 @@ constexpr double K = 400.0;
 /**
  * The background of magnitude images ends at this multiple of its brightness. Its noise has
  * Rayleigh's distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995,
- * 910-914), in which hardly one value in 3e8 is above 5 times the mean. Faint ghosts of the body
- * are below that, too.
+ * 910-914), whose values are above 5 times the mean hardly once in 3e8. Faint ghosts of the body
+ * are below this multiple, too.
  */
 constexpr double NoiseEnd = 5.0;
 

@@ -42,7 +42,7 @@ constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
 constexpr double LeastSlopeFraction = 0.003;
 // standard deviations of the noise at which the distinctness begins to rise
 constexpr double NoiseThreshold = 3.4;
-constexpr double FlatNoise = 2.0; // standard deviations up to which a place counts as flat
+constexpr double FlatNoise = 2.0; // largest gradient of a flat place, in standard deviations
 /**
  * Fraction of all edges above which noisy edges make the background count as noisy.
  */

@@ -108,14 +108,14 @@ public:
   /**
    * Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces. On
    * (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on; the
-   * noise is estimated from the flattest blocks of the image. This applies to a Distinctness
-   * without points; if off, such a Distinctness stands for 1.
+   * noise is estimated from the flattest blocks of the image. This applies only if the function
+   * Distinctness has no points; if off, a Distinctness without points stands for 1.
    *
    * The noise is estimated again after the image or its array is Modified(): call Modified() if you
    * change values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
    * gradient magnitudes (scalar units per world unit) of the last ramp, set when a filter with this
-   * property last ran or was published; 0, 0 if there was none. They are those along the axis of
-   * the smallest spacing; along another one, noise and ramp are less by the ratio of the spacings.
+   * property last ran or was published; 0, 0 if there was none. They apply along the axis of the
+   * smallest spacing; along another axis, noise and ramp are smaller by the ratio of the spacings.
    */
   vtkSetMacro(DistinctnessFromNoise, bool);
   vtkGetMacro(DistinctnessFromNoise, bool);

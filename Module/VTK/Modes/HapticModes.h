@@ -27,7 +27,7 @@ using HapticModes = std::vector<vtkSmartPointer<vtkHapticMode>>;
 vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
- * Describes modes on the samples of an image, of which `view` is one component. Arrays are viewed
+ * Describes modes on the samples of an image; `view` is one of its components. Arrays are viewed
  * without a copy, unless they store their components separately. Returns false, with the reason and
  * the cure in `error`, if an active mode can't be felt.
  */

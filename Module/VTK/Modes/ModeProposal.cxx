@@ -71,7 +71,7 @@ double FirstRate(const Matrix3& j)
     .Value[0];
 }
 
-/** Returns the measure of which the strength of a mode about vectors is a function. */
+/** Returns the measure that the strength of a mode about vectors depends on. */
 Measure MeasureVectors(ModeKind kind, const VectorField& field)
 {
   return [kind, &field](const Vector3& index)

@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * A surface in world units: the polygons and strips of a polydata. The outside is the side from
-   * which the polygons turn counterclockwise, to which their normals point.
+   * A surface in world units: the polygons and strips of a polydata. The normals of the polygons
+   * point to the outside: seen from there, their corners are in counterclockwise order.
    */
   void SetSurface(vtkPolyData* surface);
   vtkPolyData* GetSurface();

@@ -167,7 +167,7 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Sets outside samples to the value with which the filter feels them, so that the picture, the
+/// Sets outside samples to the value that the filter feels there, so that the picture, the
 /// thresholds and the kind of the volume agree with the touch.
 void UseOutside(Volume& volume)
 {

@@ -31,9 +31,9 @@ struct VolumeFacts
 };
 
 /**
- * Reads the boxes from which the noise is estimated (NoiseEstimate.h), one after another: 512
- * blocks of 5^3 samples and the corners. A volume that is not large is read completely, in boxes of
- * at most a million samples. The result is the same, to the bit, as for the whole volume in memory.
+ * Reads the boxes that the noise is estimated from (NoiseEstimate.h), one after another: 512 blocks
+ * of 5^3 samples and the corners. A volume that is not large is read completely, in boxes of at
+ * most a million samples. The result is the same, to the bit, as for the whole volume in memory.
  */
 class VolumeSurvey
 {

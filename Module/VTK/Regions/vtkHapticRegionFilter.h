@@ -26,7 +26,7 @@
  *                       filled with the least value inside
  *   HapticSolid         optional, four numbers a component for vtkHapticProperty's SolidFromImage
  *                       and ApplyPreset(): the value at which the background of the whole ends, the
- *                       value from which on the whole is solid (equal to the first if there is no
+ *                       smallest value that is solid (equal to the first one if there is no
  *                       background), and the medians of the background and of what is brighter
  *   HapticShift         optional, a tuple of five numbers a component for vtkHapticProperty's
  *                       ShiftFromImage: what to add to the values for Hounsfield units, the value
@@ -129,7 +129,7 @@ protected:
   /**
    * Completes the samples of this process' piece (one entry for each component; none if the piece
    * has no array) with those of the other pieces: see NoiseSamples::Merge. Afterwards the entries
-   * are those of the whole on all processes, or at least on those that use the output. Default:
+   * cover the whole on every process, or at least on every process that uses the output. Default:
    * does nothing, because the piece is the whole.
    */
   virtual void GatherSamples(SamplesOfComponents& samples);

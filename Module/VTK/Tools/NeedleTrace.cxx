@@ -93,7 +93,7 @@ private:
   std::int64_t Label = NoLabel;
 };
 
-/** Arrays of a trace from which a track is made. */
+/** Arrays of a trace that a track is made from. */
 struct NeedleTicks
 {
   vtkPolyData* Trace;

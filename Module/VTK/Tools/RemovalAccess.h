@@ -74,8 +74,7 @@ struct RemovalData
 };
 
 /**
- * Returns the tissue from which parts may be removed; null as long as nothing can have been
- * removed.
+ * Returns the tissue, parts of which may be removed; null as long as nothing can have been removed.
  */
 std::shared_ptr<TissueRemoval> GetTissueRemoval(vtkHapticRemoval* removal);
 

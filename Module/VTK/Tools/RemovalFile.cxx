@@ -43,8 +43,8 @@ TissueBox BoxOf(const int extent[6], const int volume[6])
 }
 
 /**
- * Returns the extent, within the volume, of all bricks from which tissue is missing; one sample if
- * there is no such brick.
+ * Returns the extent, within the volume, of all bricks with missing tissue; one sample if there is
+ * no such brick.
  */
 std::array<int, 6> ComputeUsedExtent(const std::vector<BrickTissue>& bricks, const int volume[6])
 {

@@ -3,8 +3,7 @@
 /**
  * @file
  * Writes and reads files of removed tissue. Such a file is a .vti image of the fractions in the
- * part of the volume from which something was removed. The volume's extent and AirValue are field
- * arrays.
+ * part of the volume that has lost tissue. The volume's extent and AirValue are field arrays.
  */
 #ifndef RemovalFile_h
 #define RemovalFile_h

@@ -5,10 +5,9 @@
  * Converts remaining tissue to field arrays of traces and recordings, or to plain numbers for
  * files, and back.
  *
- * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed. The
- * first one has the brick's position along each axis, in bricks from the volume's first sample. The
- * second one has the fraction of tissue that remains at each sample, x first; 255 stands for all of
- * it.
+ * Two arrays have a tuple for each brick of 8 x 8 x 8 samples that has lost tissue. The first one
+ * has the brick's position along each axis, in bricks from the volume's first sample. The second
+ * one has the fraction of tissue that remains at each sample, x first; 255 stands for all of it.
  */
 #ifndef TissueArrays_h
 #define TissueArrays_h

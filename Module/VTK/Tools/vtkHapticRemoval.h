@@ -18,8 +18,8 @@
  *
  * A stroke begins when a burr removes something, and ends when it no longer spins or has removed
  * nothing for half a second. The servo that ticks with the burr carries out Undo(), Redo() and
- * Reset(), within some ticks in which nothing is felt; without a servo, they act at once. Strokes
- * before a recording, and before ReadFile(), can't be undone.
+ * Reset(); this takes some ticks, and nothing is felt during them. Without a servo, the calls act
+ * at once. Strokes before a recording, and before ReadFile(), can't be undone.
  *
  * One vtkHapticDevice at a time may tick with a removal: give another device's filter its own
  * removal with vtkVolumeHapticsFilter::SetRemoval(). Shares belong to the samples of one extent: a
@@ -103,8 +103,8 @@ public:
 
   /**
    * Names the touched array in the information of an array that is shown instead of it, such as a
-   * copy in which a head rest is hidden. A scene then shows the removal in this array, too, with
-   * the same shares and AirValue:
+   * copy without a head rest. A scene then shows the removal in this array, too, with the same
+   * shares and AirValue:
    *
    *   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), touched);
    *

@@ -8,7 +8,7 @@
 
 namespace Explore
 {
-/// Returns a copy of the image in which everything outside the largest connected region above
+/// Returns a copy of the image where everything outside the largest connected region above
 /// `threshold`, and everything that is not finite, has the value `fill`. The copy shows a patient
 /// without the head rest, tables and cables that would hide the patient from the eye and from the
 /// planner's rays. The soft edge of the region is kept. The hand feels the image itself, not this

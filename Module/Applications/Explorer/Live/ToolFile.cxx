@@ -19,7 +19,7 @@ bool HasOrigin(const double* bounds)
     bounds[4] <= 0.0 && bounds[5] >= 0.0;
 }
 
-/// Turns triangles outwards, because files differ in which side is outside.
+/// Turns triangles outwards, because the order of their corners differs between files.
 vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> turned;

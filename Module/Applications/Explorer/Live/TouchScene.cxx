@@ -230,7 +230,7 @@ void AddSlices(
   slices->SetAnatomical(options.Anatomical);
   if (exploration.Values.Kind == Explore::VolumeKind::CT)
   {
-    // A range from fat to dense bone, in which differences between soft tissues are still visible.
+    // A range from fat to dense bone that still shows differences between soft tissues.
     slices->SetUnit("HU");
     slices->SetColorWindow(800.0);
     slices->SetColorLevel(150.0);

@@ -106,7 +106,7 @@ void UseLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
   widget->SetDefaultRenderer(renderer);
 }
 
-/// Computes the bounds of points in the coordinates to which a matrix maps them.
+/// Computes the bounds of points after a matrix has mapped them.
 void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
 {
   vtkBoundingBox box;
@@ -307,7 +307,7 @@ void VolumeCut::PlacePlane()
 
 void VolumeCut::PlaceBox()
 {
-  // fraction of the body by which the box reaches beyond it, towards the viewer
+  // margin of the box beyond the body towards the viewer, as a fraction of the body's size
   constexpr double margin = 0.02;
   vtkNew<vtkMatrix4x4> toVolume;
   vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toVolume);

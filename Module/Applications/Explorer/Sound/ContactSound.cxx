@@ -16,13 +16,13 @@ constexpr double PITCH_STRENGTH = 1.0;    // N
 constexpr double MOST_STRENGTH = 12.0;    // N
 constexpr double LOWEST = 60.0;           // Hz
 constexpr double HIGHEST = 6000.0;        // Hz
-// s in which the pitch glides from one surface's to the next one's
+// s that the pitch takes from one surface's value to the next one's
 constexpr double GLIDE_TIME = 0.02;
 constexpr double LOUDEST_NOISE = 0.15; // effective value
 constexpr double MIDDLE_POWER = 0.02;  // W
 constexpr double SILENT_POWER = 1e-6;  // W
 constexpr double POWER_TIME = 0.02;    // s
-constexpr double LEVEL_TIME = 0.005;   // s in which the noise may grow from 0 to 1
+constexpr double LEVEL_TIME = 0.005;   // shortest time (s) of a rise of the noise from 0 to 1
 constexpr double LOUDEST_CLICK = 0.6;
 constexpr double MIDDLE_IMPACT = 0.1;  // N
 constexpr double IMPACT_TIME = 0.005;  // s

@@ -89,7 +89,7 @@ private:
 
   // Updated once per sample.
   double Level = 0.0;  // effective value of the noise
-  double Wanted = 0.0; // value to which Level rises or falls
+  double Wanted = 0.0; // target of Level, which rises or falls towards it
   double MostStep;     // largest change of Level from one sample to the next
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass

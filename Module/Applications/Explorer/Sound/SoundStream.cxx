@@ -13,7 +13,7 @@ constexpr double STEP = 0.001;           // s between polls for ticks
 constexpr double MOST_BACKLOG = 0.3;     // s
 constexpr double LONGEST_STARVED = 0.05; // s
 constexpr double GAIN_TIME = 0.01;       // s, from silence to the full sound
-constexpr double WINDOW = 1.0;           // s in which at least one burst is played to its end
+constexpr double WINDOW = 1.0;           // s; at least one burst is played to its end in this time
 constexpr double SPARE_BACKLOG = 0.02;   // s
 constexpr double FASTER = 1.05;
 } // namespace

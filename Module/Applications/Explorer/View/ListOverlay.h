@@ -12,7 +12,7 @@
 
 namespace Explore
 {
-/// A list over the scene, with one marked line, from which the user chooses a file or a series.
+/// A list over the scene. The user marks one of its lines, to choose a file or a series.
 class ListOverlay
 {
 public:

@@ -29,8 +29,8 @@ namespace
 /** Number of samples that are meshed in about ten milliseconds. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
 /**
- * Smallest image of which a part is meshed first. A smaller image is meshed whole in nearly the
- * same time as a part of it, and sooner if no part is meshed at the same time.
+ * Smallest image (samples) that is meshed in two steps, a part first. A smaller image is meshed
+ * whole in nearly the same time as a part of it, and sooner if no part is meshed at the same time.
  */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
@@ -123,7 +123,8 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   {
     return; // meshing the whole image reports the error
   }
-  Extent fromFirst; // extent relative to the first sample of the image, from which the map counts
+  // extent relative to the image's first sample, because the map counts from there
+  Extent fromFirst;
   for (int a = 0; a < 6; ++a)
   {
     fromFirst[a] = region[a] - whole[a - a % 2];

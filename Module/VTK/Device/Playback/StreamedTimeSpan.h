@@ -70,8 +70,8 @@ VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
 
 /**
  * Whether time steps at the times `next` and time steps at the times `last` give the same volume at
- * `time`. Time steps that both contain are equal, so this is true at such a time step, and between
- * two neighbours that both contain. Times are ascending.
+ * `time`. A time step at a time of both lists is equal in both, so this is true at such a time, and
+ * between two neighbouring times that both lists contain. Times are ascending.
  */
 bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
 

@@ -46,7 +46,7 @@ struct RecordingHashes
   std::string Labels;
 };
 
-/** The state and the settings from which a replay begins. */
+/** The state and the settings at the beginning of a replay. */
 struct RecordingBegin
 {
   std::array<double, ServoStateSize> State;

@@ -192,7 +192,7 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   return isRead && areCapsRead && areContactsRead && areSharesRead;
 }
 
-/** Encodes bytes as one piece of base64, in which three bytes become four characters. */
+/** Encodes bytes as one piece of base64: three bytes become four characters. */
 class Base64
 {
 public:

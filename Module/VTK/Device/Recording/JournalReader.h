@@ -51,7 +51,7 @@ public:
   void Remove(const std::string& journal) const;
 
   const RecordingAbout& GetAbout() const { return this->About; }
-  /** Returns the state from which a replay begins; null if there is no tick. */
+  /** Returns the state at the beginning of a replay; null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
   /** Returns the number of contacts of a tool with a shape in the first state. */

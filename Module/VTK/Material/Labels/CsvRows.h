@@ -29,7 +29,7 @@ public:
 
   /** Reads the next row. Returns false at the end of the text. */
   bool Next(std::vector<std::string>& cells);
-  /** Returns the line, counted from 1, in which the last row begins. */
+  /** Returns the number of the line, from 1, where the last row begins. */
   int GetLine() const { return this->RowLine; }
   /** Whether the text ends within quotes. */
   bool IsCutOff() const { return this->CutOff; }

@@ -79,7 +79,7 @@ std::string_view FindXml(std::string_view extensions, bool isSwapped)
     data.remove_prefix(ExtensionHeadSize);
     if (data.find("<LabelTable") != std::string_view::npos)
     {
-      // Cut off the zeros with which extensions are padded.
+      // Cut off the zeros that pad extensions.
       return data.substr(0, data.find('\0'));
     }
   }

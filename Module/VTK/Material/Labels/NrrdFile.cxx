@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest factor by which deflate can compress zeros (zlib's technical details). */
+/** Largest compression ratio of deflate, reached with zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
 constexpr std::size_t MostAtOnce = 1 << 24; // bytes per call of zlib, which counts with 32 bits
 

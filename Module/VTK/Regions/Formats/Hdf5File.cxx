@@ -63,7 +63,7 @@ private:
   void* Data = nullptr;
 };
 
-/** The bytes of the file, from which the library reads. */
+/** The bytes of the file, for the library. */
 struct Hdf5Bytes
 {
   explicit Hdf5Bytes(const std::string& name)

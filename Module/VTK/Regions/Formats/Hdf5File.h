@@ -38,7 +38,7 @@ struct Hdf5Filter
   std::size_t SampleSize = 0; ///< for Shuffle
 };
 
-/** An array of at least three dimensions, of which the last three are z, y and x. */
+/** An array of at least three dimensions; the last three are z, y and x. */
 struct Hdf5Array
 {
   int ScalarType = 0;         ///< VTK's type; 0 if VTK has no such type
@@ -48,8 +48,7 @@ struct Hdf5Array
   std::vector<char> FillValue;           ///< bytes of a sample that was never written
   bool IsContiguous = false;             ///< whether the samples are in one piece
   std::uint64_t Address = 0;             ///< position of that piece in the file (bytes)
-  std::vector<Hdf5Filter> Filters;       ///< filters of chunks, in the order in which they were
-                                         ///< applied
+  std::vector<Hdf5Filter> Filters;       ///< filters of chunks, in the order that they were applied
   std::vector<std::uint64_t> ChunkShape; ///< samples along each dimension; empty if not in chunks
 };
 

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Number of lines in which the fields are expected: samples may follow after them. */
+/** Number of lines that are searched for the fields, because samples may follow after them. */
 constexpr int LongestHeader = 200; // lines
 
 std::string TrimBlanks(const std::string& text)

@@ -48,7 +48,7 @@ struct LargeVolume
    * Whether the volume has no noise and its outside value is known, so that no survey is needed.
    */
   bool IsSmooth = false;
-  bool AreLabels = false; ///< whether samples are labels, none of which counts as outside
+  bool AreLabels = false; ///< whether samples are labels; then none counts as outside
   double BorderValue = 0.0;
 };
 

@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Largest factor by which deflate can compress zeros (zlib's technical details). */
+/** Largest compression ratio of deflate, reached with zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
 
 template <typename T>

@@ -132,7 +132,7 @@ double ReadUnit(const Json::Value& axes, std::size_t axis)
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Adds notes on the numbers of times and channels, of which only the first is read. */
+/** Adds notes on the numbers of times and channels, because only the first of each is read. */
 void AddFurtherAxes(
   const Json::Value& axes, const std::vector<std::uint64_t>& shape, std::vector<std::string>& notes)
 {
