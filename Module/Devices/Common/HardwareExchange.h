@@ -118,10 +118,10 @@ public:
 
   ///@{
   /**
-   * Called by the device's thread. A sample is a new measurement, made at its Time, or now if Time
-   * is 0; a sample with the Time of the last one counts as Confirm. Samples are passed on only
-   * while the device is ready, so report one before the stage becomes Ready. The first sample then
-   * has Begins set, because the hand may have moved before.
+   * Called by the device's thread. A sample is a new measurement, which was made at its Time, or
+   * now if Time is 0. A sample with the Time of the last one counts as Confirm(). The servo
+   * receives samples only while the device is ready, so report one before the stage becomes Ready.
+   * In this first sample Begins becomes true, because the hand may have moved before.
    */
   void Report(const DeviceSample& sample) noexcept;
   /**

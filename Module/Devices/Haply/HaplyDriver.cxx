@@ -14,19 +14,19 @@ namespace
 {
 
 ///@{
-/** s; the service is on this computer */
+/** Times in s. They are short, because the service is on this computer. */
 constexpr double OpenTime = 1.0;
 constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
-constexpr double LastTime = 0.2; ///< s, for the last state, and for closing the session
+constexpr double LastTime = 0.2; ///< time in s for the last state and for closing the session
 ///@}
-constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
+constexpr int IdleWait = 2; // in ms, between messages if the servo has no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
-constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // the same as
-                                                                // HardwareExchange::WatchdogTime
+// equals HardwareExchange::WatchdogTime
+constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond;
 constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
-constexpr int LostWait = 10;     // ms
-constexpr int MostStates = 1000; // the most queued states; some seconds of them
+constexpr int LostWait = 10;     // in ms
+constexpr int MostStates = 1000; // limit of the queued states, which are some seconds of them
 
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
@@ -125,7 +125,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
     error = "Haply's Inverse service closed the connection. Start it again.";
     return false;
   }
-  // Services without this channel have no events.
+  // A service without this channel has no events.
   std::string ignored;
   this->HasEvents = this->Events.Open(this->Ports.Events, EventsTime, ignored);
   return true;
@@ -149,7 +149,7 @@ void HaplyDriver::Disconnect() noexcept
 
 void HaplyDriver::Serve(HardwareExchange& exchange)
 {
-  /** Runs also if something throws. */
+  /** Ends the force, even if an exception is thrown. */
   struct AtEnd
   {
     HaplyDriver* Driver;
@@ -170,7 +170,7 @@ void HaplyDriver::Serve(HardwareExchange& exchange)
     }
     if (this->IsLost)
     {
-      // Quench and Close wait for rounds of zero force.
+      // Quench() and Close() wait until this thread has asked for the force, and got zero.
       exchange.GetForce();
       std::this_thread::sleep_for(std::chrono::milliseconds(LostWait));
     }
@@ -196,7 +196,7 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
     {
       this->Disconnect();
     }
-    // The service may not yet have dropped the session that was just closed.
+    // The service may not have ended the closed session yet.
     tries = !isOpen && this->IsTaken() && ServoClock::Now() < end && !exchange.MustStop();
     if (tries)
     {
@@ -436,7 +436,8 @@ void HaplyDriver::Rest() noexcept
       this->Send({});
       const std::int64_t end =
         ServoClock::Now() + static_cast<std::int64_t>(LastTime * ServoClock::NanosecondsPerSecond);
-      // The state shows that the service has the message. A service that hangs is not waited for.
+      // The state shows that the service has received the message. If the service hangs, this does
+      // not wait.
       while (this->Awaited > 0 &&
         this->States.Receive(this->Text, end) == WebSocketClient::Outcome::Message)
       {
@@ -446,13 +447,13 @@ void HaplyDriver::Rest() noexcept
   }
   catch (const std::exception&)
   {
-    // There is no memory for a message; closing the connection ends the session.
+    // There is no memory for a message. Closing the connection ends the session.
   }
 }
 
 void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
 {
-  // Before sending anything, which may take long: notify the servo first.
+  // Notify the servo before sending anything, because that may take long.
   this->Report(exchange, DeviceStage::Lost, text);
   this->IsLost = true;
   this->IsReady = false;

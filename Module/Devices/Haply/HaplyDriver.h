@@ -4,26 +4,25 @@
  * @file
  * An Inverse3, Inverse3x or Minverse, through Haply's Inverse service on this computer.
  *
- * The service answers each message with one state. The thread of the device sends one when the
- * servo gives a force, or after 2 ms without one, and waits for its state: so the servo sets the
- * pace, and it never waits. At most one message waits for its state. After the time of the servo's
- * watchdog, one more message is sent, with zero force; when both are answered, work continues. If
- * more states come than messages were sent, the newest state counts, so that positions never fall
- * behind.
+ * The service answers each message with a state. The device's thread sends a message when the servo
+ * has a force, or after 2 ms without one, and waits for the state. So the servo sets the pace and
+ * never waits. At most one message waits for its state. After the time of the servo's watchdog, one
+ * more message is sent, with zero force; when both are answered, work continues. If more states
+ * come than messages were sent, only the newest one is used, so that positions never fall behind.
  *
- * The arm is ready after the service has reported it as calibrated and ready. A flag that the
+ * The arm is ready when the service has reported it as calibrated and ready. A flag that the
  * service omits keeps its last value.
  *
- * The first message and the last one have zero force. The documentation says that a force holds for
- * a tick and that a device becomes idle if no more come, but neither after how long, nor what
- * happens if the program ends or stands still between two messages. So the limits are low: 2 N is
- * the limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg); the
- * default force here is half of it. The radii of the workspaces come from Haply's tutorials 05 and
- * 06. The stiffness and the speed are WoodenHaptics', a device of the same size. Not verified on a
+ * The first and the last message have zero force. The documentation says that a force lasts for a
+ * tick, and that a device becomes idle if no more forces come, but neither after how long, nor what
+ * happens if the program ends or stops between two messages. So the limits are low: 2 N is the
+ * limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg), and the
+ * default force here is half of it. The radii of the workspaces are from Haply's tutorials 05 and
+ * 06. Stiffness and speed are those of WoodenHaptics, a device of the same size. Not verified on a
  * device.
  *
- * If the service is of 3.5 or later, the session's origin is the middle of the workspace. Before
- * that it is a fixed place in front of the arm's base.
+ * With a service of version 3.5 or later, the session's origin is the middle of the workspace. With
+ * an earlier one it is a fixed place in front of the arm's base.
  */
 #ifndef HaplyDriver_h
 #define HaplyDriver_h
@@ -39,21 +38,28 @@ namespace VolumeHaptics
 class HaplyDriver final : public HardwareDriver
 {
 public:
-  /** How long (s) the service may omit the arm's position. */
+  /** Longest time (s) for which the service may omit the arm's position. */
   static constexpr double SilenceTime = 0.1;
-  /** The least number of waits in SilenceTime: if this computer was late, the service was not. */
+  /**
+   * Least number of waits in SilenceTime before the service counts as silent, because this computer
+   * itself may have been late.
+   */
   static constexpr int SilentWaits = 4;
-  /** m; a hand leads the tip, so it never makes a longer step */
+  /**
+   * Longest step of the tip between two positions (m). A hand leads the tip, so no step is longer.
+   */
   static constexpr double FarthestStep = 0.02;
   /**
-   * The number of positions in a row without a longer step before the device is ready, because
-   * presets move the origin.
+   * Number of consecutive positions without a longer step that make the device ready. Presets move
+   * the origin, which causes such a step.
    */
   static constexpr int SettledStates = 50;
-  /** The origin in Haply's axes (m) if there are no presets. */
+  /** Origin along Haply's axes (m) for services without presets. */
   static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
 
-  /** `id` is the service's name of a device, such as "049D"; empty: the first device. */
+  /**
+   * @param id the service's name of a device, such as "049D"; if empty, the first device is used
+   */
   explicit HaplyDriver(std::string id)
     : Wanted(std::move(id))
   {
@@ -70,9 +76,9 @@ private:
   /** Opens the connection and reads the inventory. */
   bool OpenConnection(std::string& error);
   bool Choose(std::string& error);
-  /** Returns whether a session has the arm, judging by the last message. */
+  /** Returns whether a session has the arm, according to the last message. */
   bool IsTaken() const;
-  /** Begins the session of the chosen arm, if it is free. */
+  /** Begins a session with the chosen arm if no other session has it. */
   bool SendFirstMessage(std::string& error);
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
@@ -81,18 +87,21 @@ private:
   void ReceiveState(HardwareExchange& exchange, const HaplyArm& arm);
   void CopyGrips(DeviceSample& sample) const;
   void ReceiveEvents(HardwareExchange& exchange);
-  /** Copies the flags of the arm; flags that the message omits keep their values. */
+  /** Copies the flags of the arm. A flag that the message omits keeps its value. */
   void CopyFlags(const HaplyArm& arm);
   void UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
   void Rest() noexcept;
-  /** Stops all work until homing is requested; the text follows the device's name. */
+  /**
+   * Stops all work until homing is requested. In the condition, the device's name stands before the
+   * text.
+   */
   void Lose(HardwareExchange& exchange, const std::string& text);
   void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
 
   const std::string Wanted;
   ///@{
-  /** Set by Connect, not by the device's thread. */
+  /** Members that Connect() sets, on the owner's thread. */
   std::string Label = "Haply";
   std::string Id;
   std::string Type;
@@ -101,28 +110,29 @@ private:
   HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
-  bool HasEvents = false; ///< whether the end of the events is yet to be reported
+  bool HasEvents = false; ///< whether the end of the events must still be reported
 
   HaplyMessage Message; ///< the last message
   std::string Text;
-  std::string Newest; ///< the newest state, as text
+  std::string Newest; ///< text of the newest state
   bool IsLost = false;
-  bool IsReady = false; ///< whether the device may give force
+  bool IsReady = false; ///< whether the device may exert a force
   ///@{
-  /** The flags as the service reported them last; false before. */
+  /** The flags as the service last reported them; false before that. */
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
-  bool HasSentRelief = false; ///< whether a message of zero force follows an unanswered one
-  int Awaited = 0;            ///< number of messages without a state
+  /** Whether a message of zero force was sent after one without an answer. */
+  bool HasSentRelief = false;
+  int Awaited = 0; ///< number of messages whose state has not come yet
   std::int64_t SentAt = 0;
-  std::int64_t ToldAt = 0; ///< the time at which the last position came
+  std::int64_t ToldAt = 0; ///< time at which the last position came
   int EmptyWaits = 0;
-  int Settled = 0; ///< positions in a row without a step
-  Vector3 Tip;     ///< last position, in the device's axes
+  int Settled = 0; ///< number of consecutive positions without a step
+  Vector3 Tip;     ///< last position along the device's axes
   bool HasTip = false;
-  HaplyTransform Transform;      ///< the last transform received
-  std::string Note;              ///< the last warning of the service
+  HaplyTransform Transform;      ///< transform that was received last
+  std::string Note;              ///< last warning of the service
   const char* Request = nullptr; ///< last request to the hand
 };
 

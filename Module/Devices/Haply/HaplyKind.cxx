@@ -11,7 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Asks the service for its devices. */
+/**
+ * Asks the service for its devices. Returns false and writes the reason to `error` if this fails.
+ */
 bool ReceiveHaplys(HaplyMessage& message, std::string& error)
 {
   HaplyPorts ports;
@@ -49,7 +51,10 @@ std::vector<DeviceListing> ListHaplys()
   return all;
 }
 
-/** Explains why this computer has no Haply: mostly, the service does not run. */
+/**
+ * Returns the reason why this computer has no Haply, mostly that the service does not run. Returns
+ * an empty text if the service answers.
+ */
 std::string WhyNoHaplys()
 {
   HaplyMessage message;

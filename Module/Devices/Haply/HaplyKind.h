@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Haply's Inverse3, Inverse3x and Minverse, "haply[:ID]", in builds with Boost.Beast.
+ * Lists and makes Haply's Inverse3, Inverse3x and Minverse, "haply[:ID]", in builds with
+ * Boost.Beast.
  */
 #ifndef HaplyKind_h
 #define HaplyKind_h

@@ -23,19 +23,19 @@ constexpr const char* NoDevices = "sent a list of devices that is none";
 constexpr const char* NoId = "told of an arm without an identifier";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
-/** The deepest nesting of brackets; the documentation's messages nest seven deep. */
+/** Limit of the nesting of brackets. The messages in the documentation are nested seven deep. */
 constexpr int DeepestBrackets = 64;
-/** Transforms that differ by at most this count as equal: the service uses float arithmetic. */
+/** Largest difference of two transforms that count as equal. The service uses float arithmetic. */
 constexpr double TransformTolerance = 1e-5;
 
-/** Names the session in Haply's Hub, as the documentation recommends. */
+/** Name of the session in Haply's Hub, in the form that the documentation recommends. */
 constexpr const char* Profile = "org.vtk.volumehaptics:touch";
-/** Puts the origin into the middle of the workspace. */
+/** Name of the preset that moves the origin to the middle of the workspace. */
 constexpr const char* Preset = "arm_front_centered";
 
 const Json Nothing;
 
-/** Returns a member of an object; null if there is none. */
+/** Returns a member of an object, or null if there is none. */
 const Json& At(const Json& object, const char* name)
 {
   if (object.is_object())
@@ -57,7 +57,7 @@ std::string Text(const Json& object, const char* name)
 
 ///@{
 /**
- * Reads a member, or keeps the value if the member is missing. Returns false if the member has
+ * Reads a member. If it is missing, `value` does not change. Returns false if the member has
  * another type.
  */
 bool Read(const Json& object, const char* name, bool& value)
@@ -101,7 +101,7 @@ bool Read(const Json& object, const char* name, HaplyTransform& value)
 }
 ///@}
 
-/** Returns the member; nothing if the member is missing, or has another type. */
+/** Returns a member, or nothing if it is missing or has another type. */
 template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
@@ -155,7 +155,7 @@ HaplyGrip ReadGrip(const Json& device, const char*)
   return grip;
 }
 
-/** Adds the devices of a family: a list, or a map from identifiers. */
+/** Adds the devices of a family, which is a list or a map from identifiers. */
 template <typename Device>
 const char* ReadFamily(const Json& message, const char* family,
   Device (*read)(const Json&, const char*), std::vector<Device>& all)
@@ -181,7 +181,7 @@ const char* ReadFamily(const Json& message, const char* family,
   return nullptr;
 }
 
-/** Returns whether the brackets outside of strings are nested at most as deeply as allowed. */
+/** Returns whether brackets outside strings are nested no deeper than allowed. */
 bool IsShallow(const std::string& text) noexcept
 {
   int depth = 0;
@@ -197,8 +197,8 @@ bool IsShallow(const std::string& text) noexcept
 }
 
 /**
- * Parses an object; returns nullptr, or the reason for refusing the text. The depth is checked
- * first, since the library copies values by recursion, which could overflow the thread's stack.
+ * Parses an object. Returns nullptr, or the reason why the text is not valid. Checks the depth
+ * first, because the library copies values by recursion, which could overflow the thread's stack.
  */
 const char* Parse(const std::string& text, Json& value)
 {
@@ -211,8 +211,8 @@ const char* Parse(const std::string& text, Json& value)
 }
 
 /**
- * Unwraps an answer by HTTP, which may be in an envelope ("Standard response envelope" in the
- * documentation).
+ * Returns the data of an HTTP answer, which may be in an envelope ("Standard response envelope" in
+ * the documentation).
  */
 const Json& Unwrap(const Json& answer)
 {
@@ -230,7 +230,8 @@ Json MakeForce(const HaplyAddress& address, const Vector3& force)
 
 std::string Dump(const Json& message)
 {
-  // The identifier came from the service, as JSON; even a broken one must not throw.
+  // The identifier came from the service as JSON. Even if its text is not valid, this must not
+  // throw.
   return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

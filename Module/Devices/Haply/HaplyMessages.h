@@ -36,7 +36,7 @@
 namespace VolumeHaptics
 {
 
-/** Maps from the device's space to the session's. */
+/** The map from the device's space to the session's space. */
 struct HaplyTransform
 {
   Vector3 Position; ///< m
@@ -45,26 +45,30 @@ struct HaplyTransform
 
   /** Returns whether the transform changes lengths, and so the work of a force. */
   bool IsScaled() const noexcept;
-  /** Returns whether two transforms are equal up to the service's float arithmetic. */
+  /**
+   * Returns whether two transforms are equal apart from the rounding of the service's float
+   * arithmetic.
+   */
   bool IsNear(const HaplyTransform& other) const noexcept;
 };
 
-/** An Inverse3, Inverse3x or Minverse, as in a message; vectors in Haply's axes. */
+/** An Inverse3, Inverse3x or Minverse as described in a message. Vectors are along Haply's axes. */
 struct HaplyArm
 {
-  std::string Family; ///< the name of the arm's list, which the arm's commands must name, too
+  /** Name of the list that contains the arm, which commands to the arm must name, too. */
+  std::string Family;
   std::string Id;
   std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if reported
   std::string Handedness;                ///< "left" or "right", if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
-  std::optional<Vector3> Force;          ///< N: the force that the service commands
+  std::optional<Vector3> Force;          ///< force that the service commands in N
   std::optional<Quaternion> Orientation; ///< orientation of the arm's body
   std::optional<HaplyTransform> Transform;
-  /** whether the position or the transform exists but has no numbers: NaN is written as null */
+  /** Whether the position or the transform contains null, which the service writes for NaN. */
   bool IsSpoilt = false;
   ///@{
-  /** Flags of the arm; empty if not reported. */
+  /** Flags of the arm. A flag that was not reported is empty. */
   std::optional<bool> IsCalibrated;
   std::optional<bool> IsReady;
   std::optional<bool> IsInUse;
@@ -75,7 +79,7 @@ struct HaplyArm
 struct HaplyGrip
 {
   std::string Id;
-  std::optional<Quaternion> Orientation; ///< orientation in Haply's axes
+  std::optional<Quaternion> Orientation; ///< orientation along Haply's axes
   std::uint32_t Buttons = 0;             ///< bits 0 to 3: a (or the only button), b, c, home
   bool IsAwake = true;
 };
@@ -86,7 +90,7 @@ struct HaplyMessage
   std::vector<HaplyGrip> Grips;
 };
 
-/** How bad an event is; in the order of the documentation. */
+/** The severity of an event, in the order of the documentation. */
 enum class HaplyLevel : std::uint8_t
 {
   Info,
@@ -99,34 +103,34 @@ enum class HaplyLevel : std::uint8_t
 
 struct HaplyEvent
 {
-  std::string Name; ///< name of the event, such as "device-disconnected"
+  std::string Name; ///< such as "device-disconnected"
   HaplyLevel Level = HaplyLevel::Info;
-  std::string Device; ///< the device's identifier, if the event is about one
+  std::string Device; ///< identifier of the device if the event concerns one
   std::string Safety; ///< data.safety_type, such as "ebrake_triggered"
-  std::string Text;   ///< text for people
+  std::string Text;   ///< text for the user
 };
 
 struct HaplyVersion
 {
   int Major = 0;
   int Minor = 0;
-  /// Returns whether sessions have a profile, devices have presets, and a force is a "vector", as
-  /// from 3.5 on.
+  /// Returns whether the service is of version 3.5 or later: sessions have a profile, devices have
+  /// presets, and a force is a "vector".
   bool IsNew() const noexcept { return this->Minor >= 5; }
   bool IsKnown() const noexcept { return this->Major == 3; }
 };
 
 ///@{
 /**
- * Reads a text to `message`. Returns nullptr, or the reason for refusing the text; the message is
- * then unspecified.
+ * Read a text to the second argument. Return nullptr, or the reason why the text is not valid; the
+ * second argument must not be used then.
  */
 const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message);
 const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
 ///@}
 
-/** The address of an arm, which each command carries. */
+/** The address of an arm, which each command contains. */
 struct HaplyAddress
 {
   HaplyVersion Version;
@@ -134,11 +138,12 @@ struct HaplyAddress
   std::string Id;
 };
 
-/** Writes the message that sets a force (N, in Haply's axes) and requests a state. */
+/** Writes the message that sets a force (N, along Haply's axes) and requests a state. */
 std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
 /**
- * Writes the first message: no force, and from 3.5 on the session's profile, Haply's own axes and
- * the arm's origin, because the user may have changed axes and origin in Haply's Hub.
+ * Writes the first message, which has no force. For version 3.5 and later, it also sets the
+ * session's profile, Haply's own axes and the arm's origin, because the user may have changed axes
+ * and origin in Haply's Hub.
  */
 std::string WriteHaplyGreeting(const HaplyAddress& address);
 
@@ -152,7 +157,10 @@ constexpr Vector3 FromDevice(const Vector3& device) noexcept
 {
   return { device.X, -device.Z, device.Y };
 }
-/** Converts from a grip that points along its y to a stylus that points along its -z. */
+/**
+ * Converts the orientation of a grip, which points along its y, to that of a stylus, which points
+ * along its -z.
+ */
 constexpr Quaternion ToDevice(const Quaternion& haply) noexcept
 {
   return { haply.W, haply.X, haply.Z, -haply.Y };

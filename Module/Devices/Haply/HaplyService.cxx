@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double AskTime = 0.5; // s; the service is on this computer
+constexpr double AskTime = 0.5; // in s; short, because the service is on this computer
 
 bool ReadPort(const std::string& text, std::uint16_t& port)
 {

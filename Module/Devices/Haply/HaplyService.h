@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds Haply's Inverse service on this computer, and asks it by HTTP.
+ * Finds Haply's Inverse service on this computer, and sends it requests over HTTP.
  */
 #ifndef HaplyService_h
 #define HaplyService_h
@@ -15,43 +15,41 @@
 namespace VolumeHaptics
 {
 
-/** The cure if the service does not answer, for errors. */
+/** Cure for error texts if the service does not answer. */
 extern const char* const HowToStartHaply;
 
 /**
- * Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT", "PORT,EVENTS" or "PORT,EVENTS,HTTP", or
- * its defaults. By the documentation, HTTP is at 10000 up to 3.1, and at the port of the states in
- * 3.5.
+ * The ports of the service: those in $VOLUMEHAPTICS_HAPLY ("PORT", "PORT,EVENTS" or
+ * "PORT,EVENTS,HTTP"), or the default ones. According to the documentation, HTTP is at port 10000
+ * up to version 3.1, and at the port of the states in version 3.5.
  */
 struct HaplyPorts
 {
-  std::uint16_t States = 10001; ///< the port of the states and, in later services, of HTTP
+  std::uint16_t States = 10001; ///< port of the states and, in later versions, of HTTP
   std::uint16_t Events = 10020;
-  std::uint16_t Http = 10000; ///< the port of HTTP in earlier services
+  std::uint16_t Http = 10000; ///< port of HTTP in earlier versions
 
-  /**
-   * Reads the ports. If this fails, returns false and writes the reason and the cure to `error`.
-   */
+  /** Reads the ports. Returns false and writes the reason and the cure to `error` if this fails. */
   static bool Read(HaplyPorts& ports, std::string& error);
 };
 
 /**
- * Asks the service by HTTP: "/version", or "/devices", at either port, with the prefix of a
- * version; writes the answer to `text`. If this fails, returns false and writes the reason to
- * `error`.
+ * Sends a request over HTTP to either port. `target` is "/version" or "/devices", with the prefix
+ * of a version. Writes the answer to `text`. Returns false and writes the reason to `error` if this
+ * fails.
  */
 bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
 /**
- * Asks the service for its version. If this fails, returns false and writes the reason and the cure
- * to `error`.
+ * Asks the service for its version. Returns false and writes the reason and the cure to `error` if
+ * this fails.
  */
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
 /**
- * Returns a name for people: maker, product, the service's name of the arm, and the hand that it is
- * built for.
+ * Returns a name for the user: maker, product, the service's name of the arm, and the hand for
+ * which it is built.
  */
 std::string NameOfHaply(const HaplyArm& arm);
 

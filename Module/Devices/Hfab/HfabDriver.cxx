@@ -12,12 +12,10 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int HfabRoundPause = 2; // ms, between messages if the servo gives no force
-constexpr int HfabLostPause = 10; // ms
-constexpr int WriteTime = 20;     // ms
-/**
- * The time (s) after which a message without an answer counts as lost, and the next one is sent.
- */
+constexpr int HfabRoundPause = 2; // in ms, between messages if the servo has no force
+constexpr int HfabLostPause = 10; // in ms
+constexpr int WriteTime = 20;     // in ms
+/** Time (s) without an answer after which a message counts as lost, and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 
@@ -149,7 +147,7 @@ void HfabDriver::Disconnect() noexcept
 
 HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexcept
 {
-  // An answer that came too late must not count as the next one.
+  // An answer that comes too late must not count as the answer to the next message.
   char bytes[128];
   int late = 0;
   while ((late = this->Port.Read(bytes, sizeof(bytes), 0)) > 0)
@@ -167,7 +165,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  // Reads at least once: if this computer was late, the controller was not.
+  // Reads at least once, because this computer itself may have been late.
   do
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
@@ -196,7 +194,7 @@ void HfabDriver::Rest() noexcept
 
 void HfabDriver::Serve(HardwareExchange& exchange)
 {
-  /** Runs also if something throws. */
+  /** Ends the force, even if an exception is thrown. */
   struct AtEnd
   {
     HfabDriver* Driver;
@@ -237,7 +235,7 @@ void HfabDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench and Close wait for rounds of zero force.
+      // Quench() and Close() wait until this thread has asked for the force, and got zero.
       exchange.GetForce();
       exchange.WaitForWake(HfabLostPause);
       continue;
@@ -303,7 +301,8 @@ bool HfabDriver::ReceiveAnswer(HardwareExchange& exchange)
   }
   if ((answer.Error & HfabMessageErrors) != 0)
   {
-    // The counts are old. One spoilt message is no fault, because the next one follows at once.
+    // The counts are those of an earlier message. A single spoilt message is no fault, because the
+    // next one follows at once.
     if (++this->Refusals > MostRefusals)
     {
       this->Lose(exchange,
@@ -387,7 +386,7 @@ void HfabDriver::UpdateHand(HardwareExchange& exchange)
 
 void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: notify the servo first.
+  // Notify the servo before sending anything, because that may take long.
   this->Lost = true;
   this->Report(exchange, DeviceStage::Lost, text);
   if (!this->Gone)

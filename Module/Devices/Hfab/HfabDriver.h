@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arms with an hfab controller: WoodenHaptics, Polhem, re-driven PHANToMs, through a serial port.
+ * Arms with an hfab controller, through a serial port: WoodenHaptics, Polhem, and PHANToMs with new
+ * electronics.
  *
- * The controller answers each message with its counts and the model of its arm. It gets currents
- * with each force of the servo, or every 2 ms without one; its firmware sets them to zero after 100
- * ms without a message.
+ * The controller answers each message with its counts and the model of its arm. It receives
+ * currents with each force of the servo, or every 2 ms without a force. Its firmware sets the
+ * currents to zero after 100 ms without a message.
  *
- * The controller does not know where its arm is: its counts begin at 0 at power-up, and when its
- * button is pushed, and it never reports either. So it is calibrated whenever it is opened, and
- * after every fault: with the arm in its pose for calibration, Home() stores the counts, as the
- * published host does when the button is pushed. A jump that no hand makes is a fault; so is a push
- * of the button in another pose.
+ * The controller does not know the pose of its arm: its counts begin at 0 when it is switched on
+ * and when its button is pushed, and it reports neither. So it is calibrated whenever it is opened,
+ * and after every fault: with the arm in its pose for calibration, Home() stores the counts, as the
+ * published host program does when the button is pushed. A jump that no hand can make is a fault,
+ * and so is a push of the button in another pose.
  *
- * No current flows without a force: unlike the published host, the driver does not compensate the
- * weight of the arm. Not verified on a device.
+ * Without a force, no current flows: unlike the published host program, the driver does not
+ * compensate the weight of the arm. Not verified on a device.
  */
 #ifndef HfabDriver_h
 #define HfabDriver_h
@@ -33,37 +34,37 @@ class HfabDriver final : public HardwareDriver
 public:
   ///@{
   /**
-   * The names of published controllers' boards contain this word. So do the names of Haply's arms,
-   * which need other messages, but these also contain the second word: ID_VENDOR Teensyduino,
-   * ID_MODEL Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
+   * The names of published controllers' boards contain the word Board. The names of Haply's arms
+   * do, too, but Haply's arms need other messages; their names also contain OtherBoard: ID_VENDOR
+   * Teensyduino, ID_MODEL Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc,
+   * SETUP.md).
    */
   static constexpr const char* Board = "Teensyduino";
   static constexpr const char* OtherBoard = "Haply";
   ///@}
-  /** The wait (s) for the first answer. */
+  /** Longest time (s) to wait for the first answer. */
   static constexpr double HandshakeTime = 1.5;
   /**
-   * The time (s) without an answer after which the device is lost. Force has ended long before,
-   * since the servo ends it after 30 ms without positions, and the firmware after 100 ms without
-   * messages.
+   * Time (s) without an answer after which the device is lost. The force has ended long before: the
+   * servo ends it after 30 ms without positions, and the firmware after 100 ms without messages.
    */
   static constexpr double SilenceTime = 0.5;
   ///@{
   /**
-   * The longest way of the tip (m) from one answer to the next, and its largest speed (m/s) in a
-   * longer pause: no hand is as fast.
+   * Longest motion of the tip (m) from one answer to the next, and its largest speed (m/s) over a
+   * longer pause. No hand is faster.
    */
   static constexpr double FarthestStep = 0.02;
   static constexpr double FastestHand = 2.5;
   ///@}
   /**
-   * How long (s) the arm has to be still to be calibrated, and the counts by which it may move
-   * meanwhile.
+   * Time (s) for which the arm must be at rest to be calibrated, and number of counts by which it
+   * may move in this time.
    */
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
 
-  /** `port` is the port, such as /dev/ttyACM0; empty: the port of the only board. */
+  /** @param port path of the port, such as /dev/ttyACM0; if empty, the port of the only board */
   explicit HfabDriver(std::string port, std::string folder = SerialPort::NamesFolder);
 
   std::string GetName() const override { return this->Label; }
@@ -76,14 +77,14 @@ public:
   /** Lists the ports of boards that may be controllers. */
   static std::vector<SerialPortInfo> ListBoardPorts(
     const std::string& folder = SerialPort::NamesFolder);
-  /** Makes the identity of the board at a port for the user's file of devices. */
+  /** Returns the identity of the board at a port, for the user's file of devices. */
   static std::string MakeIdentity(const SerialPortInfo& port);
 
 private:
   enum class Phase : std::uint8_t
   {
-    Waiting,     ///< waits for the hand to put the arm into its pose, and for Home()
-    Calibrating, ///< waits until the arm is still
+    Waiting,     ///< waits until the hand has moved the arm to its pose, and for Home()
+    Calibrating, ///< waits until the arm is at rest
     Ready
   };
   enum class Reply : std::uint8_t
@@ -95,7 +96,7 @@ private:
 
   bool Choose(SerialPortInfo& port, std::string& error) const;
   bool Shake(std::string& error);
-  /** Sends currents and waits for the answer. */
+  /** Sends currents (mA) and waits for the answer. */
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
   void Restart(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
@@ -107,7 +108,7 @@ private:
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const std::string Wanted;
-  const std::string Folder; ///< the folder that names ports
+  const std::string Folder; ///< folder with the names of ports
   std::string Label = "hfab controller";
   std::string Identity;
   SerialPort Port;
@@ -118,16 +119,16 @@ private:
   Phase Now = Phase::Waiting;
   bool Lost = false;
   bool Gone = false;        ///< whether the board is unplugged
-  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, less the nominal counts
+  HfabModel::Counts Zero{}; ///< counts in the pose for calibration minus the nominal counts
   HfabModel::Counts Raw{};
   HfabModel::Counts StillAt{};
   std::int64_t StillSince = 0;
   bool HasTip = false;
-  Vector3 Tip; ///< the tip in the arm's axes
+  Vector3 Tip; ///< position of the tip along the arm's axes
   HfabModel::Angles JointAngles{};
-  int Refusals = 0; ///< number of messages in a row that the controller refused
+  int Refusals = 0; ///< number of consecutive messages that the controller refused
   std::int64_t LastAnswer = 0;
-  double Pause = 0.0; ///< s, the time between the last two answers
+  double Pause = 0.0; ///< time in s between the last two answers
 };
 
 } // namespace VolumeHaptics

@@ -9,7 +9,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Sends nothing to a listed board: boards with other programs have the same name. */
+/**
+ * Lists the boards. Nothing is sent to them, because boards with other programs have the same name.
+ */
 std::vector<DeviceListing> ListBoards()
 {
   std::vector<DeviceListing> all;
@@ -22,8 +24,8 @@ std::vector<DeviceListing> ListBoards()
 }
 
 /**
- * Returns the obstacle if there is no board. A board can't be identified before it is opened; its
- * listing reports the permission.
+ * Returns the obstacle if there is no board. A board can only be identified when it is opened; its
+ * listing shows whether the user may do so.
  */
 std::string WhyNoBoards()
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arms with an hfab controller, "hfab:PORT", on systems with termios.
+ * Lists and makes arms with an hfab controller, "hfab:PORT", on systems with termios.
  */
 #ifndef HfabKind_h
 #define HfabKind_h

@@ -16,8 +16,8 @@ constexpr double Circle = 6.283185307179586;
 constexpr double GimbalCounts = 1024.0;
 
 /**
- * Polhem's linkage (m): distance between the cranks, the two cranks, the rod, and c to b to the
- * tip.
+ * Lengths of Polhem's linkage (m): distance between the cranks, the two cranks, the rod, from c to
+ * b, and from b to the tip.
  */
 constexpr double L0 = 0.034;
 constexpr double L1 = 0.165;
@@ -46,7 +46,7 @@ const HfabGeometry Phantom{ "PHANToM", false, { 0.013, 0.010, 0.010 }, { 0.117, 
   { 0.0, 0.138, 0.112 }, { 0.138, 0.0, -0.097 }, { 0.0234, 0.0234, 0.0234 }, 4000.0,
   { -1.0, 1.0, -1.0 }, { 0, 7700, 0, 0, 0, 0 }, 3000.0, false, MakeLimits(5.0, 800.0, 8.0, 0.100) };
 
-// Half of the published limits: published builds have motors of 0.0259 and of 0.0603 N m/A
+// Half of the published limits, because published builds have motors of 0.0259 or of 0.0603 N m/A
 // (WoodenDriver.h).
 const HfabGeometry Wooden{ "WoodenHaptics", false, { 0.010, 0.010, 0.010 }, { 0.160, 0.120, 0.120 },
   { 0.080, 0.205, 0.245 }, { 0.22, 0.0, 0.08 }, { 0.0259, 0.0259, 0.0259 }, 2000.0,
@@ -78,7 +78,7 @@ double Dot(const Point& a, const Point& b) noexcept
 {
   return a.X * b.X + a.Y * b.Y;
 }
-/** Returns a quarter turn to the left: the derivative of U(q) is Left(U(q)). */
+/** Returns a vector rotated to the left by a right angle. The derivative of U(q) is Left(U(q)). */
 Point Left(const Point& a) noexcept
 {
   return { -a.Y, a.X };
@@ -94,17 +94,17 @@ struct Linkage
     const Point way = a - b;
     const double distance = std::sqrt(Dot(way, way));
     const double cosine = (L4 * L4 + distance * distance - L3 * L3) / (2.0 * L4 * distance);
-    // Also false for NaN.
+    // The condition is false for NaN, too.
     this->Exists = std::abs(cosine) < 1.0;
     if (!this->Exists)
     {
       return;
     }
-    // The direction from b to c is opposite to U(l).
+    // The direction from b to c is that of -U(l).
     this->Angle = std::atan2(way.Y, way.X) - std::acos(cosine) - 0.5 * Circle;
     const Point u = U(this->Angle);
     this->Tip = b + L5 * u;
-    // (c - a) . (db - L4 u' dl - da) = 0.
+    // Solve (c - a) . (db - L4 u' dl - da) = 0.
     const Point rod = b - L4 * u - a;
     const double lever = L4 * Dot(rod, Left(u));
     const Point byUpper = L1 * Left(U(upper));
@@ -116,7 +116,7 @@ struct Linkage
   bool Exists = false;
   double Angle = 0.0;
   Point Tip;
-  Point ByUpper; ///< the derivatives of the tip
+  Point ByUpper; ///< derivatives of the tip
   Point ByLower;
 };
 

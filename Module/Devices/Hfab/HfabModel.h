@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arms that hfab controllers drive: from encoder counts to the tip, and from a force to the
- * motors' currents.
+ * The arms that hfab controllers drive: computes the tip from encoder counts, and the motors'
+ * currents from a force.
  *
- * Lengths, gears, counts, torque constants, poses and signs come from hfabapi's tables
+ * Lengths, gears, counts, torque constants, poses and signs are from hfabapi's tables
  * (forsslund/hfabapi, commit cf00e97, which has the signs and the home position of WoodenHaptics as
- * of 4224b75). The arm's axes are x towards the hand, y to the right, z up.
+ * of 4224b75). Along the arm's axes, x points towards the hand, y to the right, and z up.
  *
- * WoodenHaptics and PHANToM are serial arms: A turns about the vertical, B leans the upper arm
- * forward from upright, C lifts the forearm from hanging straight down.
+ * WoodenHaptics and PHANToM are serial arms: A rotates about the vertical, B leans the upper arm
+ * forward from upright, and C lifts the forearm from hanging straight down.
  *
- * Polhem has a five-bar linkage in the plane that A turns. With u(q) = (cos q, sin q), the cranks
+ * Polhem has a five-bar linkage in the plane that A rotates. Let u(q) = (cos q, sin q). The cranks
  * about (-L0/2, 0) and (L0/2, 0) end in a = (-L0/2, 0) + L2 u(C) and b = (L0/2, 0) + L1 u(B). A rod
- * of L3 joins a to c = b - L4 u(l), and the tip is b + L5 u(l). The angle l solves the triangle a,
- * b, c whose direction from b to c is clockwise of the one from b to a. Its derivatives follow from
- * |c - a| = L3.
+ * of length L3 joins a to c = b - L4 u(l), and the tip is b + L5 u(l). The angle l solves the
+ * triangle a, b, c in which the direction from b to c is clockwise of that from b to a. Its
+ * derivatives follow from |c - a| = L3.
  *
- * All of this is noexcept and free of allocation.
+ * No function allocates or throws.
  */
 #ifndef HfabModel_h
 #define HfabModel_h
@@ -35,48 +35,52 @@ struct HfabGeometry
 {
   const char* Name;
   bool IsLinkage;
-  std::array<double, 3> Capstan;        ///< m, diameters at the motors
-  std::array<double, 3> Body;           ///< m, diameters at the joints
-  std::array<double, 3> Lengths;        ///< m, of a serial arm: base, upper arm, forearm
-  Vector3 Origin;                       ///< m, origin of the tip's position
-  std::array<double, 3> TorqueConstant; ///< N m/A
-  double CountsPerTurn;                 ///< encoder counts in a turn of a motor
+  std::array<double, 3> Capstan;        ///< diameters at the motors in m
+  std::array<double, 3> Body;           ///< diameters at the joints in m
+  std::array<double, 3> Lengths;        ///< lengths of a serial arm in m: base, upper arm, forearm
+  Vector3 Origin;                       ///< origin of the tip's position in m
+  std::array<double, 3> TorqueConstant; ///< in N m/A
+  double CountsPerTurn;                 ///< encoder counts per revolution of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
   std::array<int, 6> Home;              ///< counts in the pose for calibration
-  /// mA per motor: the lowest set-up of the controller's amplifiers
+  /// mA for each motor; the lowest setting of the controller's amplifiers
   double MaximumCurrent;
-  bool TellsOrientation; ///< whether the handle has encoders
+  bool TellsOrientation; ///< whether the handle has encoders, so that its orientation is known
   DeviceLimits Limits;
 };
 
 class HfabModel
 {
 public:
-  using Angles = std::array<double, 3>; ///< rad, the angles A, B and C
+  using Angles = std::array<double, 3>; ///< the angles A, B and C in rad
   using Counts = std::array<int, 6>;    ///< encoder counts after calibration
 
-  /** Returns an arm; null for an unknown model. Models: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
+  /**
+   * Returns an arm, or null if the model is not known. The models are 1 Polhem, 2 PHANToM, 3
+   * WoodenHaptics.
+   */
   static const HfabGeometry* Find(int model) noexcept;
 
   static Angles ComputeAngles(const HfabGeometry& geometry, const Counts& counts) noexcept;
   /** Computes the tip (m). Returns false if the linkage can't have these angles. */
   static bool ComputeTip(const HfabGeometry& geometry, const Angles& angles, Vector3& tip) noexcept;
   /**
-   * Computes the derivative of the tip by the angles (m/rad; columns). Returns false if the linkage
-   * can't have these angles, or if the derivative does not exist.
+   * Computes the derivatives of the tip with respect to the angles (m/rad; one column for each
+   * angle). Returns false if the linkage can't have these angles, or if a derivative does not
+   * exist.
    */
   static bool ComputeJacobian(
     const HfabGeometry& geometry, const Angles& angles, Matrix3& jacobian) noexcept;
   /**
-   * Returns the handle's orientation, if the handle reports one, in the axes of all devices
-   * (DeviceBackend.h).
+   * Returns the handle's orientation along the axes of all devices (DeviceBackend.h), if the handle
+   * reports one.
    */
   static Quaternion ComputeOrientation(const HfabGeometry& geometry, const Counts& counts) noexcept;
 
   /**
    * Computes the motors' currents (mA) for a force on the hand (N): i = (J^T f) sign capstan /
-   * (body kt). If a motor would get more than the maximum, all currents are scaled down together.
-   * They are zero if the force is not finite, or the linkage can't have these angles.
+   * (body kt). If a motor would get more than the maximum, all currents are reduced by the same
+   * factor. They are zero if the force is not finite or if the linkage can't have these angles.
    */
   static std::array<int, 3> ComputeCurrents(
     const HfabGeometry& geometry, const Angles& angles, const Vector3& force) noexcept;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** The most digits of a number: enough for the counts of any encoder. */
+/** Limit of the digits of a number, which suffices for the counts of any encoder. */
 constexpr int MostDigits = 9;
 } // namespace
 

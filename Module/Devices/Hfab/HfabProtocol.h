@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lines of text that hfab controllers exchange: no transport, no time.
+ * The lines of text that computer and hfab controllers exchange, without a transport or a clock.
  *
- * The computer sends "[ma,ma,ma]" and a line feed, the motors' currents; the controller answers
- * each with "[model,e0,e1,e2,e3,e4,e5,error]", its encoders' counts. Messages are filled up to 16
- * bytes with zeros, as the published host does; the controller skips them.
+ * The computer sends "[ma,ma,ma]" and a line feed, with the motors' currents. The controller
+ * answers each message with "[model,e0,e1,e2,e3,e4,e5,error]", with its encoders' counts. Messages
+ * are filled up to 16 bytes with zeros, as by the published host program; the controller skips
+ * them.
  */
 #ifndef HfabProtocol_h
 #define HfabProtocol_h
@@ -22,22 +23,22 @@ struct HfabAnswer
 {
   int Model = 0;
   std::array<int, 6> Counts{};
-  int Error = 0; ///< bits of the controller's errors, see below
+  int Error = 0; ///< bits of the controller's errors (below)
 };
 
 ///@{
 /** Bits of HfabAnswer::Error, as the firmware sets them. */
 constexpr int HfabGimbalErrors = 1 | 2 | 4; ///< an encoder of the handle can't be read
-/// Bits that mean that the controller refused the message; the counts belong to the last message
-/// that it accepted.
+/// Bits that mean that the controller has refused the message. The counts are then those of the
+/// last message that it accepted.
 constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
 ///@}
 
-/** Receives bytes one by one, and extracts the answers. No allocation. */
+/** Receives bytes one by one, and extracts the answers. Does not allocate. */
 class HfabReader
 {
 public:
-  /** Adds a byte. Returns true if the byte ends an answer, which Get then returns. */
+  /** Processes a byte. Returns whether the byte ends an answer; then Get() returns the answer. */
   bool Receive(char byte) noexcept;
   const HfabAnswer& Get() const noexcept { return this->Answer; }
   /** Returns the number of lines that were no answers. */
@@ -52,7 +53,7 @@ private:
   static constexpr int Fields = 8;
   std::array<int, Fields> Numbers{};
   HfabAnswer Answer;
-  int Field = -1; ///< index of the present number; negative: waits for a bracket
+  int Field = -1; ///< index of the present number; negative while it waits for a bracket
   int Digits = 0;
   bool IsNegative = false;
   int BadLines = 0;

@@ -13,7 +13,7 @@ enum ReportId : std::uint8_t
 {
   CableIn = 0x01,
   CableOut = 0x02,
-  Wireless = 0x31 ///< number of the reports in and out
+  Wireless = 0x31 ///< number of input and output reports
 };
 
 constexpr std::size_t CableInSize = 64;
@@ -22,10 +22,10 @@ constexpr std::size_t WirelessSize = 78;
 constexpr std::size_t CrcSize = 4;
 constexpr std::uint8_t InSeed = 0xA1;
 constexpr std::uint8_t OutSeed = 0xA2;
-constexpr std::uint8_t OutTag = 0x10; // byte of every output report on Bluetooth
+constexpr std::uint8_t OutTag = 0x10; // a byte in every output report on Bluetooth
 
 ///@{
-/** Byte places in the part common to both links. */
+/** Indices of bytes in the part of a report that both links have in common. */
 enum InPlace
 {
   LeftX,
@@ -44,11 +44,11 @@ enum OutPlace
   MoreFlags = 38
 };
 ///@}
-constexpr std::uint8_t ClassicVibration = 1U << 0;      // bit of Flags
-constexpr std::uint8_t SelectVibration = 1U << 1;       // bit of Flags: selects the motors, not
-                                                        // sound
+constexpr std::uint8_t ClassicVibration = 1U << 0; // bit of Flags
+// bit of Flags that selects motors instead of sound
+constexpr std::uint8_t SelectVibration = 1U << 1;
 constexpr std::uint8_t NewerClassicVibration = 1U << 2; // bit of MoreFlags
-constexpr std::size_t VersionPlace = 44;                // index in the firmware's report
+constexpr std::size_t VersionPlace = 44;                // index in the firmware report
 constexpr unsigned NewerVersion = 2 << 8 | 21;
 
 struct ButtonPlace
@@ -57,7 +57,7 @@ struct ButtonPlace
   int Bit;
   std::uint32_t Button;
 };
-// The buttons: square, cross, circle, triangle; L1, R1; create, options, the sticks; PS.
+// The buttons in order: square, cross, circle, triangle; L1, R1; create, options, both sticks; PS.
 constexpr ButtonPlace ButtonPlaces[] = { { 0, 4, PadWest }, { 0, 5, PadSouth }, { 0, 6, PadEast },
   { 0, 7, PadNorth }, { 1, 0, PadLeftShoulder }, { 1, 1, PadRightShoulder }, { 1, 4, PadSelect },
   { 1, 5, PadStart }, { 1, 6, PadLeftStick }, { 1, 7, PadRightStick }, { 2, 0, PadMode } };
@@ -94,7 +94,7 @@ bool DualSense::IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept
 std::uint32_t DualSense::ComputeCrc(
   std::uint8_t first, const std::uint8_t* bytes, std::size_t size) noexcept
 {
-  constexpr std::uint32_t polynomial = 0xEDB88320; // lowest bit first
+  constexpr std::uint32_t polynomial = 0xEDB88320; // with the lowest bit first
   std::uint32_t crc = 0xFFFFFFFF;
   const auto add = [&crc](std::uint8_t byte)
   {

@@ -4,10 +4,10 @@
  * @file
  * The reports of Sony's DualSense and DualSense Edge.
  *
- * By cable, reports have the number 1 in and 2 out; by Bluetooth both have the number 0x31, and end
- * with their CRC-32, computed with a byte for their direction in front. A pad on Bluetooth sends
- * short reports until it is asked for its calibration once. The layout follows Linux' driver,
- * drivers/hid/hid-playstation.c, by Sony.
+ * By cable, input reports have the number 1 and output reports the number 2. By Bluetooth both have
+ * the number 0x31 and end with a CRC-32, which includes a byte in front for the direction. On
+ * Bluetooth, a pad sends short reports until its calibration has been requested once. The layout is
+ * that of Linux' driver, drivers/hid/hid-playstation.c, by Sony.
  */
 #ifndef DualSense_h
 #define DualSense_h
@@ -26,8 +26,9 @@ public:
   static constexpr std::uint16_t Vendor = 0x054C;
   static constexpr std::uint16_t Product = 0x0CE6;
   static constexpr std::uint16_t EdgeProduct = 0x0DF2;
-  static constexpr std::uint8_t CalibrationReport = 0x05; ///< reports are whole after its request
-  static constexpr std::uint8_t FirmwareReport = 0x20;    ///< the id of a feature report
+  /** Feature report; when it has been requested, reports are complete. */
+  static constexpr std::uint8_t CalibrationReport = 0x05;
+  static constexpr std::uint8_t FirmwareReport = 0x20; ///< number of a feature report
   static constexpr std::size_t LongestReport = 78;
 
   enum class Link : std::uint8_t
@@ -40,16 +41,16 @@ public:
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
 
   /**
-   * Reads a report with sticks and buttons, and detects the link from it. Returns nullptr, or the
-   * reason for refusing the report, as a text that lasts; state and link are then unchanged. Other
-   * reports are accepted and change nothing.
+   * Reads a report with sticks and buttons, and determines the link from it. Returns nullptr, or
+   * the reason why the report is not valid, as a text that is never freed; then state and link do
+   * not change. Other reports are accepted and change nothing.
    */
   static const char* Decode(
     const std::uint8_t* bytes, std::size_t size, Link& link, PadState& state) noexcept;
 
   /**
-   * Returns whether the firmware has the newer classic vibration: an Edge has, a DualSense from
-   * version 2.21 on. `firmware` is the feature report FirmwareReport, with its id.
+   * Returns whether the firmware has the newer classic vibration. An Edge has it, and a DualSense
+   * from version 2.21. `firmware` is the feature report FirmwareReport with its number.
    */
   static bool HasNewerVibration(
     std::uint16_t product, const std::uint8_t* firmware, std::size_t size) noexcept;
@@ -57,12 +58,15 @@ public:
   struct Report
   {
     std::array<std::uint8_t, LongestReport> Bytes{};
-    std::size_t Size = 0; ///< bytes of the report; 0 for an unknown link
+    std::size_t Size = 0; ///< number of bytes; 0 if the link is not known
   };
-  /** Encodes the speeds of the motors, 0 to 255. `number` counts reports, for Bluetooth. */
+  /**
+   * Encodes the speeds of the motors, 0 to 255. `number` is the number of sent reports, for
+   * Bluetooth.
+   */
   static Report Encode(Link link, bool isNewer, int strong, int weak, unsigned number) noexcept;
 
-  /** Computes CRC-32 as in IEEE 802.3, over a first byte and the bytes after it. */
+  /** Computes the CRC-32 of IEEE 802.3 over a first byte and the bytes that follow it. */
   static std::uint32_t ComputeCrc(
     std::uint8_t first, const std::uint8_t* bytes, std::size_t size) noexcept;
 };

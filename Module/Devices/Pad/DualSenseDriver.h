@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A DualSense through hidapi, for systems whose own driver does not make it vibrate.
+ * A DualSense through hidapi, for systems whose own driver can't make it vibrate.
  *
- * Vibration, not force: see Vibration.h and PadState.h. The first report shows its link. It has no
- * documented watchdog: on Linux a guard (Devices/Guard) sends the last report if the program can't.
- * Not verified on hardware.
+ * It vibrates and exerts no force (Vibration.h, PadState.h). The first report shows the link. The
+ * pad has no documented watchdog: on Linux a guard (Devices/Guard) sends the last report if the
+ * program can't. Not verified on hardware.
  */
 #ifndef DualSenseDriver_h
 #define DualSenseDriver_h
@@ -23,15 +23,16 @@ namespace VolumeHaptics
 class DualSenseDriver final : public HidDriver
 {
 public:
-  static constexpr double SendPeriod = 0.01; ///< s between changes; silence is sent at once
+  /** S between changes; the end of vibration is sent at once. */
+  static constexpr double SendPeriod = 0.01;
 
-  /** `number` is the device's place in the list of Find. */
+  /** @param number index of the device in the list of Find() */
   explicit DualSenseDriver(int number);
 
   ///@{
   /**
-   * Convert the number to words on a command line, and back. MakeFromWords returns null for words
-   * of other drivers.
+   * Convert the number to words on a command line, and back. MakeFromWords() returns null if the
+   * words belong to another driver.
    */
   static std::vector<std::string> MakeWords(int number);
   static std::unique_ptr<HardwareDriver> MakeFromWords(const std::vector<std::string>& words);
@@ -43,7 +44,7 @@ public:
 
 private:
   std::vector<HidDeviceInfo> Choose(std::string& error) const override;
-  /** Detects link and firmware, and sends zero. */
+  /** Determines link and firmware, and sends zero. */
   bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
@@ -60,8 +61,8 @@ private:
   PadState State;
   RateTip Tip;
   Vibration Levels;
-  int Strong = 0; ///< last sent level of the strong motor
-  int Weak = 0;   ///< last sent level of the weak motor
+  int Strong = 0; ///< level of the strong motor that was sent last
+  int Weak = 0;   ///< level of the weak motor that was sent last
   int BadReports = 0;
   std::int64_t SentAt = 0;
   std::int64_t LastRound = 0;

@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* InputFolder = "/sys/class/input";
 
-/** Returns the first line of a file of sysfs; empty if there is none. */
+/** Returns the first line of a file in sysfs, or an empty text if there is none. */
 std::string ReadAttribute(const std::string& path)
 {
   char text[1024] = {};
@@ -61,8 +61,8 @@ std::vector<int> ListNumbers()
   return numbers;
 }
 
-constexpr int PadRoundPause = 2; // ms, if neither the servo nor the pad has news
-constexpr int PadLostPause = 10; // ms
+constexpr int PadRoundPause = 2; // in ms, if there is nothing new from servo and pad
+constexpr int PadLostPause = 10; // in ms
 constexpr int MostEvents = 64;
 constexpr const char* PadUnplugged =
   "is gone: unplugged, switched off or out of reach. Bring it back, then Open() and Start() it.";
@@ -138,7 +138,8 @@ std::string EvdevPad::GetState() const
   {
     return Explain(errno);
   }
-  // Grabs for a moment: the only way to detect whether another program has grabbed the pad.
+  // Grab the pad for a moment, because this is the only way to detect whether another program has
+  // grabbed it.
   const bool isFree = ioctl(node, EVIOCGRAB, 1) == 0;
   std::string state = isFree ? "available" : Explain(errno);
   ioctl(node, EVIOCGRAB, 0);
@@ -243,7 +244,7 @@ void EvdevPadDriver::ReadAll() noexcept
 
 void EvdevPadDriver::Serve(HardwareExchange& exchange)
 {
-  /** Runs also if something throws. */
+  /** Stops the motors, even if an exception is thrown. */
   struct AtEnd
   {
     EvdevPadDriver* Driver;
@@ -272,7 +273,7 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench and Close wait for rounds of zero force.
+      // Quench() and Close() wait until this thread has asked for the force, and got zero.
       exchange.GetForce();
       exchange.WaitForWake(PadLostPause);
       if (!this->Gone && !this->Listen(exchange))
@@ -347,7 +348,7 @@ bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
 
 void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: notify the servo first.
+  // Notify the servo before sending anything, because that may take long.
   this->Lost = true;
   this->Report(exchange, DeviceStage::Lost, text);
   this->Rumble.Silence();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A gamepad through Linux' evdev: its sticks lead a tip, its motors show how the force changes.
+ * A gamepad through Linux' evdev: its sticks move a tip, and its motors show how the force changes.
  *
- * Vibration, not force: see Vibration.h and PadState.h. The node is grabbed, so that no other
- * program uses the sticks meanwhile. A stick that is held still sends nothing, so that silence is
- * no fault; the node ends when the pad is disconnected. Not verified on hardware.
+ * It vibrates and exerts no force (Vibration.h, PadState.h). The node is grabbed, so that no other
+ * program uses the sticks at the same time. A stick that is held still sends nothing, so that
+ * silence is no fault. The node disappears when the pad is disconnected. Not verified on hardware.
  */
 #ifndef EvdevPadDriver_h
 #define EvdevPadDriver_h
@@ -24,7 +24,7 @@
 namespace VolumeHaptics
 {
 
-/** The gamepads for which Linux has drivers, as sysfs lists them. */
+/** A gamepad for which Linux has a driver, as sysfs lists it. */
 struct EvdevPad
 {
   std::string Path; ///< the pad's node, such as /dev/input/event5
@@ -33,24 +33,28 @@ struct EvdevPad
   std::uint16_t Product = 0;
   bool Vibrates = false; ///< whether the pad's driver supports FF_RUMBLE
 
-  /** Returns name and path, as shown to the user. */
+  /** Returns name and path, as the user sees them. */
   std::string GetLabel() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** Explains the obstacle for an error of open() or EVIOCGRAB. */
+  /** Returns the obstacle and its cure for an error of open() or EVIOCGRAB. */
   static std::string Explain(int fault);
 };
 
-/** Lists all pads with a first button and a stick of two axes, in the order of their numbers. */
+/**
+ * Lists all pads that have a first button and a stick of two axes, in the order of their numbers.
+ */
 std::vector<EvdevPad> ListEvdevPads();
 
-/** The obstacle and its cure for a pad whose driver can't make it vibrate. */
+/** Obstacle and cure for a pad whose driver can't make it vibrate. */
 extern const char* const NoRumbleText;
 
 class EvdevPadDriver final : public HardwareDriver
 {
 public:
-  /** `number` is the pad's place in ListEvdevPads; negative: the first free pad that vibrates. */
+  /**
+   * @param number index of the pad in ListEvdevPads; if negative, the first free pad that vibrates
+   */
   explicit EvdevPadDriver(int number);
   ~EvdevPadDriver() override { this->Disconnect(); }
 
@@ -66,7 +70,7 @@ private:
   void ReadAll() noexcept;
   void Begin(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
-  /** Waits for a moment; returns false if the pad was disconnected. */
+  /** Waits for a short time. Returns false if the pad was disconnected. */
   bool Listen(const HardwareExchange& exchange) noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
@@ -75,7 +79,7 @@ private:
   std::string Label = "A gamepad";
   int Node = -1;
   bool Lost = false;
-  bool Gone = false; ///< whether the pad is unplugged or switched off
+  bool Gone = false; ///< whether the pad was unplugged or switched off
   EvdevReader Reader;
   RateTip Tip;
   Vibration Levels;

@@ -25,7 +25,7 @@ constexpr ButtonCode Codes[] = { { BTN_SOUTH, PadSouth }, { BTN_EAST, PadEast },
   { BTN_SELECT, PadSelect }, { BTN_START, PadStart }, { BTN_THUMBL, PadLeftStick },
   { BTN_THUMBR, PadRightStick }, { BTN_MODE, PadMode } };
 
-/** Returns the value of a hexadecimal digit; negative if the character is no digit. */
+/** Returns the value of a hexadecimal digit, or a negative number for any other character. */
 int DigitOf(char c)
 {
   return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
@@ -35,7 +35,7 @@ int DigitOf(char c)
 
 bool HasEvdevBit(const std::string& words, unsigned bit)
 {
-  // Reads from the end, because the digits of the lowest word come last.
+  // Read from the end, because the lowest word comes last.
   unsigned word = 0;
   unsigned digit = 0;
   bool isSet = false;
@@ -97,7 +97,7 @@ EvdevReader::News EvdevReader::Receive(const input_event& event) noexcept
   const bool isEnd = event.type == EV_SYN && event.code == SYN_REPORT;
   if (this->IsDropping)
   {
-    // The rest of a report is dropped if a part was lost.
+    // If a part of a report was lost, the rest is dropped.
     this->IsDropping = !isEnd;
     return isEnd ? News::MustRead : News::None;
   }
@@ -127,7 +127,7 @@ double EvdevReader::Trigger(unsigned code, unsigned other, std::uint32_t button)
     const Axis& axis = this->Axes[c];
     if (axis.Exists)
     {
-      // A trigger with an axis also presses its button on the way; the axis counts.
+      // A trigger with an axis also has a button, which is pressed on the way; the axis counts.
       const double part = ScaleTrigger(axis.Value, axis.Least, axis.Most, axis.Flat);
       most = hasAxis ? std::max(most, part) : part;
       hasAxis = true;

@@ -23,24 +23,24 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether a bit is set in a text of sysfs, such as "107030000 0 0": words of the kernel's
- * long, in hexadecimal, the highest first. Returns false for other texts.
+ * Returns whether a bit is set in a text of sysfs, such as "107030000 0 0". Such a text has words
+ * of the kernel's type long in hexadecimal, the highest word first. Returns false for other texts.
  */
 bool HasEvdevBit(const std::string& words, unsigned bit);
 
-/** Tracks the events of a pad. */
+/** Processes the events of a pad and stores its state. */
 class EvdevReader
 {
 public:
   enum class News : std::uint8_t
   {
     None,
-    Report,  ///< a report is complete, and Get is new
-    MustRead ///< events were lost: read all axes and buttons from the device
+    Report,  ///< a report is complete, so that Get() returns a new state
+    MustRead ///< events were lost, so that all axes and buttons must be read from the device
   };
 
   ///@{
-  /** Sets the state of an axis or a button that the device has; others are ignored. */
+  /** Set the state of an axis or a button that the device has. Other ones are ignored. */
   void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
   void SetButton(unsigned code, bool isHeld) noexcept;
   ///@}
@@ -51,19 +51,22 @@ private:
   struct Axis
   {
     bool Exists = false;
-    bool IsCentred = false; ///< whether the axis was in its middle at first; a trigger begins at an
-                            ///< end
+    /** Whether the axis was in its middle at first; a trigger is at an end then. */
+    bool IsCentred = false;
     int Value = 0;
     int Least = 0;
     int Most = 0;
     int Flat = 0;
   };
   double Stick(unsigned code) const noexcept;
-  /** Returns the value of the existing axis that is pushed furthest. */
+  /**
+   * Returns the value of the trigger: of its axes, the one that is pushed furthest, or of its
+   * button.
+   */
   double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
 
   std::array<Axis, ABS_CNT> Axes{};
-  std::uint32_t Buttons = 0; ///< PadButton bits, and two more for triggers that are buttons
+  std::uint32_t Buttons = 0; ///< PadButton bits, and two further bits for triggers that are buttons
   bool IsDropping = false;
 };
 

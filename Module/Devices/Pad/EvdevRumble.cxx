@@ -32,7 +32,7 @@ bool EvdevRumble::Begin(int node) noexcept
   *this = {};
   this->Node = node;
   int slots = 0;
-  // The gain stays as the last program has set it; drivers without a gain ignore this.
+  // The last program may have changed the gain. Drivers without a gain ignore this.
   return ioctl(node, EVIOCGEFFECTS, &slots) >= 0 && slots > 0 && WriteEvent(node, FF_GAIN, 0xFFFF);
 }
 
@@ -47,7 +47,7 @@ bool EvdevRumble::Upload(const Pair& pair) noexcept
   int result = ioctl(this->Node, EVIOCSFF, &effect);
   if (result < 0 && this->Id >= 0 && (errno == EINVAL || errno == EACCES))
   {
-    // Before Linux 5.7 a child process that closes its copy of the node erases the effects.
+    // Before Linux 5.7, a child process that closes its copy of the node erases the effects.
     effect.id = -1;
     result = ioctl(this->Node, EVIOCSFF, &effect);
   }

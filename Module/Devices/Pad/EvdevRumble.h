@@ -6,13 +6,13 @@
  * input).
  *
  * An effect lasts for ReplayLength and is renewed after Vibration::RenewTime, so that the motors
- * stop if this process stands still. If the node is closed, also by the end of the process, the
+ * stop if this process stops. If the node is closed, for example because the process ends, the
  * kernel erases the effect, which stops the motors (evdev_release or, before Linux 5.7,
  * evdev_flush, then flush_effects in ff-core.c).
  *
  * New levels change the effect and start it again at once. Only the start marks the effect as
- * playing in the kernel: an effect that was changed and is stopped or erased before the kernel's
- * next timer tick would leave the motors on (ml_ff_upload and ml_ff_playback in ff-memless.c).
+ * playing in the kernel. If an effect were changed, and then stopped or erased before the kernel's
+ * next timer tick, the motors would stay on (ml_ff_upload and ml_ff_playback in ff-memless.c).
  */
 #ifndef EvdevRumble_h
 #define EvdevRumble_h
@@ -28,16 +28,20 @@ class EvdevRumble
 {
 public:
   static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
-  static constexpr int Steps = 255; ///< the number of levels of a motor, the resolution of pads
+  /** Number of levels of a motor, which is the resolution of pads. */
+  static constexpr int Steps = 255;
 
-  /** Prepares an open node, with the full gain. Returns false if the node holds no effects. */
+  /**
+   * Prepares an open node, and sets the full gain. Returns false if the node has no room for an
+   * effect.
+   */
   bool Begin(int node) noexcept;
   ///@{
-  /** Sets the levels. Returns false if the device refuses. */
+  /** Sets the levels. Returns false if the device refuses them. */
   bool Show(const VibrationLevels& levels) noexcept;
   bool Silence() noexcept;
   ///@}
-  /** Stops the motors and erases the effect; call it before the node is closed. */
+  /** Stops the motors and erases the effect. Must be called before the node is closed. */
   void End() noexcept;
 
 private:
@@ -51,7 +55,7 @@ private:
   bool Play(bool isOn) const noexcept;
 
   int Node = -1;
-  int Id = -1; ///< the kernel's number of the effect; -1: none yet
+  int Id = -1; ///< number of the effect in the kernel; -1 if there is none yet
   Pair Sent;
   std::int64_t SentAt = 0;
 };

@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* PadIds = "vibration:pad";
 
-/** A pad with the driver that reaches it, and its number there. */
+/** A pad, the driver that reaches it, and its number for this driver. */
 struct ListedPad
 {
   bool IsHid = false;
@@ -50,7 +50,7 @@ std::vector<ListedPad> ListFoundPads()
   {
     bool isKnown = false;
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
-    // Prefer the kernel's driver: it ends the vibration with the program.
+    // Prefer the kernel's driver, because it ends the vibration when the program ends.
     isKnown = std::any_of(known.begin(), known.end(),
       [&info](const EvdevPad& pad)
       { return pad.Vibrates && pad.Vendor == info.Vendor && pad.Product == info.ProductId; });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gamepads, "vibration:pad" and "vibration:pad:N". Vibration, not force.
+ * Lists and makes gamepads, "vibration:pad" and "vibration:pad:N". They vibrate and exert no force.
  */
 #ifndef PadKind_h
 #define PadKind_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The limits of gamepads, which are the same for all of them.
+ * The limits of gamepads, which are equal for all of them.
  */
 #ifndef PadLimits_h
 #define PadLimits_h
@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** N, the largest force whose changes are felt. A pad gives no force. */
+/** Largest force (N) whose changes are felt. A pad exerts no force. */
 constexpr double MostPadForce = 8.0;
 
 inline DeviceLimits MakePadLimits() noexcept

@@ -10,10 +10,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N: larger than any force that is sent; with it, the sums do not overflow. */
+/** Limit of a force (N), so that sums do not overflow. It is larger than any force that is sent. */
 constexpr double LargestForce = 1e6;
 
-/** Moves a level towards another. */
+/** Moves a level towards `wanted`, at a limited rate. */
 double Compute(double level, double wanted, double elapsed) noexcept
 {
   return std::clamp(
@@ -24,12 +24,12 @@ double Compute(double level, double wanted, double elapsed) noexcept
 
 VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcept
 {
-  if (!(Norm(force) <= LargestForce)) // also if it is not a number
+  if (!(Norm(force) <= LargestForce)) // for NaN, too
   {
     this->Silence();
     return this->Levels;
   }
-  // Exact for a force that is constant for this time, however long it is.
+  // This is exact for a force that is constant over the time, however long that is.
   this->Fast += -std::expm1(-elapsed / FastTime) * (force - this->Fast);
   this->Slow += -std::expm1(-elapsed / SlowTime) * (force - this->Slow);
   const double weak = std::min(1.0, Norm(force - this->Fast) / FullChange);

@@ -36,11 +36,11 @@
 namespace VolumeHaptics
 {
 
-/** Each motor's fraction of its full speed, 0 to 1. */
+/** The speed of each motor as a fraction of its full speed, 0 to 1. */
 struct VibrationLevels
 {
-  double Strong = 0.0; ///< fraction of the slow motor
-  double Weak = 0.0;   ///< fraction of the fast motor
+  double Strong = 0.0; ///< fraction of the motor that turns slowly
+  double Weak = 0.0;   ///< fraction of the motor that turns fast
 };
 
 class Vibration
@@ -48,32 +48,34 @@ class Vibration
 public:
   static constexpr double FastTime = 0.02;  ///< s
   static constexpr double SlowTime = 0.15;  ///< s
-  static constexpr double FullChange = 1.0; ///< N, the change that gives the full speed
+  static constexpr double FullChange = 1.0; ///< change in N that makes a motor turn at full speed
   static constexpr double RiseRate = 100.0; ///< 1/s
   static constexpr double FallRate = 10.0;  ///< 1/s
-  /** Motors of pads do not turn below this fraction, so they get zero. */
+  /** Fraction below which motors of pads do not turn, so that they get zero. */
   static constexpr double Least = 0.04;
 
   ///@{
-  /** How long (s) a device that ends vibration by itself goes on after the last report. */
+  /** Time (s) for which a device that ends vibration by itself vibrates after the last report. */
   static constexpr double ReplayTime = 0.15;
   static constexpr double RenewTime = 0.05;
-  static constexpr double SendPeriod = 0.01; ///< s between changes; silence is sent at once
+  /** S between changes; the end of vibration is sent at once. */
+  static constexpr double SendPeriod = 0.01;
   ///@}
 
   /**
    * Advances the levels by a time (s) with a constant force (N). A force that is not finite, or
-   * beyond 1e6 N, is silence.
+   * that exceeds 1e6 N, ends the vibration.
    */
   VibrationLevels Advance(const Vector3& force, double elapsed) noexcept;
-  /** Resets the filters to a rest without force. */
+  /** Resets the filters to rest, without a force. */
   void Silence() noexcept;
 
-  /** Converts a level to a whole number from 0 to `steps`; 0 below Least. */
+  /** Converts a level to a whole number from 0 to `steps`. The result is 0 below Least. */
   static int Quantize(double level, int steps) noexcept;
   /**
-   * Returns whether to send levels `age` (s) after the last levels. Silence is sent at once, other
-   * changes at most every SendPeriod; constant levels are renewed.
+   * Returns whether to send levels. `age` (s) is the time since the last ones were sent. The end of
+   * vibration is sent at once, and other changes at most every SendPeriod. Constant levels are
+   * renewed.
    */
   static bool IsDue(bool isSame, bool isSilent, double age) noexcept
   {

@@ -15,7 +15,10 @@ namespace
 constexpr std::uint16_t OrdinalPage = 0x0A;
 constexpr HidUsage AxisUsages[] = { MakeHidUsage(0x01, 0x30), MakeHidUsage(0x01, 0x31) };
 
-/** Converts a duration (s) to the field's logical value, in the field's unit and scale. */
+/**
+ * Converts a quantity, such as a duration (s), to a field's logical value, in the field's unit and
+ * range.
+ */
 std::int64_t ToLogical(const HidField& field, double quantity, double unitWithoutUnit) noexcept
 {
   const double unit = field.Unit == 0 ? unitWithoutUnit : std::pow(10.0, field.UnitExponent);
@@ -47,7 +50,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   constexpr HidReportKind output = HidReportKind::Output;
   constexpr HidReportKind feature = HidReportKind::Feature;
 
-  // The report's usage may be missing around the usage of the control.
+  // The usage of the control may not be in a collection with the report's usage.
   if (!mapper.Turn(PidUsage::DeviceControlReport, output, "Device Control", this->ControlShape))
   {
     need(PidUsage::DeviceControl, output, "Device Control", this->ControlShape);
@@ -78,7 +81,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
   }
-  // There is one angle, or there are several with numbers.
+  // There is one angle, or several angles with ordinal numbers.
   const bool isNumbered =
     mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
   if (!isNumbered)
@@ -139,7 +142,7 @@ void PidDevice::Choose(HidReport& report, const Slot& slot) noexcept
   PidDevice::Put(report, slot, slot.Value);
 }
 
-// Sets a bit, even though OpenFFBoard's descriptor of one axis says that the only value is 0.
+// Sets a bit, although OpenFFBoard's descriptor for one axis says that the only value is 0.
 void PidDevice::SwitchOn(HidReport& report, const Slot& slot) noexcept
 {
   if (slot.Known)
@@ -186,7 +189,7 @@ HidReport PidDevice::CreateConstant() const noexcept
   return report;
 }
 
-// Fills the fields of the effect. All other fields stay 0: no trigger button, no delay, no sample
+// Sets the fields of the effect. All other fields stay 0: no trigger button, no delay, no sample
 // period.
 HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) const noexcept
 {
@@ -196,12 +199,12 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // Uses the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
+  // Use the direction if there is one, as Linux does. If the axes' bits are set instead, firmwares
   // interpret the direction differently.
   const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
-  // The direction is polar, clockwise from the north. As in Linux, the field's range is the whole
-  // circle, in any unit; with HasShares, it is the whole axis.
+  // The direction is an angle, clockwise from the north. As in Linux, the field's range is the
+  // whole circle, whatever the unit; with HasShares, it is the whole axis.
   const double circle = this->HasShares ? 1.0 : axis == 0 ? 0.25 : 0.0;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,
@@ -224,7 +227,7 @@ HidReport PidDevice::SetConstant(
 {
   HidReport report = PidDevice::Begin(this->Constant);
   PidDevice::Put(report, this->ConstantBlock, block);
-  // Uses one scale both ways, even if the range has one more value below zero.
+  // Use one scale for both directions, even if the range has one more value below zero.
   const HidField& field = this->Magnitude.Field;
   const auto fullScale = static_cast<double>(std::min(
     -ClampToField(field, field.LogicalMinimum), ClampToField(field, field.LogicalMaximum)));

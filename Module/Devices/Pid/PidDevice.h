@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reports of a force-feedback stick or wheel, after the USB PID 1.0 specification (usage page
- * 0x0F): the places of the fields in a device's reports, and the values for them.
+ * The reports of a force-feedback stick or wheel after the USB PID 1.0 specification (usage page
+ * 0x0F): where fields are in a device's reports, and their values.
  *
- * Report ids, sizes and ranges differ from device to device: PidMapper locates everything by its
- * usage. PID has no newtons: magnitudes are fractions of a full scale that the user states. The
- * order of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and do
- * not allocate.
+ * Report ids, sizes and ranges differ from device to device, so PidMapper finds everything by its
+ * usage. PID does not know newtons: magnitudes are fractions of a full scale that the user sets.
+ * The order of the reports is in PidDialogue.h. No function that the servo calls allocates or
+ * throws.
  */
 #ifndef PidDevice_h
 #define PidDevice_h
@@ -57,19 +57,19 @@ enum class PidUsage : std::uint16_t
   CreateNewEffectReport = 0xAB
 };
 
-/** Settings that turn forces into magnitudes. */
+/** Settings that convert forces to magnitudes. */
 struct PidSettings
 {
-  /// N at full magnitude, for x and y. Only the user knows this number. A value below zero reverses
-  /// the force; 0 means no force.
+  /// N at full magnitude for x and y, which only the user knows. A negative value reverses the
+  /// force; 0 means no force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
-  /// s, 0.05 to 0.1: how long a force acts after the last report of the host
+  /// Time in s, 0.05 to 0.1, for which a force lasts after the last report of the host.
   double Duration = 0.1;
 };
 
 enum class BlockLoadStatus : std::uint8_t
 {
-  Waiting, ///< the state is not known yet, or not understood
+  Waiting, ///< the state is not known yet, or was not understood
   Success,
   Full,
   Error
@@ -79,55 +79,58 @@ class PidDevice
 {
 public:
   /**
-   * Finds the reports. If they don't allow constant forces, returns false and writes a list of the
-   * missing parts to `error`.
+   * Finds the reports. Returns false and lists the missing parts in `error` if they do not suffice
+   * for constant forces.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasPool() const noexcept { return this->Pool.Known; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
-  /** Returns 2 if the second axis can be distinguished from the first, else 1. */
+  /** Returns 2 if the second axis can be told from the first one, otherwise 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
   /**
-   * Uses only the first axis, for a device without a motor on its second axis, although its
+   * Uses only the first axis. For a device without a motor on its second axis, although its
    * descriptor has one.
    */
   void UseOneAxis() noexcept { this->Axes = 1; }
-  /** Makes directions shares of the enabled axis: see PidFirmware. */
+  /** Makes directions shares of the enabled axis (PidFirmware). */
   void UseShares() noexcept { this->HasShares = true; }
 
   ///@{
   /**
-   * Make the reports to send. The device numbers the blocks of its effects from 1; axes are 0 and
-   * 1.
+   * Make the reports to send. The device numbers the blocks of its effects, beginning with 1. Axes
+   * are 0 and 1.
    */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * Sets a constant effect, from 90 degrees for axis 0 and from 0 degrees for axis 1: a positive
-   * magnitude pushes to the left, or towards the hand, if a force comes from its direction (see
-   * PidFirmware). Firmwares with angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the
-   * other way.
+   * Makes the report that sets a constant effect, from 90 degrees for axis 0 and from 0 degrees for
+   * axis 1. If a force comes from its direction (see PidFirmware), a positive magnitude pushes to
+   * the left, or towards the hand. In firmwares with angles of 8 bits, 0.6 % of axis 0 also acts on
+   * axis 1, and nothing the other way round.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * Sets a magnitude: newtons over newtons per full scale, at most the full scale; 0 if either
-   * number is not finite.
+   * Makes the report that sets a magnitude: newtons divided by newtons per full scale, limited to
+   * the full scale. The magnitude is 0 if either number is not finite.
    */
   HidReport SetConstant(
     std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}
 
   ///@{
-  /** Make the feature reports to fetch, still empty. */
+  /** Make the feature reports to fetch. They are still empty. */
   HidReport AskPool() const noexcept;
   HidReport AskBlockLoad() const noexcept;
   ///@}
 
   ///@{
-  /** Read the received payloads. If ReadPool returns zero effects, the device did not say. */
+  /**
+   * Read payloads that were received. ReadPool() returns the number of effects, or 0 if the device
+   * did not report it.
+   */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
     const std::uint8_t* payload, std::size_t size, std::int64_t& block) const noexcept;
@@ -143,7 +146,7 @@ private:
     std::uint8_t Id = 0;
     std::size_t Size = 0;
   };
-  /** A field, and the value that means a usage if the field is a choice of usages. */
+  /** A field and, if it is a choice of usages, the value that means the usage. */
   struct Slot
   {
     bool Known = false;

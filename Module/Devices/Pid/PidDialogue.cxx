@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 // Limits the time for which a device continues without its host to 50 to 100 ms, whatever the
-// setting.
+// setting is.
 PidSettings Bounded(PidSettings settings)
 {
   constexpr double shortest = 0.05;
@@ -163,7 +163,7 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   }
   this->Silence += elapsed;
   const bool isSignDue = this->Silence >= SignTime;
-  // Restarted twice within a duration, so that one report may be late.
+  // Start the effect twice within its duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
   for (int axis = 0; axis < axes; ++axis)
   {

@@ -23,21 +23,18 @@ bool IsOpenFfboard(const HidDeviceInfo& info)
   return info.Vendor == 0x1209 && info.ProductId == 0xFFB0;
 }
 
-/** Returns whether a device has Arduino's two vendor numbers or SparkFun's. */
+/** Returns whether the vendor number is one of Arduino's two or SparkFun's. */
 bool IsArduino(const HidDeviceInfo& info)
 {
   return info.Vendor == 0x2341 || info.Vendor == 0x2A03 || info.Vendor == 0x1B4F;
 }
 
-/**
- * Returns whether all reports of force feedback have the sizes of ArduinoJoystickWithFFBLibrary's
- * reports.
- */
+/** Returns whether all force-feedback reports have the sizes of ArduinoJoystickWithFFBLibrary's. */
 bool HasSizesOfLibrary(const HidReportDescriptor& descriptor)
 {
-  // Output reports 1 to 14; there is no report 9, and report 8 lacks the second axis.
+  // Sizes of the output reports 1 to 14. There is no report 9, and report 8 lacks the second axis.
   constexpr std::size_t outputs[] = { 17, 13, 14, 11, 3, 5, 15, 1, 0, 3, 1, 1, 1, 4 };
-  // Feature reports 5 to 7.
+  // Sizes of the feature reports 5 to 7.
   constexpr std::size_t features[] = { 3, 4, 4 };
   bool isSame = true;
   for (std::size_t i = 0; i < std::size(outputs); ++i)
@@ -67,15 +64,15 @@ bool HasSecondAxis(const HidReportDescriptor& descriptor)
 }
 
 /**
- * After this many repeated packets in a row, the stick counts as one that sends reports at its own
- * rate.
+ * Number of consecutive repeated packets after which the stick counts as one that sends reports at
+ * a rate of its own.
  */
 constexpr int RepeatsOfStream = 20;
-/** ns: a longer pause before a repeated packet is chance. */
+/** Longest pause (ns) before a repeated packet that counts. A longer one is chance. */
 constexpr std::int64_t LongestReminder = 250000000;
-/** A pause of more than this many gaps means that two repeats are missing. */
+/** Number of gaps in a pause after which two repeats are missing. */
 constexpr double MissedGaps = 2.5;
-/** After this many gaps, the tip may have left its last place. */
+/** Number of gaps after which the tip may have moved away from its last position. */
 constexpr double LateGaps = 1.5;
 
 const char* const TwoAxes =
@@ -288,7 +285,7 @@ void PidDriver::Work(HardwareExchange& exchange)
     this->Repeats > RepeatsOfStream && silence > LateGaps * static_cast<double>(this->LongestGap);
   if (this->SendForces(exchange) && this->IsReady && !isLate)
   {
-    // The device has just taken a report, so it is connected, and would have reported a motion.
+    // The device has just received a report, so it is connected, and would have reported a motion.
     exchange.Confirm();
   }
 }
@@ -328,7 +325,7 @@ void PidDriver::Fetch(HidReport& report)
   const int size = this->Port.GetFeature(report.Bytes.data(), report.Size + 1);
   const bool came = size > 1;
   this->Dialogue->Fetched(report.Payload(), came ? static_cast<std::size_t>(size) - 1 : 0);
-  // The device may not have made the effect yet.
+  // The device may not have made the effect yet, so wait before the next request.
   std::this_thread::sleep_for(std::chrono::duration<double>(PidDialogue::PollPause));
 }
 
@@ -388,9 +385,9 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  // A positive magnitude pushes to the left, or towards the hand.
+  // A positive magnitude pushes to the left or towards the hand, so reverse the signs.
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
-  // Sends for each axis its start, if due, and its magnitude.
+  // For each axis, send the start if it is due, and the magnitude.
   HidReport report;
   bool isAlive = false;
   for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)

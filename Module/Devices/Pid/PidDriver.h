@@ -4,19 +4,20 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * A stick with two axes uses both if its firmware is known (PidFirmware.h), since firmwares differ
- * in which way an effect pushes the second one. Other sticks are refused, unless the user states
- * with a second NewtonsPerFullScale of 0 that only the first axis has a motor.
+ * Of a stick with two axes, both are used if its firmware is known (PidFirmware.h), because
+ * firmwares differ in the direction in which an effect pushes the second axis. Other sticks are
+ * refused, unless the user sets a second NewtonsPerFullScale of 0 to state that only the first axis
+ * has a motor.
  *
- * The axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's
- * own y axis points towards the hand. With a device of one axis the tip moves along x only: the
- * second axis may be a pedal. Effects end by themselves within 0.1 s of the host's last report.
- * Many sticks send nothing while they rest, so the last position stays valid: such a stick shows
- * that it is connected by the reports that it takes, one every 10 ms at least. Others repeat their
- * reports, such as OpenFFBoard every 0.1 s, and are lost if two repeats do not come.
+ * The axes are a tip in a plane: x points to the right and y away from the hand, at most 5 cm in
+ * each direction; HID's own y axis points towards the hand. With a device of one axis, the tip
+ * moves only along x: the second axis may be a pedal. Effects end by themselves within 0.1 s of the
+ * host's last report. Many sticks send nothing at rest, so that the last position stays valid. Such
+ * a stick shows that it is connected by receiving reports, at least one every 10 ms. Others repeat
+ * their reports, OpenFFBoard for example every 0.1 s; they are lost if two repeats do not come.
  *
- * The kernel's PID driver has the same device. If a game uses it meanwhile, the two disturb each
- * other. Documentation/devices.md explains why this driver uses hidraw.
+ * The kernel's PID driver uses the same device. If a game uses it at the same time, the two disturb
+ * each other. Documentation/devices.md explains why this driver uses hidraw.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
@@ -54,9 +55,9 @@ namespace VolumeHaptics
 struct PidFirmware
 {
   bool IsKnown = false;       ///< whether the signs of both axes are known
-  double Sign = 1.0;          ///< -1 if a force goes to its direction, else 1
-  bool HasShares = false;     ///< whether a direction is a share of the axis, with the axis's bit
-  const char* Objection = ""; ///< why no axis can be driven; empty if one can
+  double Sign = 1.0;          ///< -1 if a force goes to its direction, 1 if it comes from it
+  bool HasShares = false;     ///< whether a direction is a share of the axis whose bit is set
+  const char* Objection = ""; ///< reason why no axis can be driven; empty if one can
 };
 
 PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor);
@@ -64,24 +65,22 @@ PidFirmware DetectPidFirmware(const HidDeviceInfo& info, const HidReportDescript
 class PidDriver final : public HidDriver
 {
 public:
-  static constexpr double Travel = 0.05; ///< m, the place of the tip at the end of an axis
-  /** m/s: the whole way in 20 ms; no hand is faster */
+  static constexpr double Travel = 0.05; ///< position of the tip in m at the end of an axis
+  /** Largest speed of a stick in m/s, which is its whole way in 20 ms. No hand is faster. */
   static constexpr double FastestStick = 5.0;
 
-  /** The devices that an id denotes: all, or all of a vendor and product. */
+  /** Which devices an id means: all of them, or those of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
     std::uint16_t Vendor = 0;
     std::uint16_t Product = 0;
   };
-  /**
-   * Reads the numbers of an id. Returns false for an id that is neither "pid" nor "pid:VVVV:PPPP".
-   */
+  /** Reads the numbers of an id. Returns false if the id is neither "pid" nor "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /**
-   * Returns whether the report descriptor has all that forces need. If the device gets no forces
-   * all the same, the objection receives the reason and the cure; otherwise it is empty.
+   * Returns whether the report descriptor has everything that forces need. If the device gets no
+   * forces for another reason, `objection` receives the reason and the cure; otherwise it is empty.
    */
   static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
@@ -89,24 +88,23 @@ public:
 
   DeviceLimits GetLimits() const override;
   /**
-   * Returns an identity that includes the axes that the user has reversed, because their signs
-   * differ.
+   * Returns an identity that includes which axes the user has reversed, because their signs differ.
    */
   std::string GetIdentity() const override;
 
 private:
-  /** How a device is driven, according to its descriptor and its names. */
+  /** How a device is driven, as its descriptor and its names show. */
   struct Mapping
   {
     PidDevice Device;
     HidStick Stick;
     PidFirmware Firmware;
-    std::string Objection; ///< why the device gets no forces although it could; empty if it gets
-                           ///< forces
+    /** Reason why the device gets no forces although it could; empty if it gets forces. */
+    std::string Objection;
 
     /**
-     * Reads the mapping of a device. If the device is no force-feedback device, returns false and
-     * writes the missing parts to `error`.
+     * Reads the mapping of a device. Returns false and writes the missing parts to `error` if it is
+     * no force-feedback device.
      */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
   };
@@ -123,24 +121,24 @@ private:
   void Fetch(HidReport& report);
   bool Listen(HardwareExchange& exchange);
   void ReportPlace(HardwareExchange& exchange);
-  /** Sends the forces. Returns whether the device has taken a report. */
+  /** Sends the forces. Returns whether the device has received a report. */
   bool SendForces(HardwareExchange& exchange);
   bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;
 
   const Numbers Wanted;
   const std::array<double, 2> NewtonsPerFullScale;
-  PidSettings Settings; ///< settings with the firmware's sign
+  PidSettings Settings; ///< settings, with the firmware's sign
   Mapping Map;
 
   std::optional<PidDialogue> Dialogue;
-  std::optional<PidStream> Stream; ///< exists once the dialogue is complete
-  HidStick::State State;           ///< axes that were not reported yet are NaN
+  std::optional<PidStream> Stream; ///< exists when the dialogue is complete
+  HidStick::State State;           ///< an axis that was not reported yet is NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
-  int Repeats = 0; ///< number of packets in a row that equal the packet before
+  int Repeats = 0; ///< number of consecutive packets that equal the previous one
   std::int64_t LastPacketTime = 0;
-  std::int64_t LongestGap = 0; ///< ns, the longest gap before a repeated packet
+  std::int64_t LongestGap = 0; ///< longest gap before a repeated packet in ns
   std::int64_t LastRound = 0;
 };
 

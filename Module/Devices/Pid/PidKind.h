@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Force-feedback sticks and wheels (HID PID), "pid:VVVV:PPPP", in builds with hidapi.
+ * Lists and makes force-feedback sticks and wheels (HID PID), "pid:VVVV:PPPP", in builds with
+ * hidapi.
  */
 #ifndef PidKind_h
 #define PidKind_h

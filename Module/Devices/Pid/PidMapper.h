@@ -13,9 +13,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads one device's descriptor for PidDevice::Map, and collects the missing parts.
+ * Reads the descriptor of one device for PidDevice::Map, and collects the missing parts.
  *
- * Turn selects a report; Find and Need then look for fields in it.
+ * Turn() selects a report; then Find() and Need() look for fields in it.
  */
 class PidMapper
 {
@@ -25,29 +25,29 @@ public:
   {
   }
 
-  /** Returns a usage of the PID page, with the page. */
+  /** Returns a usage of the PID page together with the page. */
   static constexpr HidUsage Of(PidUsage usage) noexcept
   {
     return MakeHidUsage(0x0F, static_cast<std::uint16_t>(usage));
   }
 
-  /** Selects the report with this usage. Returns false if there is no usable report. */
+  /** Selects the report with a usage. Returns false if there is no such report that can be used. */
   bool Turn(PidUsage report, HidReportKind kind, const char* name, PidDevice::Shape& shape);
 
   ///@{
   /**
-   * Finds the field that holds a number, or a bit or a choice of an array that means the usage.
-   * `within` is the usage of a collection around it.
+   * Finds the field that has a usage: a number, a bit, or a choice of an array. `within` is the
+   * usage of a collection around it. Returns false if there is none.
    */
   bool Find(HidUsage usage, PidDevice::Slot& slot, HidUsage within = 0) const;
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** Does the same as Find; records a missing field. */
+  /** Does the same as Find(), and records a field that is missing. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void RecordMissing(const std::string& what);
-  /** Returns all missing parts, separated by commas. */
+  /** Returns all missing parts, with commas between them. */
   const std::string& GetMissing() const { return this->Missing; }
 
 private:

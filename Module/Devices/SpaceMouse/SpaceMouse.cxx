@@ -15,22 +15,22 @@ constexpr std::uint16_t Connexion = 0x256F;
 
 // SpaceMouse Plus XT, CADman, SpaceMouse Classic, Spaceball 5000, SpaceTraveler, SpacePilot,
 // SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks, SpacePilot Pro, SpaceMouse Pro,
-// NuLOOQ: under Logitech's vendor number, most of whose products are other devices.
+// NuLOOQ. They have Logitech's vendor number, most of whose products are other devices.
 constexpr std::uint16_t Older[] = { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627,
   0xC628, 0xC629, 0xC62B, 0xC640 };
 // SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact,
-// Module, Pro Wireless and Wireless by Bluetooth, the universal receiver.
+// Module, Pro Wireless and Wireless by Bluetooth, and the universal receiver.
 constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC636, 0xC638,
   0xC63A, 0xC652 };
 constexpr std::uint16_t WithAxisUp[] = { 0xC603, 0xC606, 0xC640 };
 
-/** A key of the Enterprise: its number, and its bit. */
+/** A key of the Enterprise: its number and its bit in Buttons. */
 struct HighKey
 {
   std::size_t Number;
   unsigned Bit;
 };
-// Enter, Delete, Tab, Space, V1, V2, V3, "11", "12".
+// The keys Enter, Delete, Tab, Space, V1, V2, V3, "11", "12".
 constexpr HighKey HighKeys[] = { { 36, 27 }, { 37, 28 }, { 175, 29 }, { 176, 30 }, { 103, 31 },
   { 104, 9 }, { 105, 11 }, { 77, 6 }, { 78, 7 } };
 

@@ -4,10 +4,10 @@
  * @file
  * The packets of 3Dconnexion's six-axis mice.
  *
- * The cap gives way by a millimetre or so, and reports how hard it is pushed and turned: rates, not
- * positions. Older models send pushes (report 1) and turns (report 2) one after the other, newer
- * ones send both in one packet; the length tells which. Axes keep the device's order and signs:
- * pushes x, y, z, then turns about them.
+ * The cap moves by about a millimetre, and reports how hard it is pushed and turned: rates, not
+ * positions. Older models send pushes (report 1) and turns (report 2) separately; newer ones send
+ * both in one packet, which its length shows. Axes keep the device's order and signs: pushes along
+ * x, y, z, then turns about them.
  */
 #ifndef SpaceMouse_h
 #define SpaceMouse_h
@@ -23,35 +23,35 @@ class SpaceMouse
 {
 public:
   static constexpr double FullScale = 350.0; ///< counts
-  /// Fraction of the full scale, about ten counts: at rest, caps are off their zero by a few
-  /// counts. Beyond the dead zone values rise from 0, so that nothing jumps at its border.
+  /// Dead zone as a fraction of the full scale, about ten counts: at rest, caps are a few counts
+  /// off their zero. Outside the dead zone values rise from 0, so that nothing jumps at its border.
   static constexpr double DeadZone = 0.03;
 
   struct State
   {
     std::array<double, 6> Axes{}; ///< x, y, z, about x, about y, about z: -1 to 1
-    std::uint32_t Buttons = 0;    ///< bits of the first 32 buttons; bit 0 is the first
+    std::uint32_t Buttons = 0;    ///< the first 32 buttons; bit 0 is the first one
   };
 
   /**
-   * Returns whether this is a six-axis mouse, by an explicit list, since the vendors' other
-   * products are mice and keyboards.
+   * Returns whether this is a six-axis mouse. The devices are in an explicit list, because other
+   * products of the vendors are mice and keyboards.
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
   /**
-   * Returns whether the y axis points up and the z axis away from the hand. On most devices y
-   * points towards the hand and z down.
+   * Returns whether the device's y axis points up and its z axis away from the hand. On most
+   * devices, y points towards the hand and z down.
    */
   static bool HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept;
 
   /**
-   * Reads a packet, with the report id in front. Returns nullptr, or the reason for refusing the
-   * packet, as a text that lasts; the state is then unchanged. Reports about other things, such as
-   * the battery, are accepted and change nothing.
+   * Reads a packet, with the report id in front. Returns nullptr, or the reason why the packet is
+   * not valid, as a text that is never freed; then the state does not change. Reports about other
+   * things, such as the battery, are accepted and change nothing.
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, State& state) noexcept;
 
-  /** Converts counts to -1 to 1, with the dead zone. */
+  /** Converts counts to the range -1 to 1. Applies the dead zone. */
   static double Scale(int counts) noexcept;
 };
 

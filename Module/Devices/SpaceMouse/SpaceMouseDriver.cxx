@@ -14,14 +14,14 @@ namespace
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
 /**
- * The usages that these devices report: multi-axis controller and joystick. Keyboards are not
+ * Page of the usages of these devices, multi-axis controller and joystick. Keyboards are not
  * included.
  */
 constexpr std::uint16_t DesktopPage = 0x01;
 
 /**
- * Converts from the device's axes to the tip's (right, up, towards the hand). The device's axes are
- * right, towards the hand, down; or right, up, away from the hand.
+ * Converts from the device's axes to the tip's (right, up, towards the hand). The device's axes
+ * point right, towards the hand and down or, if isAxisUp, right, up and away from the hand.
  */
 Vector3 TurnAxes(bool isAxisUp, double x, double y, double z)
 {
@@ -38,7 +38,7 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 
 bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 {
-  // Receivers also have an interface for a mouse or a keyboard: only the interface with a report 1
+  // A receiver also has an interface for a mouse or a keyboard, so only the interface with a report
   // of six axes counts.
   HidReportDescriptor descriptor;
   std::string error;
@@ -146,7 +146,7 @@ void SpaceMouseDriver::Light(bool on) noexcept
   this->IsLit = on;
   if (!this->Port.Write(report, this->LightSize + 1))
   {
-    // The light is not important: without it the device stays usable.
+    // The light is not important: the device can be used without it.
     this->LightSize = 0;
   }
 }

@@ -4,14 +4,15 @@
  * @file
  * 3Dconnexion's six-axis mice through hidapi.
  *
- * Their cap hardly moves: the push is the speed of a virtual tip, and the turn is the speed at
- * which the view turns. No force can be felt. In the tip's frame x is to the right, y up and z
- * towards the hand. The devices' own axes are taken to be x to the right, y towards the hand and z
- * down, with right-handed turns about them, as commonly described but not verified on a device.
+ * Their cap hardly moves: a push sets the speed of a virtual tip, and a turn the speed at which the
+ * view rotates. No force can be felt. In the tip's frame, x points to the right, y up and z towards
+ * the hand. The devices' own axes are assumed to be x to the right, y towards the hand and z down,
+ * with right-handed rotations about them, as they are commonly described; this was not verified on
+ * a device.
  *
- * A cap that is held off its rest repeats its packet every 16 ms or less; a cap that is released
- * sends zero once, then nothing. If that zero is lost, the tip stops after half a second without a
- * packet.
+ * A cap that is held off its rest repeats its packet at least every 16 ms. A cap that is released
+ * sends zero once, and then nothing. If that zero is lost, the tip stops after half a second
+ * without a packet.
  */
 #ifndef SpaceMouseDriver_h
 #define SpaceMouseDriver_h
@@ -26,7 +27,8 @@ namespace VolumeHaptics
 class SpaceMouseDriver final : public HidDriver
 {
 public:
-  static constexpr double HoldTime = 0.5; ///< s; how long a push counts if it is not repeated
+  /** Time in s for which a push counts if it is not repeated. */
+  static constexpr double HoldTime = 0.5;
 
   explicit SpaceMouseDriver(int number);
 
@@ -52,10 +54,10 @@ private:
   void Light(bool on) noexcept;
 
   const int Number;
-  std::size_t LightSize = 0; ///< bytes of the light's report; 0: no light
+  std::size_t LightSize = 0; ///< number of bytes of the light's report; 0 if there is no light
   bool IsLit = false;
-  bool IsAxisUp = false; ///< whether the device's y axis points up; otherwise its z axis points
-                         ///< down
+  /** Whether the device's y axis points up; otherwise its z axis points down. */
+  bool IsAxisUp = false;
   SpaceMouse::State State;
   RateTip Tip;
   std::int64_t LastMotion = 0;

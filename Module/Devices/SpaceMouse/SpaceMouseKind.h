@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * 3Dconnexion's six-axis mice, "spacemouse:N", in builds with hidapi.
+ * Lists and makes 3Dconnexion's six-axis mice, "spacemouse:N", in builds with hidapi.
  */
 #ifndef SpaceMouseKind_h
 #define SpaceMouseKind_h
