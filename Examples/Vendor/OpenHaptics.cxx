@@ -56,7 +56,7 @@ struct Report
   std::int64_t Time = 0;
 };
 
-// Order to the callback.
+// What the callback has to send.
 struct Order
 {
   double Force[3] = {};  // N

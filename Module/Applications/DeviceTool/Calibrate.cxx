@@ -26,7 +26,7 @@ namespace
 
 constexpr double Strength = 1000.0;    // N, much more than any device can give
 constexpr double MediumSpacing = 40.0; // mm
-// so many that the medium is larger than every device's workspace
+// number of voxels that makes the medium larger than every device's workspace
 constexpr int MediumSteps = 6;
 
 /**
@@ -52,7 +52,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double Millimetre = 1e-3; // m
 constexpr auto LookPeriod = std::chrono::milliseconds(10);
-/// Way (m) after which the spring pulls with the largest force.
+/// Stretch (m) at which the spring pulls with the largest force.
 constexpr double FullWay = 0.015;
 /// Time (s) that is enough for a device to become armed, and for a fade.
 constexpr double OrderTime = 2.0;

@@ -30,7 +30,7 @@ constexpr double Stiffness = 200.0; // N/m: the largest force is reached after 5
 // N, much more than the force on the hand, so that it never falls through
 constexpr double SurfaceStrength = 100.0;
 constexpr double WallSpacing = 4.0; // mm
-// so many that the wall is larger than every device's workspace
+// number of voxels that makes the wall larger than every device's workspace
 constexpr int WallSteps = 50;
 
 /**

@@ -23,7 +23,7 @@ class HandleSweep
 {
 public:
   static constexpr double Speed = 4e-3;   ///< speed of the spring's fixed end (m/s)
-  static constexpr double Reach = 1.5e-3; ///< turning points above and below the position (m)
+  static constexpr double Reach = 1.5e-3; ///< distance of both turning points from the position (m)
   static constexpr double Window = 1e-3;  ///< half of the range that the force is averaged over (m)
 
   /// Mean of the forces on a way up and on the way down before it.

@@ -58,7 +58,7 @@ public:
   double GetFactor() const { return this->Factor; }
   double GetDoubt() const { return this->Doubt; }
   ///@}
-  /// Returns the friction, in those newtons that the device was asked for.
+  /// Returns the friction, in newtons as the device is asked for them, before calibration.
   double GetFriction() const { return this->Friction; }
 
 private:

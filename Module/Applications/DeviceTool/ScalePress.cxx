@@ -8,16 +8,18 @@
 namespace
 {
 
-constexpr double PressSpeed = 8e-3;       ///< m/s
-constexpr double ReleaseSpeed = 30e-3;    ///< m/s
-constexpr double ScaleLongestStep = 0.05; ///< s
-constexpr double MostWay = 40e-3;         ///< m
-constexpr double ScaleRestPlace = 0.3e-3; ///< m
-constexpr double ScaleRestShare = 0.02;   ///< fraction of the largest force
-constexpr double ScaleRestTime = 0.5;     ///< s
-constexpr double ScaleSettleTime = 10.0;  ///< s
-constexpr double HeldPlace = 1e-3;        ///< m
-constexpr double HeldFraction = 0.05;     ///< fraction of the largest force
+constexpr double PressSpeed = 8e-3; ///< speed of the spring's fixed end while the force grows (m/s)
+constexpr double ReleaseSpeed =
+  30e-3; ///< speed of the spring's fixed end while the force ends (m/s)
+constexpr double ScaleLongestStep = 0.05; ///< longest time that one sample counts for (s)
+constexpr double MostWay = 40e-3;         ///< largest shift of the spring's fixed end (m)
+constexpr double ScaleRestPlace = 0.3e-3; ///< range of the positions of a handle at rest (m)
+constexpr double ScaleRestShare =
+  0.02; ///< range of the force at rest, as a fraction of the largest force
+constexpr double ScaleRestTime = 0.5;    ///< time within these ranges that counts as rest (s)
+constexpr double ScaleSettleTime = 10.0; ///< longest wait for rest (s)
+constexpr double HeldPlace = 1e-3;       ///< range of the positions of a pressed handle (m)
+constexpr double HeldFraction = 0.05;    ///< range of its force, as a fraction of the largest force
 
 } // namespace
 

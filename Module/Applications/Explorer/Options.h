@@ -27,7 +27,7 @@ struct Options
   std::string Displacements;          // name of the array with the displacements of its material
   bool AsLabels = false;              // whether the values of the volume are labels
   std::string Notice;                 // notice of the window at the beginning
-  bool BringBack = false;             // restore work that was not saved in the last window
+  bool BringBack = false;             // whether to restore the unsaved work of the last window
   std::string Labels;                 // file of a label image
   std::vector<std::string> Materials; // files of label tables
   std::string Folder = "explore-pictures";

@@ -163,7 +163,7 @@ def _end_reading() -> None:
 
 
 class _Volume:
-    """The volume [z, y, x] of an array that has further axes before these; of those, one index each is chosen."""
+    """The volume [z, y, x] of an array with further axes before these, at one chosen index along each of them."""
 
     def __init__(self, array: Any, before: tuple[int, ...]) -> None:
         self._array, self._before = array, before

@@ -134,8 +134,8 @@ private:
 };
 
 /**
- * Computes a result in the background from data that a key identifies, such as an array and the
- * time of its last change.
+ * Computes a result in the background from data that a key identifies, such as an array and its
+ * modification time.
  */
 template <typename Key, typename Result>
 class KeyedWork

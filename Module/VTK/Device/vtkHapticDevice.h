@@ -365,9 +365,9 @@ public:
 
   ///@{
   /**
-   * Get the parts of this device: its latest state, the player of a volume that moves, the recorder
-   * of its ticks, and the hand that leads the virtual device. They stay the same as long as the
-   * device lives.
+   * Get the parts of this device: its latest state, the player of a moving volume, the recorder of
+   * its ticks, and the hand that leads the virtual device. They stay the same as long as the device
+   * lives.
    */
   vtkHapticState* GetState();
   vtkHapticPlayback* GetPlayback();

@@ -477,9 +477,9 @@ public:
 
   ///@{
   /**
-   * Radius of the gradient kernel in voxels, 1 to 16. So many voxels along the normal (with the
-   * solver Paper, times the largest spacing) is the distance r from the proxy at which materials
-   * are picked (fig. 4): larger ones are smoother and feel less detail. Default 2.
+   * Radius of the gradient kernel in voxels, 1 to 16. The distance r from the proxy at which
+   * materials are picked (fig. 4) is this number of voxels along the normal (with the solver Paper,
+   * times the largest spacing). A larger kernel is smoother and feels less detail. Default 2.
    */
   vtkSetClampMacro(KernelRadius, int, 1, 16);
   vtkGetMacro(KernelRadius, int);

@@ -25,7 +25,7 @@ namespace
 constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
 /** Largest number of positions that are examined along an axis: some thousand in all suffice. */
 constexpr std::int64_t MostLookups = 24;
-/** Fraction of the positions whose measure is below the one that counts as large. */
+/** Fraction of the positions whose measure is below the value that counts as large. */
 constexpr double LargeFraction = 0.95;
 /** LargeFraction for ridges, because vessels fill only a small part of a volume. */
 constexpr double LargeRidgeFraction = 0.995;

@@ -27,8 +27,8 @@ namespace
 constexpr double SecondsOfMinute = 60.0;
 
 /**
- * Returns the head of a radius. Models with this radius share it, so that a servo keeps the points
- * that it has.
+ * Returns the burr's head for a radius. Models with this radius share it, so that a servo keeps the
+ * points that it has.
  */
 std::shared_ptr<const PointShell> GetHead(double radius)
 {

@@ -96,12 +96,12 @@ public:
   /**
    * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
    * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
-   * position. Point arrays: Depth (world units), the way along the needle; cell arrays, for each
-   * stretch of the track: Label and Length (world units). Field arrays, one number each: Depth, the
-   * greatest depth; Angle (degrees), between the track and the normal of the surface at the entry,
-   * or -1 without one; and ForbiddenTouches, if the trace has it. If the trace has no needle,
-   * returns false; the track is then empty, and reports the error. Trace and track must be
-   * different objects.
+   * position. The point array Depth (world units) has the way along the needle. The cell arrays
+   * Label and Length (world units) have a value for each stretch of the track. Field arrays, one
+   * number each: Depth, the greatest depth; Angle (degrees), between the track and the surface's
+   * normal at the entry, or -1 if there is no normal; and ForbiddenTouches, if the trace has it.
+   * Returns false, with an error of the track, and empties the track if the trace has no needle.
+   * Trace and track must be different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 

@@ -317,8 +317,8 @@ struct Hdf5File::Opened
     const bool isWritten = CheckBeginning(this->Bytes);
     Hdf5Bytes* const bytes = &this->Bytes;
     // In a file that a writer shares, metadata may be half written; the library then reads them
-    // again. Limit its 100 attempts, between which the pauses double, because a damaged file would
-    // take too long.
+    // again. Limit its 100 attempts: the pauses between them double, so a damaged file would take
+    // too long.
     constexpr unsigned attempts = 10;
     if (H5Pset_driver(this->Access, this->Driver, &bytes) < 0 ||
       H5Pset_metadata_read_attempts(this->Access, attempts) < 0)
