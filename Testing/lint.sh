@@ -18,7 +18,9 @@ cd "$root"
 # shellcheck source=../CMake/install-packages.sh
 source CMake/install-packages.sh
 
+# Results differ from version to version. Debian has no ruff, and after Debian 12 no LLVM 14, so that these come from PyPI.
 ruff_version=0.8.4
+clang_version=14.0.6
 
 # The files with one of the given endings, separated by zeros.
 list_files()
@@ -30,11 +32,42 @@ list_files()
   find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
 }
 
-# The results of clang-format differ from version to version: that of Debian 12 decides.
+# usage: find_tool NAME VERSION
+# Sets $tool to a program of PyPI, in an environment of its own. Returns 1, and says so, if there is none.
+find_tool()
+{
+  local environment=build/$1-$2
+  tool=$environment/bin/$1
+  require_packages python3 python3-venv
+  if [ ! -x "$tool" ]; then
+    if ! python3 -m venv "$environment" || ! "$environment/bin/pip" install -q "$1==$2"; then
+      rm -rf "$environment"
+      echo "!!!! SKIPPED: $1 $2 could not be installed, so nothing was checked with it !!!!" >&2
+      return 1
+    fi
+  fi
+}
+
+# usage: find_clang_tool NAME
+# Sets $tool to a program of LLVM 14: Debian's own, if it has one.
+find_clang_tool()
+{
+  tool=$1-${clang_version%%.*}
+  if command -v "$tool" > /dev/null; then
+    return
+  fi
+  # A machine that has never seen a package list may be any Debian.
+  if [[ $(cat /etc/debian_version 2> /dev/null) == 12.* ]]; then
+    require_packages "$tool"
+  else
+    find_tool "$1" $clang_version
+  fi
+}
+
 check_format()
 {
-  require_packages clang-format-14
-  list_files .h .cxx | xargs -0 clang-format-14 --dry-run --Werror
+  find_clang_tool clang-format || return 0
+  list_files .h .cxx | xargs -0 "$tool" --dry-run --Werror
 }
 
 # Code and comments. Help texts in raw strings may be wider.
@@ -54,19 +87,10 @@ check_spelling()
   codespell --config .codespellrc Module Plugin Examples Testing CMake Data Documentation ./*.md ./*.toml .github
 }
 
-# Debian 12 has no ruff: it comes from PyPI into an environment of its own.
 check_python()
 {
-  local environment=build/ruff-$ruff_version
-  require_packages python3 python3-venv
-  if [ ! -x "$environment/bin/ruff" ]; then
-    if ! python3 -m venv "$environment" || ! "$environment/bin/pip" install -q "ruff==$ruff_version"; then
-      rm -rf "$environment"
-      echo "!!!! SKIPPED: ruff $ruff_version could not be installed, so Python sources were not checked !!!!" >&2
-      return 0
-    fi
-  fi
-  "$environment/bin/ruff" check -q --no-cache .
+  find_tool ruff $ruff_version || return 0
+  "$tool" check -q --no-cache .
 }
 
 check_shell()
@@ -98,13 +122,14 @@ run_clang_tidy()
 {
   local checks=$1
   shift
-  require_packages clang-tidy-14 libstdc++-12-dev
+  find_clang_tool clang-tidy || return 0
+  require_packages libstdc++-12-dev
   # shellcheck disable=SC2016 # the inner shell expands it
   printf '%s\0' "$@" | xargs -0 -P "$(nproc)" -I '{}' bash -c '
     options=(-std=c++17 -IModule -I.)
     [[ $1 == *AVX2* ]] && options+=(-mavx2)
-    clang-tidy-14 --quiet --warnings-as-errors="*" --config-file=.clang-tidy --checks="$2" "$1" -- "${options[@]}" \
-      2> /dev/null' _ '{}' "$checks"
+    "$3" --quiet --warnings-as-errors="*" --config-file=.clang-tidy --checks="$2" "$1" -- "${options[@]}" \
+      2> /dev/null' _ '{}' "$checks" "$tool"
 }
 
 # The sources of a folder at a time, as a unity build may have them: their headers are read once, and a name that two of

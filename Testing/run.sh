@@ -41,8 +41,9 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev ccache libboost-dev nlohmann-json3-dev \
   libpulse-dev pulseaudio libumockdev-dev umockdev python3-pytest python3-zarr hdf5-tools openbox xdotool wmctrl x11-utils \
   tesseract-ocr imagemagick libgdcm-dev libblosc-dev libzstd-dev libvtk9-qt-dev chromium chromium-driver \
-  python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
-
+  python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang dbus libdbus-1-3 python3-gi
+require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
+[[ $(cat /etc/debian_version) != 12.* ]] || require_packages clang-tidy-14 clang-format-14 # elsewhere from PyPI
 [ $full = no ] || require_packages python3-tk invesalius f3d # programs of Testing/Hosts
 jobs=$(nproc)
 left_out='device|full' # labels of tests that ran before, or do not run
@@ -188,10 +189,14 @@ build_wheel()
   CXXFLAGS="-Wall -Wextra -Werror $*" "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3
 }
 
+# The Qt of this Debian's ParaView: 6 from Debian 13 on.
+qt=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev python3-pyqt5)
+if apt-cache depends paraview | grep libqt6core > /dev/null; then
+  qt=(qt6-base-dev qt6-tools-dev qt6-5compat-dev libgl1-mesa-dev python3-pyqt6)
+fi
 paraview=yes
 if require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
-  libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
-  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev python3-pyqt5 &&
+  libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev "${qt[@]}" &&
   "$root/Plugin/paraview-prefix.sh" "$plugin_dir-prefix"; then
   get_head_ct "$root/build/explore/data" ||
     echo "!!!! SKIPPED: no head CT, so traces are compared on the project's own volumes only !!!!" >&2

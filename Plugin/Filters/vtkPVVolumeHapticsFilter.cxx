@@ -11,6 +11,7 @@
 #include "vtkHapticRegionSource.h"
 #include "vtkHapticRemoval.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVHapticLargeFile.h"

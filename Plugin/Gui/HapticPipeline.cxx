@@ -269,11 +269,11 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
   }
   BEGIN_UNDO_SET("Show as CT volume");
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  vtkSMProxy* const shown = controller->Show(vtkSMSourceProxy::SafeDownCast(volume->getProxy()), 0,
-    vtkSMViewProxy::SafeDownCast(view->getProxy()));
+  auto* const shown = vtkSMPVRepresentationProxy::SafeDownCast(
+    controller->Show(vtkSMSourceProxy::SafeDownCast(volume->getProxy()), 0,
+      vtkSMViewProxy::SafeDownCast(view->getProxy())));
   const bool isVolume = shown &&
-    vtkSMPVRepresentationProxy::SetScalarColoring(
-      shown, name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS) &&
+    shown->SetScalarColoring(name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS) &&
     vtkSMRepresentationProxy::SetRepresentationType(shown, "Volume");
   if (isVolume)
   {

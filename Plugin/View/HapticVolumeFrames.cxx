@@ -78,8 +78,9 @@ bool CanBeCast(vtkSMProxy* representation)
   auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   vtkPVDataInformation* const data =
     source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+  auto* const colored = vtkSMPVRepresentationProxy::SafeDownCast(representation);
   vtkPVArrayInformation* const array =
-    vtkSMPVRepresentationProxy::GetArrayInformationForColorArray(representation);
+    colored ? colored->GetArrayInformationForColorArray() : nullptr;
   return std::find(std::begin(blends), std::end(blends), blend) != std::end(blends) && data &&
     data->GetDataSetType() == VTK_IMAGE_DATA && array && array->GetNumberOfComponents() == 1 &&
     vtkSMPropertyHelper(representation, "ColorArrayName", true).GetInputArrayAssociation() ==

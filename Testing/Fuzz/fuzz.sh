@@ -39,7 +39,8 @@ fi
 
 # shellcheck source=../../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
-require_packages clang libclang-rt-14-dev nlohmann-json3-dev
+require_packages clang nlohmann-json3-dev
+require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")

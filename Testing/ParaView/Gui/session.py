@@ -12,6 +12,12 @@ import traceback
 
 from paraview import simple, smtrace
 
+with open("/proc/self/maps", encoding="utf-8") as maps: # ParaView's own Qt, which the bindings have to share
+    if "libQt6Core." in maps.read():
+        from PyQt6 import QtCore, QtGui, QtWidgets
+    else:
+        from PyQt5 import QtCore, QtGui, QtWidgets
+
 OUTPUT = os.environ["GUI_OUTPUT"]
 AT_REST = 1e-9  # N
 
@@ -236,11 +242,11 @@ class Session:
 
     def keys(self):
         """None of the view's is one of the main window's, of its actions and shortcuts, whether or not they are enabled."""
-        from PyQt5 import QtWidgets
-
         window = self.main_window()
-        theirs = {key.toString() for action in window.findChildren(QtWidgets.QAction) for key in action.shortcuts()}
-        theirs |= {shortcut.key().toString() for shortcut in window.findChildren(QtWidgets.QShortcut)}
+        # Which are in QtGui since Qt 6.
+        actions, shortcuts = (getattr(QtGui, name, None) or getattr(QtWidgets, name) for name in ("QAction", "QShortcut"))
+        theirs = {key.toString() for action in window.findChildren(actions) for key in action.shortcuts()}
+        theirs |= {shortcut.key().toString() for shortcut in window.findChildren(shortcuts)}
         # Those that are known of ParaView 5.11 to 6.1: pqStandardViewFrameActionsImplementation.cxx.
         assert {"S", "D", "F", "G", "B", "+", "-", "Esc", "F1"} <= theirs, theirs
         # Qt writes letters large, which are small without Shift; X11 has names. Escape lets go, whoever else has it.
@@ -266,8 +272,6 @@ class Session:
         return dict(line.split("\t") for line in lines)
 
     def main_window(self):
-        from PyQt5 import QtWidgets
-
         return [window for window in QtWidgets.QApplication.topLevelWidgets() if window.objectName() == "pqClientMainWindow"][0]
 
     def focused(self):
@@ -375,8 +379,6 @@ class Session:
 
     def told(self):
         """What the dock says, now and after its next look at the device."""
-        from PyQt5 import QtWidgets
-
         label, = self.main_window().findChildren(QtWidgets.QLabel, "HapticStatus")
         QtWidgets.QApplication.processEvents()
         end = time.monotonic() + 0.5
@@ -387,24 +389,18 @@ class Session:
 
     def call(self, slot, *arguments):
         """What a button of the dock does that was pressed before the dock has seen the last change."""
-        from PyQt5 import QtCore
-
         dock, = self.main_window().findChildren(QtCore.QObject, "HapticDock")
         controller, = [child for child in dock.children() if child.metaObject().className() == "HapticController"]
         QtCore.QMetaObject.invokeMethod(controller, slot, *(QtCore.Q_ARG(str, one) for one in arguments))
         return self.told()
 
     def press_button(self, name):
-        from PyQt5 import QtWidgets
-
         button, = self.main_window().findChildren(QtWidgets.QPushButton, name)
         button.click()
         return self.told()
 
     def cures(self):
         """What the dock says that a person has to do is done."""
-        from PyQt5 import QtWidgets
-
         head, file, sphere = simple.FindSource("HeadPhantom.vti"), os.path.join(OUTPUT, "cure.json"), simple.Sphere()
         sphere.UpdatePipeline()
         simple.SetActiveSource(sphere)
