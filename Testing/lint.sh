@@ -18,7 +18,7 @@ cd "$root"
 # shellcheck source=../CMake/install-packages.sh
 source CMake/install-packages.sh
 
-# Results differ from version to version. Debian has no ruff, and after Debian 12 no LLVM 14, so that these come from PyPI.
+# Results differ from version to version. Debian has no ruff, and after Debian 12 no LLVM 14: these come from PyPI.
 ruff_version=0.8.4
 clang_version=14.0.6
 

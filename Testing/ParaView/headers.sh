@@ -5,11 +5,11 @@
 # Compiles the plugin's sources against the headers of another ParaView, without a warning of what is deprecated there.
 #
 # usage: Testing/ParaView/headers.sh fetch SUITE FOLDER   # Debian's packages of the suite, such as forky, unpacked
-#        Testing/ParaView/headers.sh check FOLDER BUILD   # BUILD: a build of the plugin, which has the headers that are made
+#        Testing/ParaView/headers.sh check FOLDER BUILD   # BUILD: a build of the plugin, with the headers that it makes
 #
-# Headers come from the packages paraview-dev, qt6-base-dev and, if that ParaView has no VTK of its own, libvtk9-dev, from
-# the mirror that apt-get uses here. Nothing is installed. A check fetches nothing, links nothing and runs nothing: it
-# finds names and signatures that have changed.
+# Headers come from the packages paraview-dev, qt6-base-dev and, if that ParaView has no VTK of its own, libvtk9-dev,
+# from the mirror that apt-get uses here. Nothing is installed. A check fetches nothing, links nothing and runs nothing:
+# it finds names and signatures that have changed.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -62,7 +62,7 @@ check()
     echo "$2 is no build of the plugin. Cure: cmake --preset paraview -DParaView_DIR=..., and cmake --build" >&2
     exit 2
   fi
-  # What is made for the plugin itself, then other's headers, which are system headers: faults of theirs are not counted.
+  # What is made for the plugin itself, then headers of others, whose own faults are not counted.
   local options=(-std=c++17 -fPIC -fsyntax-only -Werror=deprecated -Werror=deprecated-declarations -DVTK_LEGACY_REMOVE
     "-I$build/settings" "-I$build/Module/VTK" "-I$root/Module")
   for folder in "$root"/Plugin/*/ "$root"/Plugin/Live/Regions/; do
