@@ -11,8 +11,8 @@
 #
 # FOLDER gets a tree of debootstrap's variant minbase with sudo, git and certificates, from the mirror that apt-get uses
 # here, and in it a user, whom the command runs as, or root with --root. A FOLDER that has one already keeps what is
-# installed and built in it, and gets the sources anew. The command has processes of its own, and this computer's network
-# and /tmp. Needs root. The tree takes 4 GB with all that run.sh installs; rm -r --one-file-system takes it away.
+# installed and built in it, and gets the sources anew. The command has processes of its own, this computer's network,
+# and its /tmp. Needs root. The tree takes 4 GB with all that run.sh installs; rm -r --one-file-system takes it away.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -71,7 +71,10 @@ if [ ! -f "$tree/etc/made" ]; then
   chmod 440 "$tree/etc/sudoers.d/tester"
   touch "$tree/etc/made"
 fi
+# This computer's way to the network, with the certificates that it trusts.
 cp --remove-destination /etc/resolv.conf "$tree/etc/resolv.conf"
+cp -r /usr/local/share/ca-certificates "$tree/usr/local/share"
+inside root update-ca-certificates > /dev/null
 
 # Only what is committed. Files that have not changed keep their times, so that no more is built anew than has to be.
 home=$(home_of $user)

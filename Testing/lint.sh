@@ -18,9 +18,10 @@ cd "$root"
 # shellcheck source=../CMake/install-packages.sh
 source CMake/install-packages.sh
 
-# Results differ from version to version. Debian has no ruff, and after Debian 12 no LLVM 14: these come from PyPI.
-ruff_version=0.8.4
+# What these find differs from version to version, so all of them are of the versions of Debian 12, which has no ruff.
 clang_version=14.0.6
+codespell_version=2.2.2
+ruff_version=0.8.4
 
 # The files with one of the given endings, separated by zeros.
 list_files()
@@ -32,11 +33,17 @@ list_files()
   find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
 }
 
-# usage: find_tool NAME VERSION
-# Sets $tool to a program of PyPI, in an environment of its own. Returns 1, and says so, if there is none.
+# usage: find_tool NAME VERSION [PACKAGE]
+# Sets $tool to a program of that version: Debian 12's, if its PACKAGE is named, else PyPI's in an environment of its own.
+# Returns 1, and says so, if there is none.
 find_tool()
 {
   local environment=build/$1-$2
+  if [ $# -eq 3 ] && [[ $(cat /etc/debian_version 2> /dev/null) == 12.* ]]; then
+    tool=$3
+    require_packages "$3"
+    return
+  fi
   tool=$environment/bin/$1
   require_packages python3 python3-venv
   if [ ! -x "$tool" ]; then
@@ -48,25 +55,9 @@ find_tool()
   fi
 }
 
-# usage: find_clang_tool NAME
-# Sets $tool to a program of LLVM 14: Debian's own, if it has one.
-find_clang_tool()
-{
-  tool=$1-${clang_version%%.*}
-  if command -v "$tool" > /dev/null; then
-    return
-  fi
-  # A machine that has never seen a package list may be any Debian.
-  if [[ $(cat /etc/debian_version 2> /dev/null) == 12.* ]]; then
-    require_packages "$tool"
-  else
-    find_tool "$1" $clang_version
-  fi
-}
-
 check_format()
 {
-  find_clang_tool clang-format || return 0
+  find_tool clang-format $clang_version clang-format-14 || return 0
   list_files .h .cxx | xargs -0 "$tool" --dry-run --Werror
 }
 
@@ -83,8 +74,8 @@ check_columns()
 
 check_spelling()
 {
-  require_packages codespell
-  codespell --config .codespellrc Module Plugin Examples Testing CMake Data Documentation ./*.md ./*.toml .github
+  find_tool codespell $codespell_version codespell || return 0
+  "$tool" --config .codespellrc Module Plugin Examples Testing CMake Data Documentation ./*.md ./*.toml .github
 }
 
 check_python()
@@ -122,8 +113,8 @@ run_clang_tidy()
 {
   local checks=$1
   shift
-  find_clang_tool clang-tidy || return 0
-  require_packages libstdc++-12-dev
+  find_tool clang-tidy $clang_version clang-tidy-14 || return 0
+  require_packages g++
   # shellcheck disable=SC2016 # the inner shell expands it
   printf '%s\0' "$@" | xargs -0 -P "$(nproc)" -I '{}' bash -c '
     options=(-std=c++17 -IModule -I.)

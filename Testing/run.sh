@@ -43,7 +43,7 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   tesseract-ocr imagemagick libgdcm-dev libblosc-dev libzstd-dev libvtk9-qt-dev chromium chromium-driver \
   python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang dbus libdbus-1-3 python3-gi
 require_packages "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
-[[ $(cat /etc/debian_version) != 12.* ]] || require_packages clang-tidy-14 clang-format-14 # elsewhere from PyPI
+[[ $(cat /etc/debian_version) != 12.* ]] || require_packages clang-tidy-14 clang-format-14 codespell # elsewhere from PyPI
 [ $full = no ] || require_packages python3-tk invesalius f3d # programs of Testing/Hosts
 jobs=$(nproc)
 left_out='device|full' # labels of tests that ran before, or do not run
