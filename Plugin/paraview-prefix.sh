@@ -10,7 +10,7 @@
 # ParaView's CMake files insist on it. So it is unpacked into PREFIX, beside links to the installed packages
 # paraview and paraview-dev. A prefix that is there already, of the same version, is left alone.
 #
-#   cmake ... -DParaView_DIR=PREFIX/usr/lib/$(uname -m)-linux-gnu/cmake/paraview-5.11
+#   cmake ... -DParaView_DIR=$(echo PREFIX/usr/lib/*/cmake/paraview-*)
 #   PATH=PREFIX/usr/bin:$PATH PYTHONPATH=PREFIX/usr/lib/python3/dist-packages pvpython ...
 set -euo pipefail
 
@@ -39,6 +39,11 @@ if ! (cd "$prefix/package" && apt-get download -qq "python3-paraview=$version" 2
   exit 1
 fi
 dpkg -x "$prefix"/package/python3-paraview_*.deb "$prefix"
+
+# Debian 13 has added the ABI to the names of Python's modules, and its CMake files look for them without it.
+find "$prefix/usr/lib/python3" -name '*.cpython-*.so' | while read -r module; do
+  ln -sfn "$(basename "$module")" "${module%%.cpython-*}.so"
+done
 
 # CMake files find everything else relative to themselves, so these are copied and the rest linked to.
 paths=$(dpkg -L paraview paraview-dev)
