@@ -74,8 +74,8 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   const double value = filter->GetIsoValue();
   return [=, isFirst = true, wasInside = false](const Vector3& tip, Felt&) mutable
   {
-    const double at[3] = { tip.X, tip.Y, tip.Z };
-    const vtkIdType point = image->FindPoint(at[0], at[1], at[2]);
+    double at[3] = { tip.X, tip.Y, tip.Z };
+    const vtkIdType point = image->FindPoint(at); // three numbers do not compile with ParaView 5.13
     if (point < 0)
     {
       return false;
