@@ -71,7 +71,7 @@ protected:
     for (const unsigned long event :
       { vtkCommand::EnableEvent, vtkCommand::RenderEvent, vtkCommand::MouseMoveEvent })
     {
-      made->AddObserver(event, begin, 1.0f); // above the widget
+      made->AddObserver(event, begin, 1.0f); // priority above the widget's
     }
   }
 };

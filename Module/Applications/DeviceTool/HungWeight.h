@@ -14,7 +14,7 @@
 #include <string>
 
 /**
- * A spring holds the handle at its place. At rest the motors carry everything that hangs on the
+ * A spring holds the handle in its position. At rest the motors carry everything that hangs on the
  * handle:
  *
  *   factor * force asked for = weight of the handle + pull of the arm + friction (+ m g).

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads a vtkImageData for Core: the scalars, their place in the world, and the facts about the
+ * Reads a vtkImageData for Core: the scalars, their position in the world, and the facts about the
  * whole volume if the image is a region of it.
  */
 #ifndef HapticVolume_h

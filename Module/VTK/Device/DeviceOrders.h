@@ -50,7 +50,7 @@ public:
   void EndPreparing();
   /** Publishes the next region of the volume once it has been read: see vtkHapticRegionSource. */
   void PollRegion();
-  /** Publishes the next time steps of a volume that moves: see DataPlayback. */
+  /** Publishes the next time steps of a moving volume: see DataPlayback. */
   void PollTimeSteps();
   /** Sends the device's limits to the running servo. */
   void SendLimits();

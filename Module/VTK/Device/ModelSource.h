@@ -88,7 +88,7 @@ public:
    * Whether a stream already had newer time steps when the last model was made of its time steps.
    */
   bool IsBehind() const { return this->IsMadeOfTimeSteps && this->Playback.IsBehind(); }
-  /** Whether the servo's model has time steps of a volume that moves. */
+  /** Whether the servo's model has time steps of a moving volume. */
   bool HasTimeSteps() const;
   /**
    * Return the image and the time of the time step nearest to the servo's time. The image is null

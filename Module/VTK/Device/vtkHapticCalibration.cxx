@@ -61,7 +61,9 @@ std::string DetectFlaw(vtkPoints* points, const std::string& space)
     points->GetPoint(i, c);
     height2 = std::max(height2, vtkLine::DistanceToLine(c, ends[0], ends[1]));
   }
-  constexpr double thinnest = 0.01; // below this the rotation about the line is guessed
+  // smallest height of the points above their line, as a fraction of the line's length; below it,
+  // the rotation about the line is guessed
+  constexpr double thinnest = 0.01;
   if (!(height2 > thinnest * thinnest * longest2))
   {
     return "The points " + space +

@@ -163,7 +163,7 @@ void vtkHapticDevice::Stop()
 void vtkHapticDevice::Halt()
 {
   auto& d = *this->Parts;
-  d.Orders.Disarm(); // at once, because writing a recording takes time
+  d.Orders.Disarm(); // disarm first, because writing a recording takes time
   d.Recorder->Finish();
   d.Orders.EndPreparing();
   d.Session.Stop();

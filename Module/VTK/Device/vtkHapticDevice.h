@@ -538,8 +538,8 @@ protected:
   double MaximumForceRate = 500.0;
   double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
-  double WantedForce = -1.0;  // as set by SetMaximumForce; negative: half of the device's maximum
-  double WantedTorque = -1.0; // as set by SetMaximumTorque; negative: half of the device's maximum
+  double WantedForce = -1.0;  // value of SetMaximumForce; negative: half of the device's maximum
+  double WantedTorque = -1.0; // value of SetMaximumTorque; negative: half of the device's maximum
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

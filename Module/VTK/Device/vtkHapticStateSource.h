@@ -46,10 +46,10 @@ public:
     PROXY = 1,
     SURFACE_POSITION = 2, ///< x_s
     MEDIUM_POSITION = 3,  ///< x_v
-    SPRING = 4,           ///< from the tip to the proxy
-    FORCE = 5,            ///< from the tip: the force on the hand
-    NORMAL_FORCE = 6,     ///< from the proxy: the push of the surface
-    FRICTION_FORCE = 7    ///< from the proxy: the friction of the surface
+    SPRING = 4,           ///< line from the tip to the proxy
+    FORCE = 5,            ///< line from the tip: the force on the hand
+    NORMAL_FORCE = 6,     ///< line from the proxy: the push of the surface
+    FRICTION_FORCE = 7    ///< line from the proxy: the friction of the surface
   };
 
   ///@{

@@ -39,7 +39,7 @@ struct HapticModelOptions
   HapticSurface* Surfaces = nullptr; ///< meshes for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< surface to touch; null for the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
-  /** Time steps of a volume that moves; the image is at its first step. */
+  /** Time steps of a moving volume; the image is at its first step. */
   std::vector<ImageTimeStep> TimeSteps;
   std::string Displacements;     ///< name of the displacements' array; empty if there is none
   TimeStepSeries Series;         ///< the whole series that contains TimeSteps

@@ -20,7 +20,7 @@
  * and the force is never more than the sum of their strengths.
  *
  *   VECTOR_FOLLOW  free along a flow, held perpendicular to it; the second strength pushes along
- *   VECTOR_FRONT   surfaces across a field, such as wave fronts or equipotentials
+ *   VECTOR_FRONT   surfaces perpendicular to a field, such as wave fronts or equipotentials
  *   VORTEX         held in around the axis of a vortex; the second strength, on lines along it
  *   SHEAR          free in the direction in which a flow stretches
  *   TENSOR_FOLLOW  free along fibres; the second strength holds within sheets
@@ -73,25 +73,26 @@ public:
    * vtkHapticGuideMode, and of no other mode: setting another kind there, or GUIDE here, is an
    * error without an effect.
    *
-   * - VECTOR_FOLLOW: the hand moves freely along the vectors, as if on a rail, and is held across
-   *   them with the Strength, a function of the magnitude of the vector. The proxy follows the
-   *   field line, however it turns, without drift. Let the strength be 0 where the magnitude is 0,
-   *   since a zero vector has no direction.
-   * - VECTOR_FRONT: the hand is held, wherever it is, on a surface across the vectors, with the
-   *   Strength, a function of their magnitude, and slides along this surface. If it pushes with
-   *   more, it moves on to the next surface, at that force. See TwoSided.
+   * - VECTOR_FOLLOW: the hand moves freely along the vectors, as if on a rail, and is held
+   *   perpendicular to them with the Strength, a function of the magnitude of the vector. The proxy
+   *   follows the field line, however it turns, without drift. Let the strength be 0 where the
+   *   magnitude is 0, since a zero vector has no direction.
+   * - VECTOR_FRONT: the hand is held, wherever it is, on a surface perpendicular to the vectors,
+   *   with the Strength, a function of their magnitude, and slides along this surface. If it pushes
+   *   with more, it moves on to the next surface, at that force. See TwoSided.
    * - VORTEX: the curl omega of the vectors is the axis of their rotation. The hand moves freely
    *   towards the axis, along it and around it; if it moves away from the axis, it is held back
    *   with the Strength, a function of the magnitude of omega (per world unit). Within a tenth of a
    *   voxel of the core line, on which the flow does not turn, it rests on the line itself.
    * - SHEAR: the hand moves freely in the direction in which the flow of the vectors stretches
-   *   most, the first eigenvector of (J + J^T)/2 with J the Jacobian. Across it the hand is held
-   *   with the Strength, a function of the rate of stretching (the eigenvalue, per world unit).
+   *   most, the first eigenvector of (J + J^T)/2 with J the Jacobian. Perpendicular to it, the hand
+   *   is held with the Strength, a function of the rate of stretching (the eigenvalue, per world
+   *   unit).
    * - TENSOR_FOLLOW: with l_1 >= l_2 >= l_3 the eigenvalues of the tensor, negative ones taken as
-   *   0, c_l = (l_1 - l_2)/l_1 says how clear one direction is (diffusion along fibres), and
+   *   0, c_l = (l_1 - l_2)/l_1 measures how clear one direction is (diffusion along fibres), and
    *   c_p = (l_2 - l_3)/l_1 how clear one plane is (sheets). The hand moves freely along the first
-   *   eigenvector, and is held across it with the Strength, a function of c_l, from 0 to 1. Let
-   *   the strength be 0 where c_l is 0: the default of 2 N holds there, too, in an arbitrary
+   *   eigenvector, and is held perpendicular to it with the Strength, a function of c_l, from 0 to
+   *   1. Let the strength be 0 where c_l is 0: the default of 2 N holds there, too, in an arbitrary
    *   direction. If tensors have 9 components (row by row), their symmetric part counts.
    * - RIDGE: the hand is drawn to the middle of a vessel or nerve, where the touched scalars fall
    *   to all sides but along one direction, and moves freely along it. With |h_1| <= |h_2| <= |h_3|

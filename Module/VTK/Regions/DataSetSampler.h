@@ -72,7 +72,8 @@ private:
   std::vector<SampledArray> Arrays;
   SamplingGrid Grid;
   double LeastScalar = 0.0;
-  bool HasOwnScalars = true; ///< if false, the first array is the magnitude of the second
+  bool HasOwnScalars = true; ///< whether the data have scalars; if not, the first array is the
+                             ///< magnitude of the second
   std::mutex Mutex;          ///< held while reading, because the probe fills caches of the data
 };
 

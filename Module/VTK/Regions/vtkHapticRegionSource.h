@@ -146,9 +146,9 @@ public:
 
   ///@{
   /**
-   * An image of the whole volume in memory, at the same place in the world and with coarser voxels,
-   * such as an upper level of an image pyramid. Live, it is felt where samples are late; paths
-   * don't use it. A window may show it. Do not change it while it is set. Default: none.
+   * An image of the whole volume in memory, at the same position in the world and with coarser
+   * voxels, such as an upper level of an image pyramid. Live, it is felt where samples are late;
+   * paths don't use it. A window may show it. Do not change it while it is set. Default: none.
    */
   void SetCoarseImage(vtkImageData* image);
   vtkImageData* GetCoarseImage();

@@ -46,7 +46,8 @@ struct ToolFunction
 struct ToolPlan
 {
   vtkHapticProperty* Property;           ///< property with the material
-  const HapticModelDescription& Model;   ///< with settings, material, time steps and geometry
+  const HapticModelDescription& Model;   ///< model, with settings, material, time steps and
+                                         ///< geometry
   std::shared_ptr<const BakedTool> Tool; ///< result, set by Describe(); null before
   std::string Error;                     ///< reason and cure if the tool can't be felt
 };

@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * The force (N) with which tissue holds the inserted needle across its axis, 0 or more. Full from
-   * a hand depth of 1 mm on. Default 1.
+   * The force (N) with which tissue holds the inserted needle perpendicular to its axis, 0 or more.
+   * Full from a hand depth of 1 mm on. Default 1.
    */
   vtkSetClampMacro(LateralStrength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LateralStrength, double);

@@ -125,7 +125,7 @@ public:
    * which something was removed. It is replaced as a whole: if the disk is full, the old file
    * stays. On failure, both report an error, return false and change nothing. Shares from a file
    * are felt on any volume whose samples lie at the positions of the samples of the file's volume:
-   * a volume that was cropped or padded since has the same hole at the same place.
+   * a volume that was cropped or padded since has the same hole at the same position.
    */
   bool WriteFile(const std::string& file);
   bool ReadFile(const std::string& file);

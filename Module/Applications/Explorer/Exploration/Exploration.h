@@ -35,7 +35,7 @@ struct Settings
   // Name as in vtkVolumeHapticsFilter::GetMethodNames, or "auto": primitives, which follow the
   // vectors, if the volume is a grid with vectors, and otherwise proxy.
   std::string Method = "auto";
-  std::vector<std::string> Modes; // for the method primitives: see ModeChoice.h
+  std::vector<std::string> Modes; // modes of the method primitives: see ModeChoice.h
   std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
 };
 

@@ -37,10 +37,10 @@ struct DemoEvent
   };
   double Time = 0.0;
   Kind What = Kind::Move;
-  double Place[2] = { 0.0, 0.0 }; ///< for Move
-  double Duration = 0.0;          ///< s, for Move; 0: the mouse jumps
-  int Steps = 0;                  ///< for Wheel
-  std::string Name;               ///< for Key, Press and Release
+  double Place[2] = { 0.0, 0.0 }; ///< target of Move, as fractions of the window
+  double Duration = 0.0;          ///< time that Move takes (s); 0: the mouse jumps
+  int Steps = 0;                  ///< number of steps of Wheel; negative: backwards
+  std::string Name;               ///< name of the key or button of Key, Press and Release
 };
 
 /// Reads a script. Throws InputError, with the line, if the file is not a script.

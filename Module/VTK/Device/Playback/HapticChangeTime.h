@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Computes the time of the last change that concerns a servo.
+ * Computes the modification times of what a servo feels.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the time of the last change of an algorithm or of one upstream of it; 0 without an
+ * Returns the modification time of an algorithm with everything upstream of it; 0 without an
  * algorithm.
  */
 inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
@@ -35,8 +35,7 @@ inline vtkMTimeType ComputePipelineTime(vtkAlgorithm* source)
 }
 
 /**
- * Returns the time of the last change of a filter or of its surface or label image; 0 without a
- * filter.
+ * Returns the modification time of a filter with its surface and label image; 0 without a filter.
  */
 inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 {
@@ -51,10 +50,10 @@ inline vtkMTimeType ComputeChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * Returns the time of the last change of a filter or of its image, surface or label image; 0
- * without a filter. If the time steps of a moving image are requested one after the other
- * (`isMoving`), changes of the image itself don't count, because each request changes it; changes
- * of the whole pipeline before it do.
+ * Returns the modification time of a filter with its image, surface and label image; 0 without a
+ * filter. If the time steps of a moving image are requested one after the other (`isMoving`), the
+ * pipeline before the image counts instead of the image itself, because each request changes the
+ * image.
  */
 inline vtkMTimeType ComputeChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {

@@ -30,7 +30,7 @@ namespace VolumeHaptics
 struct TimeStepOrigin
 {
   const void* Connection = nullptr; ///< connection to the source, only compared
-  vtkMTimeType Time = 0;            ///< last change of the source, or of what it reads
+  vtkMTimeType Time = 0;            ///< modification time of the source and its pipeline
   std::string Displacements;        ///< name of the displacements' array
 
   bool operator==(const TimeStepOrigin& other) const

@@ -139,7 +139,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const TimeStepReading
   return true;
 }
 
-/** Reads the time span at a place; empty if there is only one time step. */
+/** Reads the time span at a place in the series; leaves it empty if there is only one time step. */
 bool ReadSteps(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place, const BakedVolume* kept,
   PreparedTimeSpan& read)
 {

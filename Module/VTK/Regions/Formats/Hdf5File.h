@@ -35,7 +35,7 @@ struct Hdf5Filter
   static constexpr int Checksum = 3;
 
   int Id = 0;
-  std::size_t SampleSize = 0; ///< for Shuffle
+  std::size_t SampleSize = 0; ///< size of a sample (bytes); set for Shuffle only
 };
 
 /** An array of at least three dimensions; the last three are z, y and x. */

@@ -27,7 +27,7 @@ struct LargeFile
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<double, 9> Direction{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   BoxReader Read;
-  std::vector<std::string> Notes; ///< for the user: what was assumed or left out
+  std::vector<std::string> Notes; ///< notes for the user on what was assumed or left out
   /** Size of a chunk in samples along x, y and z; zeros if there are no chunks. */
   std::array<std::int64_t, 3> ChunkSize{};
   std::vector<LargeFile> Coarser; ///< coarser levels of the same volume, the finest first
