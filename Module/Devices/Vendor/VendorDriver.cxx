@@ -26,16 +26,16 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
 }
 
 /**
- * Loads the table of a file's plug-in. If this fails, returns null and writes the reason and the
- * cure to `error`. A refused library also stays loaded, because the vendor's library may have
- * started threads.
+ * Loads the table of the plug-in in a file. Returns null and writes the reason and the cure to
+ * `error` if this fails. Even a library that is refused stays loaded, because the vendor's library
+ * may have started threads.
  */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {
   void* const library = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library)
   {
-    // The loader names the missing part, usually the vendor's own library.
+    // The loader's text names the missing part, usually the vendor's own library.
     const char* const reason = dlerror();
     error = "\"" + real + "\" can't be loaded: " + (reason ? reason : "no reason is given") +
       ". Install the vendor's SDK, and name the folder of its libraries in LD_LIBRARY_PATH if they "
@@ -61,9 +61,9 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
   return table;
 }
 
-constexpr int VendorRoundPause = 1; // ms, the longest between two rounds
-constexpr int VendorLostPause = 10; // ms
-constexpr double Farthest = 10.;    // m: a farther position is invalid
+constexpr int VendorRoundPause = 1; // longest time between two rounds in ms
+constexpr int VendorLostPause = 10; // in ms
+constexpr double Farthest = 10.;    // distance in m above which a position is not valid
 constexpr std::uint32_t AllAxes = 7;
 
 bool IsLimit(double limit)
@@ -213,7 +213,7 @@ std::string VendorLibrary::MakeIdentity(
   const std::string& plugin, int number, const std::string& serial)
 {
   std::string word = serial.empty() ? "number:" + std::to_string(number) : serial;
-  // The user's file of devices separates words by spaces.
+  // In the user's file of devices, spaces separate words.
   std::replace_if(
     word.begin(), word.end(), [](unsigned char c) { return std::isgraph(c) == 0 || c == '='; },
     '_');
@@ -318,7 +318,7 @@ int VendorDriver::Write(const Vector3& force, const Vector3& torque) noexcept
 
 void VendorDriver::Serve(HardwareExchange& exchange)
 {
-  /** Runs also if something throws. */
+  /** Ends the force, even if an exception is thrown. */
   struct AtEnd
   {
     VendorDriver* Driver;
@@ -340,7 +340,7 @@ void VendorDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      // Quench and Close wait for rounds of zero force.
+      // Quench() and Close() wait until this thread has asked for the force, and got zero.
       exchange.GetForce();
       exchange.WaitForWake(VendorLostPause);
       continue;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device behind a plug-in for its vendor's library (VendorPlugin.h).
+ * A device that is reached through a plug-in for its vendor's library (VendorPlugin.h).
  *
- * In each round it reads the pose and writes the force; a round follows each force of the servo, or
- * the last round by a millisecond. If a call of the plug-in does not return, the servo's force is
- * zero after 30 ms, as there are no positions, but the device does not get it: then only the
- * vendor's watchdog ends the force.
+ * Each round reads the pose and writes the force. A round begins when the servo has a force, or a
+ * millisecond after the last round. If a call of the plug-in does not return, the servo's force
+ * becomes zero after 30 ms, because there are no positions, but the device does not receive it:
+ * then only the vendor's watchdog ends the force.
  */
 #ifndef VendorDriver_h
 #define VendorDriver_h
@@ -24,10 +24,10 @@ namespace VolumeHaptics
 {
 
 /**
- * A loaded plug-in for a vendor's library, with the facts about its devices.
+ * A loaded plug-in for a vendor's library, and what is known about its devices.
  *
- * Plug-ins stay loaded until the program ends: vendors' libraries have threads of their own, which
- * may not outlive their code.
+ * Plug-ins stay loaded until the program ends, because vendors' libraries have threads of their
+ * own, which must not outlive their code.
  */
 class VendorLibrary
 {
@@ -40,31 +40,31 @@ public:
   };
 
   /**
-   * Returns the plug-in of this name, and loads it if it is not loaded yet. If this fails, returns
-   * null and writes the reason and the cure to `error`.
+   * Returns the plug-in with a name, and loads it if it is not loaded yet. Returns null and writes
+   * the reason and the cure to `error` if this fails.
    */
   static std::shared_ptr<VendorLibrary> Load(
     const std::string& plugin, const std::string& path, std::string& error);
-  /** Loads a file that VendorFolder found. Any thread. */
+  /** Loads a file that VendorFolder has found. From any thread. */
   static std::shared_ptr<VendorLibrary> LoadFile(const std::string& path, std::string& error);
 
   /**
    * Lists the devices. While a device is open, returns the last list without calling the plug-in.
-   * If the plug-in can't list them, returns false and writes the reason to `error`.
+   * Returns false and writes the reason to `error` if the plug-in can't list them.
    */
   bool Describe(std::vector<Description>& devices, std::string& error);
 
   ///@{
-  /** Open and close a device. If Open fails, it returns null and writes the reason to `error`. */
+  /** Open and close a device. Open() returns null and writes the reason to `error` if it fails. */
   void* Open(int number, std::string& error);
   void Close(void* device, int number) noexcept;
   ///@}
 
   const VolumeHapticsVendorPlugin& Functions() const noexcept { return *this->Table; }
-  /** Returns the plug-in's text about a device, or about itself; never empty. */
+  /** Returns the plug-in's text about a device or, for null, about itself. It is never empty. */
   std::string LastError(void* device) const;
 
-  /** Makes the identity of a device for the user's file of devices. */
+  /** Returns the identity of a device, for the user's file of devices. */
   static std::string MakeIdentity(const std::string& plugin, int number, const std::string& serial);
 
 private:
@@ -84,11 +84,12 @@ class VendorDriver final : public HardwareDriver
 {
 public:
   /**
-   * The longest call (s); a longer one is a fault, because the device was not observed meanwhile.
+   * Longest duration of a call (s). A longer one is a fault, because the device was not observed
+   * during it.
    */
   static constexpr double LongestCall = 0.5;
 
-  /** `path` is a search path as in VendorFolder::Split. */
+  /** @param path a search path as in VendorFolder::Split */
   VendorDriver(std::string plugin, int number, std::string path);
   ~VendorDriver() override;
 
@@ -114,8 +115,11 @@ private:
   const std::string Path;
   std::string Label;
   std::string Identity;
-  bool HasSerial = false; ///< whether the device has a serial number; without one, a plug-in's
-                          ///< devices may change their numbers
+  /**
+   * Whether the device has a serial number; without one, the devices of a plug-in may exchange
+   * their numbers.
+   */
+  bool HasSerial = false;
   DeviceLimits Limits;
   std::shared_ptr<VendorLibrary> Library;
   void* Device = nullptr;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Devices of vendors' libraries, "vendor:PLUGIN:N", on systems with dlopen.
+ * Lists and makes devices of vendors' libraries, "vendor:PLUGIN:N", on systems with dlopen.
  */
 #ifndef VendorKind_h
 #define VendorKind_h

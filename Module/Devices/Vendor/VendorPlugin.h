@@ -38,7 +38,9 @@ extern "C"
 {
 #endif
 
-  /** Results of functions that return an int. If one is below zero, LastError has a text. */
+  /**
+   * Results of the functions that return an int. If one is negative, LastError() returns a text.
+   */
   enum VolumeHapticsVendorResult
   {
     VOLUME_HAPTICS_VENDOR_NEWS = 1,   /**< Read: a new measurement */
@@ -47,7 +49,10 @@ extern "C"
     VOLUME_HAPTICS_VENDOR_LOST = -2   /**< a fault, after which no force may flow */
   };
 
-  /** A number that is not limited, or not known, is 0; only MaximumForce must be known. */
+  /**
+   * Limits of a device. A number that is not limited or not known is 0. Only MaximumForce must be
+   * known.
+   */
   struct VolumeHapticsVendorLimits
   {
     double MaximumForce;     /**< N */
@@ -73,34 +78,37 @@ extern "C"
   {
     uint32_t Version; /**< VOLUME_HAPTICS_VENDOR_VERSION */
     /**
-     * Returns the number of devices that are plugged in, or that can be tried; negative: see
-     * LastError.
+     * Returns the number of devices that are plugged in or that can be tried. If it is negative,
+     * LastError() returns the reason.
      */
     int (*Count)(void);
-    /** Writes a device's name for people, and its serial number or an empty text. */
+    /** Writes a device's name for the user, and its serial number or an empty text. */
     int (*Describe)(int number, char* name, size_t nameSize, char* serial, size_t serialSize);
-    /** Opens a device and returns a handle, without force yet; null: see LastError. */
+    /**
+     * Opens a device, without a force yet, and returns a handle. If it is null, LastError() returns
+     * the reason.
+     */
     void* (*Open)(int number);
     int (*GetLimits)(void* device, struct VolumeHapticsVendorLimits* limits);
-    /** Writes the serial number of an open device, or an empty text. */
+    /** Writes the serial number of an open device, or an empty text if it has none. */
     int (*GetSerial)(void* device, char* serial, size_t size);
     int (*Read)(void* device, struct VolumeHapticsVendorPose* pose);
     int (*Write)(void* device, const double force[3], const double torque[3]);
     /**
-     * Homes the device, or tries it again after a fault, at the user's request. Homing may take
-     * seconds, in which Read is not called. Null if there is nothing to do.
+     * Homes the device, or tries it again after a fault. Called at the user's request. Homing may
+     * take seconds, during which Read is not called. May be null if there is nothing to do.
      */
     int (*Home)(void* device);
     /**
-     * Returns the last fault or request to the user with its cure, in a sentence that follows the
-     * device's name: "is not homed. Press Home()." For a null device, the sentence is about the
-     * plug-in. Valid until the next call.
+     * Returns the last fault, or the last request to the user, and its cure. The text is a sentence
+     * that continues after the device's name, such as "is not homed. Press Home()." If the device
+     * is null, the sentence is about the plug-in. The text is valid until the next call.
      */
     const char* (*LastError)(void* device);
     void (*Close)(void* device);
   };
 
-  /** Returns the table of functions; null if the plug-in does not support that version. */
+  /** Returns the table of functions, or null if the plug-in does not support the version. */
 #if defined(_WIN32)
   __declspec(dllexport)
 #else

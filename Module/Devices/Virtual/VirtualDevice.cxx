@@ -27,7 +27,7 @@ void VirtualDevice::Close()
 
 DeviceLimits VirtualDevice::StrongDesktopDevice()
 {
-  // Stiffness and damping are not limited, so that any can be simulated.
+  // Stiffness and damping are not limited, so that all values can be simulated.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
   limits.MaximumTorque = 0.5;
@@ -68,13 +68,14 @@ void VirtualDevice::Update(double period) noexcept
   const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
   const double most = this->Dynamics.HandSpeed * period;
-  // Ends exactly at the target if it is within reach.
+  // The tip stops exactly at the target if it can reach it.
   this->Position = distance <= most ? this->Target : this->Position + (most / distance) * way;
 }
 
 void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 {
-  // Integrates by Runge-Kutta of fourth order; the force is held, so the right-hand side is smooth.
+  // Integrates by Runge-Kutta of fourth order. The force is constant, so that the right-hand side
+  // is smooth.
   constexpr int steps = 8;
   const double h = period / steps;
   const double m = this->Dynamics.Mass;
@@ -146,7 +147,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 
 DeviceState VirtualDevice::Write(const Vector3& force) noexcept
 {
-  // The oldest of ForceDelay + 1 forces acts; without a delay, the present one.
+  // The oldest of ForceDelay + 1 forces acts. Without a delay it is the present one.
   const int length = std::clamp(this->Dynamics.ForceDelay, 0, VirtualDynamics::MaximumDelay) + 1;
   this->Queue[this->QueueHead % length] = force;
   this->QueueHead = (this->QueueHead + 1) % length;

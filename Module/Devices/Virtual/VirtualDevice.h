@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device without hardware, whose tip the program leads.
+ * A device without hardware. The program leads its tip.
  *
- * Without dynamics (Mass 0, the default) the tip goes straight to its target, at most at HandSpeed.
- * With a mass it is a device in a hand: m x'' = f + HandStiffness (target - x) - Damping x',
- * integrated accurately over each period with the force held, as in a sampled-data system. Measured
- * positions can be rounded to an encoder's quantum and forces delayed by ticks, to study the
- * stability of the closed loop.
+ * Without dynamics (Mass 0, the default), the tip moves straight to its target, at most at
+ * HandSpeed. With a mass, it is a device in a hand: m x'' = f + HandStiffness (target - x) -
+ * Damping x'. This is integrated accurately over each period with a constant force, as in a
+ * sampled-data system. To study the stability of the closed loop, measured positions can be rounded
+ * to an encoder's quantum, and forces can be delayed by ticks.
  */
 #ifndef VirtualDevice_h
 #define VirtualDevice_h
@@ -26,12 +26,12 @@ struct VirtualDynamics
 {
   static constexpr int MaximumDelay = 16;
 
-  double Mass = 0.0;           ///< kg; 0: no dynamics
-  double Damping = 0.0;        ///< N s/m
-  double HandStiffness = 0.0;  ///< N/m, between the tip and its target
-  double EncoderQuantum = 0.0; ///< m; 0: not rounded
-  int ForceDelay = 0;          ///< ticks, 0 to MaximumDelay
-  double HandSpeed = 2.0;      ///< m/s, without dynamics
+  double Mass = 0.0;           ///< in kg; 0 for no dynamics
+  double Damping = 0.0;        ///< in N s/m
+  double HandStiffness = 0.0;  ///< stiffness between the tip and its target in N/m
+  double EncoderQuantum = 0.0; ///< quantum in m to which positions are rounded; 0 for no rounding
+  int ForceDelay = 0;          ///< delay of the force in ticks, 0 to MaximumDelay
+  double HandSpeed = 2.0;      ///< largest speed in m/s without dynamics
 };
 
 class VirtualDevice : public DeviceBackend
@@ -56,29 +56,34 @@ public:
    * ones.
    */
   void Lead(const Vector3& target) noexcept;
-  /** Takes the stylus up at another position (m), as the first Lead does. */
+  /**
+   * Places the stylus at another position (m), as if the hand took it up there. The first Lead()
+   * does this, too.
+   */
   void Place(const Vector3& position) noexcept;
   /**
-   * Sets the stylus's orientation, at once: a unit quaternion. The stylus has no orientation before
-   * the first call.
+   * Sets the stylus's orientation, which takes effect at once. It must be a unit quaternion. Before
+   * the first call the stylus has no orientation.
    */
   void Turn(const Quaternion& orientation) noexcept;
   /** Removes the orientation. */
   void ForgetTurn() noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
-  /** Sets the dynamics. Call it only while the loop does not run. */
+  /** Sets the dynamics. Must not be called while the loop runs. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
-  /** Sets the limits of another device. Call it only while the loop does not run. */
+  /**
+   * Sets the limits, for example those of another device. Must not be called while the loop runs.
+   */
   void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}
 
   ///@{
-  /** Simulate failures of a real device: samples stop, or the device is unplugged. */
+  /** Simulate faults of a real device: samples stop, or the device is unplugged. */
   void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}
 
-  /** Returns the force that acts on the hand now. Any thread, for one component at a time. */
+  /** Returns a component of the force that acts on the hand now. From any thread. */
   double GetActingForce(int axis) const noexcept
   {
     return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
@@ -94,28 +99,30 @@ private:
   struct Order
   {
     Vector3 Target;
-    std::uint64_t Places = 0; ///< how often the stylus was taken up
+    std::uint64_t Places = 0; ///< number of times that the stylus was taken up
     Quaternion Orientation;
     bool HasOrientation = false;
   };
   TripleBuffer<Order> Orders;
-  Order Wanted; ///< used by the leading thread
+  Order Wanted; ///< used only by the leading thread
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> Unplugged{ false };
   std::atomic<bool> Quenched{ false };
   std::array<std::atomic<double>, 3> Acting{};
 
-  // Used by the servo only.
+  // Members that only the servo uses.
   Vector3 Position;
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
-  std::int64_t Time = 0;   ///< ns, simulated: one period per tick, however late the ticks are
-  std::int64_t Period = 0; ///< ns
+  /** Simulated time in ns: one period for each tick, however late the ticks are. */
+  std::int64_t Time = 0;
+  std::int64_t Period = 0; ///< period of the ticks in ns
   TakenForce Taken{ -1, 0 };
   Vector3 Target;
-  std::uint64_t PlacesDone = 0; ///< Places that the servo has seen; 0: never taken up
+  /** The last Places that the servo has used; 0 if the stylus was never taken up. */
+  std::uint64_t PlacesDone = 0;
 };
 
 } // namespace VolumeHaptics

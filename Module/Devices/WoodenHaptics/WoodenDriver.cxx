@@ -15,7 +15,10 @@ namespace
 {
 
 ///@{
-/** All devices with one of these controllers have its numbers, and most have its name. */
+/**
+ * Vendor, product and name of the two published controllers. All devices with such a controller
+ * have its numbers, and most have its name.
+ */
 constexpr std::uint16_t MbedVendor = 0x1234;
 constexpr std::uint16_t MbedProduct = 0x0006;
 constexpr const char* MbedName = "hid device";
@@ -23,18 +26,19 @@ constexpr std::uint16_t TeensyVendor = 0x16C0;
 constexpr std::uint16_t TeensyProduct = 0x0486;
 constexpr const char* TeensyName = "teensyduino rawhid";
 ///@}
-/** The board's second interface carries its log and has the same name. */
+/**
+ * HID usage page of the board's second interface. It has the same name but only carries the board's
+ * log, so it is skipped.
+ */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-/** The time (ns) between currents if no packet comes. */
+/** Time (ns) between currents if no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
-/**
- * The pause (s) after which the hand was not observed, since the kernel may have dropped packets.
- */
+/** Pause (s) after which the hand was not observed, because the kernel may have dropped packets. */
 constexpr double LateRound = 0.03;
 /**
- * The time (s) between two presets. The firmware only uses the last of the waiting packets, which
- * may not be this one.
+ * Time (s) between two preset packets. Of the packets that wait, the firmware uses only the last
+ * one, which may be another packet.
  */
 constexpr double PresetPeriod = 0.1;
 
@@ -49,8 +53,8 @@ constexpr const char* AskAgain = ", then press Home() and put the arm into its r
 
 ///@{
 /**
- * Converts from the arm's axes (towards the hand, right, up) to the device's (right, up, towards
- * the hand).
+ * Converts from the arm's axes (towards the hand, right, up) to the device's axes (right, up,
+ * towards the hand).
  */
 Vector3 ArmToDevice(const Vector3& arm)
 {
@@ -75,8 +79,7 @@ bool IsTeensy(const HidDeviceInfo& info)
 }
 
 /**
- * Returns whether a device has a controller's numbers, and this word in its name, in upper or lower
- * case.
+ * Returns whether a device has a controller's numbers and a word in its name, whatever the case.
  */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
@@ -86,15 +89,17 @@ bool IsNamed(const HidDeviceInfo& info, const char* word)
   return (IsMbed(info) || IsTeensy(info)) && product.find(word) != std::string::npos;
 }
 
-/** Returns whether a device reports that it is a WoodenHaptics. No published firmware does. */
+/**
+ * Returns whether a device reports that it is a WoodenHaptics, which no published firmware does.
+ */
 bool SaysWhatItIs(const HidDeviceInfo& info)
 {
   return IsNamed(info, "woodenhaptics");
 }
 
 /**
- * Returns whether a device has the packets of the published firmware: other programs of this board
- * differ.
+ * Returns whether a device has packets of the size in the published firmware, which other programs
+ * of this board do not have. Also returns true if the descriptor can't be read.
  */
 bool HasPacketsOfMbed(const HidDeviceInfo& info)
 {
@@ -200,7 +205,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
 {
   if (this->Now == Phase::Consent)
   {
-    // Ignore the device's packets until the user has consented.
+    // Ignore the device's packets until the user has agreed.
     std::uint8_t ignored[LongestReport];
     this->Read(exchange, ignored, 1);
     this->IsSilent(true);
@@ -221,7 +226,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     hasNews = true;
     this->ReceivePacket(exchange, bytes, size);
   }
-  // After a pause, packets that the kernel has dropped are missing.
+  // After a pause, packets may be missing that the kernel has dropped.
   this->HasTip = this->HasTip && !isLate;
   if (!this->IsLost() && this->IsSilent(hasNews))
   {

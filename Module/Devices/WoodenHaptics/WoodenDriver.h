@@ -38,19 +38,19 @@ namespace VolumeHaptics
 class WoodenDriver final : public HidDriver
 {
 public:
-  /** The longest way (m) of the tip from one packet to the next: no hand is as fast. */
+  /** Longest motion (m) of the tip from one packet to the next. No hand is faster. */
   static constexpr double FarthestStep = 0.02;
-  /** The largest distance (counts) of the encoders from the rest pose right after they were set. */
+  /** Largest difference (counts) of the encoders from the rest pose right after they were set. */
   static constexpr int RestTolerance = 40;
-  /** The longest time (s) for setting the encoders. */
+  /** Longest time (s) for setting the encoders. */
   static constexpr double PresetTime = 1.0;
 
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidDeviceInfo& info);
   /**
-   * Returns whether this is a related device with another geometry, which this driver does not
-   * support.
+   * Returns whether this is a related device with another geometry. This driver does not support
+   * it.
    */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
@@ -59,10 +59,10 @@ public:
 private:
   enum class Phase : std::uint8_t
   {
-    Consent,    ///< sends nothing: waits until the user confirms the device with Home()
+    Consent,    ///< sends nothing, and waits until the user confirms the device by Home()
     Asking,     ///< waits for the first packet
-    Waiting,    ///< waits until the hand has put the arm into its rest pose and asks for homing
-    Presetting, ///< waits until the encoders read the rest pose
+    Waiting,    ///< waits until the hand has moved the arm to its rest pose and requests homing
+    Presetting, ///< waits until the encoders show the rest pose
     Ready
   };
 

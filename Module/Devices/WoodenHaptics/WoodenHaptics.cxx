@@ -21,7 +21,7 @@ std::int16_t WordAt(const std::uint8_t* bytes) noexcept
   return static_cast<std::int16_t>(bytes[0] | bytes[1] << 8);
 }
 
-// Encodes a packet: a, b, c; the command; three attributes.
+// Encodes a packet of seven words: a, b, c, the command, and three attributes.
 WoodenHaptics::Packet Encode(const std::array<std::int16_t, 7>& words) noexcept
 {
   WoodenHaptics::Packet packet{};
@@ -104,7 +104,7 @@ WoodenHaptics::Currents WoodenHaptics::ComputeCurrents(
   {
     milliamperes[j] *= 1000.0 * g.Signs[j] * g.Transmission[j] / g.TorqueConstant;
   }
-  // The range of the packet is a limit, too, whatever the geometry says.
+  // The range of a word in the packet is a limit, too, whatever the geometry says.
   constexpr double wire = 32767.0;
   SaturateTogether(milliamperes.data(), 3, std::min(wire, 1000.0 * g.MaximumCurrent));
   Currents currents{};

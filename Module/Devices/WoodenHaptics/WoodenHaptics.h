@@ -5,10 +5,10 @@
  * WoodenHaptics, open hardware: packets, kinematics and currents, without a transport. Polhem has
  * the same packets, but another linkage, other encoders and another rest pose.
  *
- * Three joints: A turns about the vertical (z), B leans the upper arm forward from upright, C lifts
- * the forearm from hanging straight down, independently of B. The default geometry is the published
- * v2015; it was not verified on a device. All functions are suitable for the servo loop: noexcept,
- * no allocation.
+ * It has three joints: A rotates about the vertical (z), B leans the upper arm forward from
+ * upright, and C lifts the forearm from hanging straight down, independently of B. The default
+ * geometry is the published v2015, which was not verified on a device. All functions are suitable
+ * for the servo loop: they neither allocate nor throw.
  */
 #ifndef WoodenHaptics_h
 #define WoodenHaptics_h
@@ -24,35 +24,37 @@ namespace VolumeHaptics
 
 struct WoodenHapticsGeometry
 {
-  /// Joint radians per motor radian, and so motor torque per joint torque: the capstan's diameter
-  /// over the body's.
+  /// Joint angle per motor angle, which is also motor torque per joint torque: the diameter of the
+  /// capstan divided by that of the body.
   std::array<double, 3> Transmission{ 10.0 / 160.0, 10.0 / 120.0, 10.0 / 120.0 };
-  /// +1 if counts grow with the joint's angle, -1 if they fall. A positive current turns the motor
-  /// towards growing counts.
+  /// 1 if counts grow with the joint's angle, -1 if they decrease. A positive current turns the
+  /// motor towards larger counts.
   std::array<double, 3> Signs{ 1.0, 1.0, 1.0 };
-  double CountsPerTurn = 2000.0;     ///< encoder counts per turn of a motor
-  double TorqueConstant = 0.0259;    ///< N m/A
-  double Base = 0.080;               ///< m, Ln: height of the shoulder
-  double UpperArm = 0.205;           ///< m, Lb
-  double Forearm = 0.245;            ///< m, Lc
-  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< m, from the foot to the origin of the tip's position
+  double CountsPerTurn = 2000.0;     ///< encoder counts per revolution of a motor
+  double TorqueConstant = 0.0259;    ///< in N m/A
+  double Base = 0.080;               ///< Ln, height of the shoulder in m
+  double UpperArm = 0.205;           ///< Lb in m
+  double Forearm = 0.245;            ///< Lc in m
+  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< from the foot to the origin of the tip's position in m
   std::array<std::int16_t, 3> RestCounts{ 0, 0, 6000 }; ///< counts in the pose for calibration
-  double MaximumCurrent = 3.0;                          ///< A, for each motor
+  double MaximumCurrent = 3.0;                          ///< largest current of each motor in A
 };
 
 class WoodenHaptics
 {
 public:
-  static constexpr std::size_t PacketSize = 14;            ///< bytes: seven int16, little-endian
-  using Packet = std::array<std::uint8_t, PacketSize + 1>; ///< with the report id 0 in front
-  using Currents = std::array<std::int16_t, 3>;            ///< mA
+  /** bytes, which are seven int16 in little-endian order. */
+  static constexpr std::size_t PacketSize = 14;
+  /** A packet with the report id 0 in front. */
+  using Packet = std::array<std::uint8_t, PacketSize + 1>;
+  using Currents = std::array<std::int16_t, 3>; ///< in mA
 
-  /** The device's report. */
+  /** A report of the device. */
   struct Input
   {
-    std::array<std::int16_t, 6> Counts{}; ///< encoders a to f
-    /// The calibration button was pressed since the device last got its rest pose. A device without
-    /// a zero does not report that.
+    std::array<std::int16_t, 6> Counts{}; ///< counts of the encoders a to f
+    /// Whether the calibration button was pressed since the device last received its rest pose. A
+    /// device without a zero does not report this.
     bool WantsCalibration = false;
   };
 
@@ -64,19 +66,19 @@ public:
 
   ///@{
   /**
-   * Decodes bytes. Returns nullptr, or the reason for refusing the packet, as a text that lasts;
-   * the input is then unchanged.
+   * Decodes bytes. Returns nullptr, or the reason why the packet is not valid, as a text that is
+   * never freed; then the input does not change.
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, Input& input) noexcept;
   static Packet EncodeCurrents(const Currents& milliamperes) noexcept;
-  /** Encodes the packet that tells a device in the rest pose its encoders' counts there. */
+  /** Encodes the packet that sets the encoders' counts of a device in the rest pose. */
   Packet EncodeCalibration() const noexcept;
   ///@}
 
   ///@{
   /**
-   * Compute joint angles A, B, C (rad), the tip (m), and the derivative of the tip by the angles
-   * (m/rad; columns).
+   * Compute the joint angles A, B, C (rad), the tip (m), and the derivatives of the tip with
+   * respect to the angles (m/rad; one column for each angle).
    */
   std::array<double, 3> ComputeAngles(const std::array<std::int16_t, 6>& counts) const noexcept;
   Vector3 ComputeTip(const std::array<double, 3>& angles) const noexcept;
@@ -85,8 +87,8 @@ public:
 
   /**
    * Computes the motors' currents for a force on the hand (N): i = (J^T f) transmission / kt. If a
-   * motor would exceed the maximum, all currents are scaled down together, so that the force keeps
-   * its direction. They are zero if the force is not finite.
+   * motor would exceed the maximum, all currents are reduced by the same factor, so that the force
+   * keeps its direction. They are zero if the force is not finite.
    */
   Currents ComputeCurrents(
     const std::array<double, 3>& angles, const Vector3& force) const noexcept;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * WoodenHaptics, "wooden:N", in builds with hidapi.
+ * Lists and makes WoodenHaptics, "wooden:N", in builds with hidapi.
  */
 #ifndef WoodenKind_h
 #define WoodenKind_h

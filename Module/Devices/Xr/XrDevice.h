@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A controller of a headset, "vibration:xr", whose tip the program leads and which the program
- * makes vibrate.
+ * A controller of a headset, "vibration:xr". The program leads its tip, and makes it vibrate.
  *
- * Only the program that draws for a headset has the places of its controllers, and can make them
- * vibrate. So it leads the tip as with the virtual device, and reads the amplitude in each frame. A
- * frame lasts about ten ticks: their largest amplitude counts, so that no short touch is lost.
+ * Only the program that draws for a headset has the positions of its controllers and can make them
+ * vibrate. So it leads the tip as it does with the virtual device, and reads the amplitude in each
+ * frame. A frame lasts about ten ticks. The largest of their amplitudes is used, so that no short
+ * touch is lost.
  *
- * A controller has one motor where a gamepad has two: it gets the larger of the levels in
+ * A controller has one motor, whereas a gamepad has two, so it gets the larger one of the levels in
  * Vibration.h.
  */
 #ifndef XrDevice_h
@@ -26,7 +26,10 @@ namespace VolumeHaptics
 class XrDevice final : public VirtualDevice
 {
 public:
-  /** If the servo has given no force for this long (s), it stands still, and nothing vibrates. */
+  /**
+   * Time (s) without a force of the servo after which nothing vibrates, because the servo does not
+   * run.
+   */
   static constexpr double LongestSilence = 0.1;
 
   XrDevice();
@@ -36,15 +39,18 @@ public:
   DeviceState Write(const Vector3& force) noexcept override;
   void Quench() noexcept override;
 
-  /** Returns the largest amplitude since the last call, 0 to 1. Any one thread. */
+  /**
+   * Returns the largest amplitude since the last call, 0 to 1. Called by one thread, which may be
+   * any.
+   */
   double DrainAmplitude() noexcept;
 
 private:
-  // Used by the servo only.
+  // Members that only the servo uses.
   Vibration Levels;
-  double Elapsed = 0.0; ///< s, the time since the last Write
+  double Elapsed = 0.0; ///< time since the last Write() in s
 
-  std::atomic<double> Largest{ 0.0 }; ///< the largest amplitude since the last DrainAmplitude
+  std::atomic<double> Largest{ 0.0 }; ///< largest amplitude since the last DrainAmplitude()
   std::atomic<std::int64_t> WrittenAt{ 0 };
   std::atomic<bool> IsQuenched{ true };
 };

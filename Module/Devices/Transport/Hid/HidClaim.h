@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lock that gives a HID device to one holder alone.
+ * The lock that reserves a HID device for one holder.
  *
- * Linux lets any number of programs open a hidraw node, and each of them send forces. This lock
- * (flock) on the node keeps out every other holder that uses it, in this process and in others.
- * Software that does not use the lock, such as a joystick driver of the kernel, is not kept out.
+ * Linux lets any number of programs open a hidraw node and send forces to it. This lock (flock) on
+ * the node excludes all other holders that use it, in this process and in others. It does not
+ * exclude software that does not use the lock, such as a joystick driver of the kernel.
  */
 #ifndef HidClaim_h
 #define HidClaim_h
@@ -19,13 +19,13 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns the mutex for hidapi's functions that take no device, because they share one error
- * message, and for every HidClaim::Own, because testing whether a device is free claims it for a
+ * Returns a mutex for hidapi's functions without a device, because they share one error message,
+ * and for every HidClaim::Own, because a test of whether a device is free claims the device for a
  * moment.
  */
 std::mutex& GetHidMutex();
 
-/** Holds the lock on a node. */
+/** The lock on a node. */
 class HidClaim
 {
 public:

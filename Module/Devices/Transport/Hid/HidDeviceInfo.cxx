@@ -83,7 +83,7 @@ std::vector<HidDeviceInfo> ListHidDevices()
   hid_device_info* const list = hid_enumerate(0, 0);
   for (const hid_device_info* entry = list; entry; entry = entry->next)
   {
-    // hidapi lists a device once for each of its collections.
+    // hidapi lists a device several times, once for each of its collections.
     const auto isSame = [entry](const HidDeviceInfo& info) { return info.Path == entry->path; };
     if (entry->path && std::none_of(devices.begin(), devices.end(), isSame))
     {
@@ -93,7 +93,7 @@ std::vector<HidDeviceInfo> ListHidDevices()
     }
   }
   hid_free_enumeration(list);
-  // hidraw10 comes after hidraw9.
+  // Sort by length first, because hidraw10 must come after hidraw9.
   std::sort(devices.begin(), devices.end(),
     [](const HidDeviceInfo& a, const HidDeviceInfo& b)
     { return a.Path.size() != b.Path.size() ? a.Path.size() < b.Path.size() : a.Path < b.Path; });
@@ -110,7 +110,7 @@ std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&))
 std::string HidDeviceInfo::GetLabel() const
 {
   std::string label = this->Product.empty() ? "A HID device" : this->Product;
-  // Some makers' names are part of the product's name.
+  // The product's name may begin with the maker's name.
   if (!this->Maker.empty() && label.compare(0, this->Maker.size(), this->Maker) != 0)
   {
     label = this->Maker + " " + label;
@@ -128,8 +128,8 @@ std::string HidDeviceInfo::MakeIdentity(const char* kind) const
 bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
 {
 #if defined(__linux__)
-  // Reads the system's copy, which everyone may read; hidapi gives access to it from version 0.14
-  // on.
+  // Read the system's copy, which everyone may read. hidapi gives access to it only since version
+  // 0.14.
   const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
   const std::vector<std::uint8_t> bytes = ReadAll(
     "/sys/class/hidraw/" + node + "/device/report_descriptor", HidReportDescriptor::MaximumSize);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The HID devices that are plugged in.
+ * Lists the HID devices that are plugged in.
  */
 #ifndef HidDeviceInfo_h
 #define HidDeviceInfo_h
@@ -18,37 +18,40 @@ namespace VolumeHaptics
 /** An interface of a HID device that is plugged in, as the system lists it. */
 struct HidDeviceInfo
 {
-  std::string Path; ///< the path that opens the device; on Linux its node
+  std::string Path; ///< path that opens the device; on Linux, its node
   std::string Maker;
   std::string Product; ///< the name that the device reports
   std::uint16_t Vendor = 0;
   std::uint16_t ProductId = 0;
-  std::uint16_t UsagePage = 0; ///< usage page of the first collection; 0 if unknown
+  std::uint16_t UsagePage = 0; ///< usage page of the first collection; 0 if it is not known
   std::string Serial = {};     ///< serial number; empty if the device has none
 
-  /** Returns maker, product and path, as shown to the user. */
+  /** Returns maker, product and path, as the user sees them. */
   std::string GetLabel() const;
   /**
-   * Returns DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial
-   * number.
+   * Returns DeviceBackend::GetIdentity of the device, which consists of kind, vendor, product and
+   * serial number.
    */
   std::string MakeIdentity(const char* kind) const;
   /**
-   * Returns DeviceBackend::KeepsIdentity: without a serial number, other devices of the same model
-   * have the same identity.
+   * Returns DeviceBackend::KeepsIdentity: without a serial number, all devices of this model have
+   * the same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
   /**
-   * Reads and parses the report descriptor. If this fails, returns false and writes the reason to
-   * `error`.
+   * Reads and parses the report descriptor. Returns false and writes the reason to `error` if this
+   * fails.
    */
   bool ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const;
 };
 
 ///@{
-/** Lists all devices, or some, in the order in which the system numbers them. Any thread. */
+/**
+ * List all devices, or those for which isSome returns true, in the order in which the system
+ * numbers them. From any thread.
+ */
 std::vector<HidDeviceInfo> ListHidDevices();
 std::vector<HidDeviceInfo> ListHidDevices(bool (*isSome)(const HidDeviceInfo&));
 ///@}

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
-constexpr int LostPause = 10; // ms
+constexpr int LostPause = 10; // in ms
 
 } // namespace
 
@@ -43,7 +43,7 @@ bool HidDriver::Connect(std::string& error)
 
 void HidDriver::Serve(HardwareExchange& exchange)
 {
-  /** Runs also if something throws. */
+  /** Ends the force, even if an exception is thrown. */
   struct AtEnd
   {
     HidDriver* Driver;
@@ -102,7 +102,8 @@ void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
     std::this_thread::sleep_for(std::chrono::milliseconds(LostPause));
     return;
   }
-  // When a device is unplugged, the system refuses writes for a while before it ends reads.
+  // After a device is unplugged, the system refuses writes for a while before it ends reads. So
+  // check by a read.
   std::uint8_t bytes[LongestReport];
   if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
   {
@@ -173,7 +174,7 @@ void HidDriver::Retreat() noexcept
 
 void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: notify the servo first.
+  // Notify the servo before sending anything, because that may take long.
   this->Report(exchange, DeviceStage::Lost, text);
   this->Retreat();
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The base of the drivers of HID devices: it finds and claims a device, runs the rounds of its
- * thread, and handles loss.
+ * The base class of drivers of HID devices. It finds and claims a device, runs the rounds of its
+ * thread, and handles its loss.
  */
 #ifndef HidDriver_h
 #define HidDriver_h
@@ -18,11 +18,11 @@ namespace VolumeHaptics
 class HidDriver : public HardwareDriver
 {
 public:
-  /** How long (s) a device that reports by itself may be silent. */
+  /** Time (s) for which a device that sends reports by itself may be silent. */
   static constexpr double SilenceTime = 0.1;
   /**
-   * The smallest number of reads during SilenceTime: if the host was late, the device is not
-   * silent.
+   * Least number of reads in SilenceTime before the device counts as silent, because this computer
+   * itself may have been late.
    */
   static constexpr int SilentReads = 20;
 
@@ -35,30 +35,30 @@ public:
 protected:
   static constexpr int LongestReport = 256;
 
-  /** `label` names the device while none is open, such as "WoodenHaptics". */
+  /** @param label name of the device while none is open, such as "WoodenHaptics" */
   explicit HidDriver(std::string label)
     : Label(std::move(label))
   {
   }
 
   ///@{
-  /** The parts that differ between kinds. */
+  /** The functions that differ between kinds. */
   /**
    * Returns the devices to try, in order: if one is in use, the next one is tried. If there are
    * none, returns an empty list and writes the reason and the cure to `error`.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
   /**
-   * Reads the device's description of itself. If this fails, returns false and writes the reason
-   * and the cure to `error`.
+   * Reads how the device describes itself. Returns false and writes the reason and the cure to
+   * `error` if this fails.
    */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
-   * Called at the start of the thread, after a loss (then with `isAnew`), and if homing is
-   * requested from a working device.
+   * Called when the thread begins, after a loss (isAnew is then true), and if homing of a working
+   * device is requested.
    */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
-  /** Called repeatedly while the device is not lost; takes about a millisecond. */
+  /** Called repeatedly while the device is not lost. Takes about a millisecond. */
   virtual void Work(HardwareExchange& exchange) = 0;
   /** Ends the force, if there is one. */
   virtual void Rest() noexcept = 0;
@@ -68,22 +68,25 @@ protected:
 
   ///@{
   /**
-   * Reads a report; `time` (ms) limits the wait. If the device is gone, returns 0 and records a
+   * Reads a report. Waits at most `time` (ms). If the device is gone, returns 0 and records the
    * loss.
    */
   int Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) noexcept;
   /** Writes a report. If the device refuses it, returns false and records a loss. */
   bool Write(HardwareExchange& exchange, const std::uint8_t* report, std::size_t size,
     bool isFeature = false) noexcept;
-  /** Drops the reports that wait to be read. */
+  /** Discards the reports that wait to be read. */
   void Drain() noexcept;
-  /** Stops all work until homing is requested. The text follows the device's name. */
+  /**
+   * Stops all work until homing is requested. In the condition, the device's name stands before the
+   * text.
+   */
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   bool IsLost() const noexcept { return this->Lost; }
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
   ///@}
 
-  /** Returns whether the device has been silent for too long. Call it after every read. */
+  /** Returns whether the device has been silent for too long. Must be called after every read. */
   bool IsSilent(bool hasNews) noexcept;
 
   /** Returns the device that was connected last. */
@@ -94,7 +97,7 @@ protected:
 private:
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
-  /** Waits a moment while the device is lost, and checks whether the device is unplugged. */
+  /** Waits a moment while the device is lost, and then checks whether it is unplugged. */
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
@@ -102,7 +105,7 @@ private:
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;
-  bool Gone = false; ///< whether the device is unplugged, so that the port can't be used any more
+  bool Gone = false; ///< whether the device is unplugged, so that the port can no longer be used
 };
 
 } // namespace VolumeHaptics

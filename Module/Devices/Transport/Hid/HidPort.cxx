@@ -13,10 +13,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The number of tries, because HidDeviceInfo::GetState claims a device for a moment. */
+/**
+ * Number of attempts to claim a device. Several may be needed, because HidDeviceInfo::GetState
+ * claims it for a moment.
+ */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
-/** ns; longer than a working device takes, and as long as the slowest device's watchdog */
+/**
+ * Time (ns) of a write above which the device does not accept reports. It is longer than a working
+ * device needs, and as long as the watchdog of the slowest device.
+ */
 constexpr std::int64_t StuckTime = 500000000;
 
 std::string ErrorOf(hid_device* device)

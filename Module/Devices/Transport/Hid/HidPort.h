@@ -17,12 +17,12 @@
 namespace VolumeHaptics
 {
 
-/** The number of packets that the kernel keeps for a reader. */
+/** Number of packets that the kernel stores for a reader. */
 constexpr int LongestQueue = 64;
 
 /**
- * A device that is claimed and open. No call waits longer than its time limit, or than the kernel's
- * 5 s for USB.
+ * A device that is claimed and open. A call waits at most for its time limit, or for the kernel's 5
+ * s for USB.
  */
 class HidPort
 {
@@ -33,35 +33,35 @@ public:
   HidPort& operator=(const HidPort&) = delete;
 
   /**
-   * Opens and claims a device. If this fails, returns false and writes the reason and the cure to
-   * `error`; IsInUse returns whether another holder is the reason.
+   * Opens and claims a device. Returns false and writes the reason and the cure to `error` if this
+   * fails. IsInUse() then returns whether another holder is the reason.
    */
   bool Open(const HidDeviceInfo& info, std::string& error);
   void Close() noexcept;
   bool IsInUse() const noexcept { return this->InUse; }
 
   /**
-   * Reads a report to `bytes`. Returns the report's size, 0 if none came within the time (ms),
-   * negative if the device is gone.
+   * Reads a report to `bytes`. Waits at most `time` (ms). Returns the report's size, 0 if none
+   * came, or a negative number if the device is gone.
    */
   int Read(std::uint8_t* bytes, std::size_t size, int time) noexcept;
 
   ///@{
   /**
-   * Sends a report, which begins with its id (0 if the device has none). Returns false if the
-   * device refuses the report.
+   * Send a report, which begins with its id (0 if the device does not use ids). Return false if the
+   * device refuses it.
    */
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
-   * Lets reports be sent again. If the kernel has waited in vain for a device to take a report,
-   * nothing more is sent until this call, because each further report would wait as long, and the
-   * device's own watchdog has ended its force.
+   * Allows reports to be sent again. After the kernel has waited in vain for the device to accept a
+   * report, no more reports are sent until this call: each would wait as long, and the device's own
+   * watchdog has already ended its force.
    */
   void TryAgain() noexcept { this->Stuck = false; }
   /**
-   * Reads the feature report whose id is the first byte of `report`. Returns the size with the id,
-   * negative if there is no such report.
+   * Reads the feature report whose id is the first byte of `report`. Returns its size including the
+   * id, or a negative number if there is no such report.
    */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}

@@ -14,14 +14,15 @@
 namespace VolumeHaptics
 {
 
-/** Bytes to send, or to have filled by the device. */
+/** A report to send, or to be filled by the device. */
 struct HidReport
 {
-  static constexpr std::size_t Capacity = 64; ///< bytes of the payload
+  static constexpr std::size_t Capacity = 64; ///< largest number of bytes of the payload
 
   HidReportKind Kind = HidReportKind::Output;
-  std::size_t Size = 0; ///< bytes of the payload
-  /// The id (0 without ids), then the payload: Size + 1 bytes, as hidapi expects.
+  std::size_t Size = 0; ///< number of bytes of the payload
+  /// The id (0 if the device does not use ids), followed by the payload: Size + 1 bytes, as hidapi
+  /// expects.
   std::array<std::uint8_t, Capacity + 1> Bytes{};
   std::uint8_t* Payload() noexcept { return this->Bytes.data() + 1; }
 };

@@ -7,7 +7,10 @@
 namespace VolumeHaptics
 {
 
-/** Walks the items of a HID report descriptor; used by HidReportDescriptor only. */
+/**
+ * Reads the items of a HID report descriptor, one after the other. Only HidReportDescriptor uses
+ * it.
+ */
 class HidItemReader
 {
 public:
@@ -18,21 +21,23 @@ public:
 
   bool Read(const std::uint8_t* bytes, std::size_t size);
 
-  /** Returns the position of the faulty item, or the size if something is missing at the end. */
+  /**
+   * Returns the position of the faulty item, or the size of the descriptor if its end is missing.
+   */
   std::size_t GetPosition() const { return this->Position; }
   const std::string& GetError() const { return this->Error; }
 
 private:
-  /** The data of an item; other items decide whether it is signed. */
+  /** The data of an item. Other items determine whether they are signed. */
   struct Item
   {
     unsigned Tag = 0;
-    unsigned Size = 0; ///< bytes: 0, 1, 2 or 4
+    unsigned Size = 0; ///< number of bytes: 0, 1, 2 or 4
     std::uint32_t Data = 0;
 
     std::int64_t Signed() const;
   };
-  /** Global state: holds until it is changed, and can be pushed. */
+  /** Global state, which is valid until it is changed. It can be pushed. */
   struct GlobalState
   {
     std::uint16_t Page = 0;
@@ -43,7 +48,7 @@ private:
     int UnitExponent = 0;
     Item LogicalMinimum, LogicalMaximum, PhysicalMinimum, PhysicalMaximum;
   };
-  /** Local state: holds for the next main item. */
+  /** Local state, which is valid for the next main item. */
   struct LocalState
   {
     struct Usages
@@ -54,7 +59,7 @@ private:
     };
     std::vector<Usages> List;
     std::uint32_t Minimum = 0;
-    unsigned MinimumSize = 0; ///< 0: the item was missing
+    unsigned MinimumSize = 0; ///< 0 if there was no such item
     bool InAlternatives = false;
     bool HasAlternative = false;
   };
@@ -81,8 +86,8 @@ private:
   std::string Error;
 };
 
-// Reads the data with a sign, by its length, as for a minimum. A maximum has a sign only if the
-// minimum is below zero: otherwise a byte of 0xFF means 255.
+// Returns the data as a signed number of the item's length, as for a minimum. A maximum is signed
+// only if the minimum is below zero; otherwise a byte of 0xFF means 255.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
@@ -218,8 +223,8 @@ bool HidItemReader::Fields(HidReportKind kind, const Item& item)
   }
   const std::uint32_t start = bits;
   bits = static_cast<std::uint32_t>(end);
-  // Data without a usage is padding, too: its meaning is unknown. So is a field with more bits than
-  // a number has here, such as OpenFFBoard's vendor fields of 64 bits.
+  // Data without a usage are padding, too, because their meaning is not known. So is a field with
+  // more bits than a number has here, such as OpenFFBoard's vendor fields of 64 bits.
   if ((item.Data & constant) != 0 || this->Locals.List.empty() || g.ReportSize > 32)
   {
     return true;
@@ -276,7 +281,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
     {
       continue;
     }
-    // Each variable takes the next usage; after the last usage, all others take that one.
+    // Each variable has the next usage in the list. All variables after the end of the list have
+    // the last usage.
     if (field.Usage < range.Last)
     {
       ++field.Usage;
@@ -289,8 +295,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
   }
 }
 
-// Returns the range of usages with its page, which is the last page before the main item, even if
-// it comes after the usage.
+// Returns a range of usages with its page, which is the last page before the main item, even if the
+// page follows the usage.
 HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
 {
   const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);
@@ -318,8 +324,8 @@ bool HidItemReader::Global(const Item& item)
       g.PhysicalMaximum = item;
       return true;
     case 0x5:
-      // The exponent has four bits, in two's complement; some devices extend the sign over the
-      // byte.
+      // The exponent is a two's complement of four bits. Some devices extend its sign over the
+      // whole byte.
       g.UnitExponent = static_cast<int>(item.Data & 0xF) - ((item.Data & 8) != 0 ? 16 : 0);
       return true;
     case 0x6:
@@ -391,7 +397,7 @@ bool HidItemReader::Local(const Item& item)
       return true;
     case 0x2:
     {
-      // If only one of the two usages has a page, the page holds for both.
+      // If only one of both usages has a page, the page is valid for both.
       const bool hasPage = item.Size == 4 || l.MinimumSize == 5;
       const std::uint32_t page = (item.Size == 4 ? item.Data : l.Minimum) & 0xFFFF0000U;
       const std::uint32_t first = (l.Minimum & 0xFFFFU) | (hasPage ? page : 0);

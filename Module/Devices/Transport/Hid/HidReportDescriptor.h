@@ -26,9 +26,9 @@ namespace VolumeHaptics
 
 struct HidCollection
 {
-  HidUsage Usage = 0;    ///< 0 if the collection has none
-  std::uint8_t Type = 0; ///< 0 physical, 1 application, 2 logical, and so on
-  int Parent = -1;       ///< index in the list of collections; -1: none
+  HidUsage Usage = 0;    ///< 0 if the collection has no usage
+  std::uint8_t Type = 0; ///< 0 for physical, 1 for application, 2 for logical, and so on
+  int Parent = -1;       ///< index in the list of collections; -1 if there is none
 };
 
 /** Consecutive usages on a page. */
@@ -42,25 +42,23 @@ class HidReportDescriptor
 {
 public:
   ///@{
-  /** The largest accepted values; real devices stay far below. */
+  /** Limits of what is accepted. Real devices stay far below. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
-  static constexpr int MaximumDepth = 32;           ///< the deepest nesting of collections, and of
-                                                    ///< pushed states
+  static constexpr int MaximumDepth = 32; ///< nesting of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;
-  static constexpr std::size_t MaximumUsages = 1024;       ///< ranges for one main item
-  static constexpr std::uint32_t MaximumBits = 256;        ///< the most bits in a field, as in
-                                                           ///< Linux
+  static constexpr std::size_t MaximumUsages = 1024; ///< number of usage ranges for one main item
+  static constexpr std::uint32_t MaximumBits = 256;  ///< bits of a field, as in Linux
   static constexpr std::uint32_t MaximumReportSize = 4096; ///< bytes of a payload
   ///@}
 
   /**
-   * Parses the descriptor. If the descriptor is not valid, returns false, writes the fault and its
+   * Parses the descriptor. If it is not valid, returns false, writes the fault and the index of its
    * byte to `error`, and lists nothing.
    */
   bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
 
   ///@{
-  /** Return data fields and collections in the order of the descriptor. */
+  /** Return the data fields and the collections, in the order of the descriptor. */
   const std::vector<HidField>& GetFields() const noexcept { return this->Fields; }
   const std::vector<HidCollection>& GetCollections() const noexcept { return this->Collections; }
   ///@}
@@ -69,17 +67,17 @@ public:
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
   /**
-   * Returns the number of bytes of a payload with padding, without the id; 0 if there is no such
-   * report.
+   * Returns the number of bytes of a payload, including padding but not the id. Returns 0 if there
+   * is no such report.
    */
   std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
 
-  /** Returns whether one of the collections around the field has this usage. */
+  /** Returns whether one of the collections around a field has a usage. */
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * Writes the value of an array that selects a usage to `value`. Returns false if the field is no
-   * array or does not list the usage.
+   * Writes the value of an array field that selects a usage to `value`. Returns false if the field
+   * is not an array or does not list the usage.
    */
   bool ReadChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 

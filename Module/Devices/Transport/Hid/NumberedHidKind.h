@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Kinds of HID devices whose ids only differ by a number.
+ * Kinds of HID devices whose ids differ only by a number.
  */
 #ifndef NumberedHidKind_h
 #define NumberedHidKind_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Lists the devices of a kind whose ids count them: wooden:0, wooden:1. */
+/** Lists the devices of a kind. Their ids are numbered, for example wooden:0, wooden:1. */
 inline std::vector<DeviceListing> ListNumbered(
   const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
@@ -28,7 +28,9 @@ inline std::vector<DeviceListing> ListNumbered(
   return all;
 }
 
-/** Makes a kind of devices with a number. The driver is made from a device's number. */
+/**
+ * Makes a kind of devices with numbered ids. A Driver is constructed with the number of a device.
+ */
 template <typename Driver>
 DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {

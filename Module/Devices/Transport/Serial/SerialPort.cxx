@@ -20,8 +20,8 @@ namespace
 {
 
 /**
- * Opens a port for this holder alone, and returns the descriptor. If this fails, returns a negative
- * number and sets errno; EBUSY if another holder has the port.
+ * Opens a port for this holder alone. Returns the descriptor, or a negative number with errno set
+ * if this fails; errno is EBUSY if another holder has the port.
  */
 int OpenAlone(const std::string& path)
 {
@@ -131,7 +131,7 @@ bool SerialPort::Open(const std::string& path, std::string& error)
     this->Close();
     return false;
   }
-  // Also keeps out programs that do not use the lock.
+  // Excludes programs that do not use the lock, too.
   ioctl(this->Descriptor, TIOCEXCL);
   tcflush(this->Descriptor, TCIOFLUSH);
   return true;
@@ -183,7 +183,7 @@ int SerialPort::Read(char* bytes, std::size_t size, int time) noexcept
   {
     return static_cast<int>(got);
   }
-  // There is nothing to read although data were announced: the other end has hung up.
+  // Data were announced, but there is nothing to read: the other end has hung up.
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Requests to an FTDI serial converter, and the bytes that it adds, as values: the transport only
+ * Requests to an FTDI serial converter, and the bytes that it adds, as values. The transport only
  * has to send them.
  */
 #ifndef FtdiSerial_h
@@ -27,8 +27,8 @@ constexpr std::uint8_t FtdiRequestType = 0x40; // vendor, to the device, out
 
 ///@{
 /**
- * "Receive" and "transmit" are the host's: purging the receive buffer drops what the device has
- * sent. These are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
+ * "Receive" and "transmit" are as seen by the host: to purge the receive buffer discards what the
+ * device has sent. These requests are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
  */
 constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 2, 0 };
 constexpr FtdiRequest FtdiPurgeTransmit = { FtdiRequestType, 0, 1, 0 };
@@ -39,13 +39,16 @@ constexpr FtdiRequest FtdiNoFlowControl = { FtdiRequestType, 2, 0, 0 };
 constexpr FtdiRequest Ftdi8N1 = { FtdiRequestType, 4, 8, 0 };
 ///@}
 
-/** Returns the request that sets a baud rate, by its divisor. */
+/** Returns the request that sets a baud rate. `divisor` is the rate's divisor. */
 constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
 {
   return { FtdiRequestType, 3, divisor, 0 };
 }
 
-/** Returns the request that sets how long bytes are held back for more bytes (ms, 1 to 255). */
+/**
+ * Returns the request that sets how long (ms, 1 to 255) the converter waits for more bytes before
+ * it sends.
+ */
 constexpr FtdiRequest FtdiLatency(std::uint8_t milliseconds) noexcept
 {
   return { FtdiRequestType, 9, milliseconds, 0 };
@@ -61,8 +64,8 @@ struct FtdiPayload
 };
 
 /**
- * Removes the next packet from a bulk IN transfer. Returns the bytes behind the packet's two status
- * bytes; there may be none. Call it until the size is zero.
+ * Removes the next packet from a bulk IN transfer. Returns the bytes after its two status bytes;
+ * there may be none. Call it repeatedly until `size` is zero.
  */
 constexpr FtdiPayload DrainFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

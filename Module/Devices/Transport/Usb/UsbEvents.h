@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Waits for USB transfers and for the servo at the same time.
+ * Waits at the same time for USB transfers and for the servo.
  */
 #ifndef UsbEvents_h
 #define UsbEvents_h
@@ -20,24 +20,27 @@ namespace VolumeHaptics
 class UsbEvents
 {
 public:
-  /** Waits on an open interface. Interface and exchange must outlive this object. */
+  /**
+   * Prepares to wait for the transfers of an open interface. Interface and exchange must outlive
+   * this object.
+   */
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**
-   * Waits until transfers have ended (their owners are called), until the exchange wakes up, or for
-   * a time (ns). Returns whether the exchange woke up. If the system can't tell whether it did,
-   * waits for at most a millisecond and returns true.
+   * Waits until a transfer has ended (its owner is called), until the exchange wakes up, or at most
+   * for `time` (ns). Returns whether the exchange woke up. If the system can't tell whether it did,
+   * waits at most a millisecond and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
 
-  /** Waits for transfers only. */
+  /** Waits only for transfers, at most for `time` (ns). */
   void WaitForTransfers(std::int64_t time) noexcept;
 
 private:
   UsbInterface& Usb;
   HardwareExchange& Exchange;
 #if defined(__linux__)
-  std::vector<pollfd> Watched; ///< descriptors to wait for; the exchange's descriptor is first
+  std::vector<pollfd> Watched; ///< descriptors to wait for; the first one is the exchange's
 #endif
 };
 

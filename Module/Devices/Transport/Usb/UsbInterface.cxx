@@ -11,14 +11,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Returns the bus, and the ports on the way to a device. */
+/** Returns the bus of a device and the ports that lead to it. */
 std::vector<int> PathOf(libusb_device* device)
 {
-  std::uint8_t ports[7]; // the deepest that USB allows
+  std::uint8_t ports[7]; // USB allows no more levels
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
   std::vector<int> path{ libusb_get_bus_number(device) };
   path.insert(path.end(), ports, ports + std::max(count, 0));
-  // Emulated devices may have no ports: the address tells them apart.
+  // An emulated device may have no ports; then its address distinguishes it.
   path.push_back(libusb_get_device_address(device));
   return path;
 }
@@ -108,7 +108,7 @@ std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
   {
     return UsbTroubleText(result, product);
   }
-  // Opening the device detaches a driver of the kernel.
+  // A driver of the kernel is detached when the device is opened.
   if (libusb_kernel_driver_active(handle, 0) != 1)
   {
     result = libusb_claim_interface(handle, 0);
@@ -185,7 +185,7 @@ int UsbInterface::Claim() noexcept
   int result = libusb_open(this->Device.get(), &this->Handle);
   if (result == LIBUSB_SUCCESS)
   {
-    // Systems without this function have no driver in the way.
+    // Systems without this function have no driver that would have to be detached.
     libusb_set_auto_detach_kernel_driver(this->Handle, 1);
     result = libusb_claim_interface(this->Handle, 0);
   }
@@ -226,7 +226,7 @@ int UsbInterface::Transfer(
   int done = 0;
   const int result =
     libusb_bulk_transfer(this->Handle, endpoint, bytes, static_cast<int>(size), &done, time);
-  // Bytes that came within the time count.
+  // Bytes that came before the time-out are valid.
   return result == LIBUSB_SUCCESS || (result == LIBUSB_ERROR_TIMEOUT && done > 0) ? done : result;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists the plugged-in USB devices of a product, and claims interface 0 of an open device for one
- * object.
+ * Lists the USB devices of a product that are plugged in, and claims interface 0 of a device for
+ * one object.
  */
 #ifndef UsbInterface_h
 #define UsbInterface_h
@@ -20,7 +20,8 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * libusb's handles, released automatically. A device uses its context's memory: destroy it first.
+ * Handles of libusb that are released automatically. A device uses the memory of its context, so it
+ * must be destroyed first.
  */
 struct UsbContextEnd
 {
@@ -38,17 +39,17 @@ struct UsbProduct
 {
   std::uint16_t Vendor;
   std::uint16_t Product;
-  const char* Name; ///< name for people: maker and product
+  const char* Name; ///< name for the user: maker and product
 };
 
 /**
- * Makes a context. If the system's USB can't be reached, returns null and writes the reason to
- * `error`.
+ * Makes a context. Returns null and writes the reason to `error` if the system's USB can't be
+ * reached.
  */
 UsbContext MakeUsbContext(std::string& error);
 
 /**
- * Lists the devices of a product, in the order of their bus and of the ports on the way to them.
+ * Lists the devices of a product, in the order of their buses and of the ports that lead to them.
  */
 std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct& product);
 
@@ -56,18 +57,18 @@ std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct&
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
- * Returns DeviceBackend::GetIdentity for a device of a kind: the kind, and the serial number if the
- * device has one and may be opened.
+ * Returns DeviceBackend::GetIdentity of a device: its kind and, if the device has one and may be
+ * opened, its serial number.
  */
 std::string UsbIdentityOf(libusb_device* device, const char* kind);
 
 /**
- * Returns whether interface 0 could be claimed now: "available", "in use", or the obstacle and the
- * cure. Sends nothing to the device, and leaves a kernel driver bound.
+ * Returns whether interface 0 can be claimed now: "available", "in use", or the obstacle and the
+ * cure. Sends nothing to the device, and does not detach a driver of the kernel.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 
-/** Returns the obstacle and the cure, if opening or claiming gave this error of libusb. */
+/** Returns the obstacle and the cure for a libusb error of opening or claiming a device. */
 std::string UsbTroubleText(int error, const UsbProduct& product);
 
 class UsbInterface
@@ -79,13 +80,14 @@ public:
   UsbInterface& operator=(const UsbInterface&) = delete;
 
   /**
-   * Opens the device with a number in ListUsbDevices, detaches a kernel driver until Close, and
-   * claims interface 0. If this fails, returns false and writes the reason and the cure to `error`.
+   * Opens a device and claims its interface 0. `number` is the device's index in ListUsbDevices.
+   * Detaches a driver of the kernel until Close(). Returns false and writes the reason and the cure
+   * to `error` if this fails.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   /**
    * Closes the device and opens it again. Returns 0, or a negative libusb error; then the device is
-   * not open, and Reopen may be tried again.
+   * not open, and Reopen() may be tried again.
    */
   int Reopen() noexcept;
   void Close() noexcept;
@@ -93,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Each function waits until the transfer is done or the time (ms) is over. Returns the size of
-   * the transfer, or a negative libusb error.
+   * Carry out a transfer. Wait until it is done, at most for `time` (ms). Return its size, or a
+   * negative libusb error.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;
@@ -102,7 +104,7 @@ public:
     std::uint8_t endpoint, std::uint8_t* bytes, std::size_t size, unsigned int time) noexcept;
   ///@}
 
-  /** Ends the halt of an endpoint. Call it after a stall. */
+  /** Ends the halt of an endpoint. Must be called after a stall. */
   void ClearHalt(std::uint8_t endpoint) noexcept { libusb_clear_halt(this->Handle, endpoint); }
 
   libusb_context* GetContext() const noexcept { return this->Context.get(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A bulk transfer that is allocated once and submitted many times.
+ * A bulk transfer that is allocated once and submitted again and again.
  */
 #ifndef UsbTransfer_h
 #define UsbTransfer_h
@@ -21,12 +21,12 @@ enum class UsbOutcome : std::uint8_t
   Cancelled,
   Stalled,
   Failed,
-  Gone ///< the device is unplugged
+  Gone ///< the device was unplugged
 };
 
 class UsbTransfer;
 
-/** The owner of transfers: called on the thread that handles the context's events. */
+/** The owner of transfers. It is called on the thread that handles the context's events. */
 class UsbTransferOwner
 {
 public:
@@ -36,29 +36,30 @@ protected:
   ~UsbTransferOwner() = default;
 };
 
-/** A transfer must not be destroyed while it is submitted. */
+/** A bulk transfer. It must not be destroyed while it is submitted. */
 class UsbTransfer
 {
 public:
-  static constexpr std::size_t Capacity = 64; ///< bytes: one packet of a full-speed bulk endpoint
+  /** bytes, as in a packet of a full-speed bulk endpoint. */
+  static constexpr std::size_t Capacity = 64;
 
   UsbTransfer(UsbInterface& usb, std::uint8_t endpoint, UsbTransferOwner& owner);
   ~UsbTransfer();
   UsbTransfer(const UsbTransfer&) = delete;
   UsbTransfer& operator=(const UsbTransfer&) = delete;
 
-  /** Returns the bytes to send, or the bytes that the transfer fills. */
+  /** Returns the bytes to send, or those that the transfer has received. */
   std::uint8_t* GetBytes() noexcept { return this->Bytes.data(); }
-  /** Returns how many bytes the last transfer moved. */
+  /** Returns the number of bytes that the last transfer has sent or received. */
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
   /**
-   * Submits the transfer, without a time limit: use Cancel. Returns Done if the transfer was
+   * Submits the transfer. It has no time limit, but Cancel() ends it. Returns Done if it was
    * submitted.
    */
   UsbOutcome Submit(std::size_t size) noexcept;
-  /** Cancels the transfer. The owner is called when the transfer has ended. */
+  /** Cancels the transfer. The owner is called when it has ended. */
   void Cancel() noexcept;
   bool IsFlying() const noexcept { return this->Flying; }
 

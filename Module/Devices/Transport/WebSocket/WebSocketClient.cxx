@@ -25,7 +25,7 @@ using boost::system::error_code;
 
 using Moment = std::chrono::steady_clock::time_point;
 
-/** Converts a time of ServoClock, which is steady_clock. */
+/** Converts a time of ServoClock to a time of steady_clock, which is the same clock. */
 Moment MomentOf(std::int64_t time)
 {
   return Moment(std::chrono::duration_cast<Moment::duration>(std::chrono::nanoseconds(time)));
@@ -37,12 +37,12 @@ Moment After(double seconds)
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
 }
 
-/** Handles events until a condition holds. Returns false if the condition does not hold in time. */
+/** Handles events until holds() returns true. Returns false if it does not do so before `end`. */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
   io.restart();
-  // Data that have arrived count, even if the time is over.
+  // Data that have already arrived count, even if the time is over.
   io.poll();
   while (!holds() && std::chrono::steady_clock::now() < end)
   {
@@ -52,7 +52,7 @@ bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
   return holds();
 }
 
-/** Starts an operation and waits for its end. Cancels an operation that takes too long. */
+/** Starts an operation and waits for its end. Cancels it if it is not done before `end`. */
 template <typename Start>
 error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, Start&& start)
 {
@@ -67,7 +67,8 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   if (!RunUntil(io, end, [&] { return isDone; }))
   {
     stream.close();
-    // Wait for the operation, which now ends at once: it refers to this function's variables.
+    // Wait for the operation, which ends at once now, because it refers to this function's
+    // variables.
     while (!isDone)
     {
       io.restart();
@@ -78,9 +79,7 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   return result;
 }
 
-/**
- * Connects to the service, which may listen on one of this computer's two addresses, or on both.
- */
+/** Connects to the service, which may listen at one of this computer's two addresses or at both. */
 error_code Reach(asio::io_context& io, beast::tcp_stream& stream, std::uint16_t port, Moment end)
 {
   error_code result;
@@ -227,7 +226,7 @@ void WebSocketClient::Close(double seconds) noexcept
   }
   catch (const std::exception&)
   {
-    // The connection ends in any case.
+    // The connection ends in any case, even without the closing handshake.
   }
   this->Link.reset();
 }
@@ -256,7 +255,7 @@ bool FetchText(std::uint16_t port, const std::string& target, double seconds, st
       failure = Await(io, stream, end,
         [&](auto&& done) { http::async_read_header(stream, buffer, answer, std::move(done)); });
     }
-    // Beast of Boost 1.74 does not compare the announced length with the limit.
+    // Beast of Boost 1.74 does not compare the announced length with the limit, so do it here.
     if (!failure && answer.content_length().value_or(0) > WebSocketClient::LongestMessage)
     {
       failure = http::error::body_limit;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A WebSocket to a service on this computer, and single requests by HTTP, with Boost.Beast.
+ * A WebSocket to a service on this computer, and single requests over HTTP, with Boost.Beast.
  *
  * Beast was chosen among the libraries of Debian 12. It is headers only, so that programs and
- * wheels need no library at run time. It has no thread: the device's thread calls it, every call
- * has a time limit, and a message costs one write() and one read(). libwebsockets owns the loop and
- * calls back from it; its package brings two event loops and TLS. libcurl 7.88 was built without
- * WebSockets there, websocketpp had its last release in 2020, and ixwebsocket is no package.
+ * wheels need no library at run time. It has no thread of its own: the device's thread calls it,
+ * every call has a time limit, and a message costs one write() and one read(). libwebsockets owns
+ * the loop and calls back from it, and its package depends on two event loops and TLS. libcurl 7.88
+ * is built without WebSockets there, websocketpp had its last release in 2020, and there is no
+ * package of ixwebsocket.
  *
  * Not for the servo: it allocates and waits.
  */
@@ -25,14 +26,14 @@ namespace VolumeHaptics
 class WebSocketClient
 {
 public:
-  /** The longest accepted message (bytes). A longer one closes the connection. */
+  /** Size of the longest message that is accepted (bytes). A longer one closes the connection. */
   static constexpr std::size_t LongestMessage = 1 << 20;
 
   enum class Outcome
   {
     Message,
-    Nothing, ///< no message came before the time
-    Closed   ///< the connection was closed by the service, or because of an error
+    Nothing, ///< no message came in time
+    Closed   ///< the service has closed the connection, or an error has
   };
 
   WebSocketClient();
@@ -41,19 +42,19 @@ public:
   WebSocketClient& operator=(const WebSocketClient&) = delete;
 
   /**
-   * Connects to a port of this computer, within a time (s). If this fails, returns false and writes
-   * the reason to `error`.
+   * Connects to a port of this computer within a time (s). Returns false and writes the reason to
+   * `error` if this fails.
    */
   bool Open(std::uint16_t port, double seconds, std::string& error);
   bool IsOpen() const noexcept;
-  /** Sends a text within a time (s). If this fails, closes the connection and returns false. */
+  /** Sends a text within a time (s). Closes the connection and returns false if this fails. */
   bool Send(const std::string& text, double seconds);
   /**
-   * Receives the next message that comes before a time of ServoClock, or a message that has come
-   * already.
+   * Receives the next message that comes before `until`, a time of ServoClock, or one that has
+   * already come.
    */
   Outcome Receive(std::string& text, std::int64_t until);
-  /** Closes the connection properly, within at most a time (s). */
+  /** Closes the connection by the protocol, within a time (s). */
   void Close(double seconds = 0.0) noexcept;
 
 private:
@@ -62,8 +63,8 @@ private:
 };
 
 /**
- * Fetches the answer of a service on this computer to GET, within a time (s). If there is no answer
- * or its status is not 200, returns false and writes the reason to `error`.
+ * Fetches the answer of a service on this computer to an HTTP GET, within a time (s). Returns false
+ * and writes the reason to `error` if there is no answer or if its status is not 200.
  */
 bool FetchText(std::uint16_t port, const std::string& target, double seconds, std::string& text,
   std::string& error);
