@@ -36,7 +36,8 @@ std::string FormatOf(const std::string& path)
   return vtkHapticRegionSource::GetFileFormat(PlainName(path).c_str());
 }
 
-/// Whether files of a format are always read around the hand; others may well fit into memory.
+/// Whether files of a format are always read around the hand. Files of other formats may fit into
+/// memory.
 bool IsLargeFormat(const std::string& format)
 {
   return format == "VTKHDF" || format == "Zarr";
@@ -72,7 +73,7 @@ namespace Explore
 double ComputeRegionsSize(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
-  std::string error; // the reader of the whole file reports it
+  std::string error; // not used, because the reader of the whole file reports the error
   if (!source->OpenFile(PlainName(path).c_str(), error))
   {
     return 0.0;

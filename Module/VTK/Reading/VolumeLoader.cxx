@@ -46,18 +46,18 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-/// Types of MetaIO that vtkMetaImageReader knows, and whose size does not depend on the system.
+/// MetaIO's types that vtkMetaImageReader supports and whose size is the same on every system.
 constexpr const char* META_TYPES[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
   "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
 
 struct UnreadableFile
 {
-  const char* Endings; ///< between blanks
+  const char* Endings; ///< endings, separated by blanks
   const char* Fault;
   const char* Cure;
 };
 
-/// Files that users have, and what makes a volume of them.
+/// Formats that users have but that are not read here, and how to make a volume of them.
 constexpr UnreadableFile UNREADABLE[] = {
   { " .head .brik ", "is a file of AFNI, which is not read here",
     "turn it into NIfTI with 3dAFNItoNIFTI" },
@@ -147,7 +147,7 @@ std::string FindSamples(const std::string& path)
     data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
 }
 
-/// Returns how many bytes of samples the file that has them can hold at most; -1 if the file is
+/// Returns the largest size (bytes) of the samples that a file can contain; -1 if the file is
 /// damaged.
 double CountHeld(const std::string& path, const std::string& samples)
 {
@@ -169,13 +169,13 @@ double CountHeld(const std::string& path, const std::string& samples)
   {
     return Explore::CountUnpacked(samples, isHere ? head : 0);
   }
-  // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
+  // Deflate shrinks zeros at most by 1032, LZMA by 7000.
   constexpr double smallest = 10000.0;
   return isRaw && !isPacked ? length : smallest * length;
 }
 
-/// Returns why a reader's information can't be true for its file; empty if it can. Readers allocate
-/// memory for all that a header promises before they read the samples.
+/// Returns the reason why a reader's information can't be true for its file; empty if it can be
+/// true. Readers allocate memory for all that a header promises before they read the samples.
 std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
 {
   vtkInformation* const information = reader->GetOutputInformation(0);
@@ -202,7 +202,7 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
   const std::string samples = FindSamples(path);
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
-    return {}; // the reader reports this fault
+    return {}; // the reader reports the fault
   }
   const double held = CountHeld(path, samples);
   return held < 0.0 ? "its compressed samples are damaged, or cut off"
@@ -212,7 +212,7 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
                   : std::string();
 }
 
-/// Runs a reader and turns all of its errors into one message.
+/// Runs a reader, and combines all of its errors in one message.
 template <typename Reader>
 vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
 {
@@ -237,7 +237,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
   return image;
 }
 
-/// Converts 64-bit integers to 16 or 32 bits, if they fit, for mappers that support no others.
+/// Converts 64-bit integers to 16 or 32 bits if they fit, because mappers support no others.
 void NarrowSamples(vtkImageData* image)
 {
   vtkDataArray* const wide = image ? image->GetPointData()->GetScalars() : nullptr;
@@ -283,7 +283,7 @@ bool IsKnownToVTK(const std::string& path)
   return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
 }
 
-/// Reads a whole file in the way in which regions of it are read, with the notes about it.
+/// Reads a whole file by the code that reads regions, with the notes about it.
 Volume ReadAsRegions(const std::string& path, const std::string& format, const char* cure)
 {
   vtkNew<vtkHapticRegionSource> source;
@@ -300,8 +300,8 @@ Volume ReadAsRegions(const std::string& path, const std::string& format, const c
   return volume;
 }
 
-/// Reads a MetaImage, also one that VTK's reader can't read: samples of 64 bits, MetaIO's long, and
-/// more than three axes.
+/// Reads a MetaImage, also one that VTK's reader can't read, with samples of 64 bits, MetaIO's
+/// long, or more than three axes.
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
@@ -335,8 +335,8 @@ Volume ReadNrrd(const std::string& path)
   return volume;
 }
 
-/// Turns stored numbers into the values that a NIfTI header defines, as vtkNIFTIImageReader does
-/// not. Whole numbers stay whole if the header only adds one.
+/// Converts stored numbers to the values that a NIfTI header defines, which vtkNIFTIImageReader
+/// does not do. Whole numbers stay whole if the header only adds a whole number.
 void ApplyNiftiScale(double slope, double intercept, Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -388,7 +388,8 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
   }
   if (reader->GetSFormMatrix())
   {
-    // The lengths of the sform's columns hold, not pixdim (method 3), by which VTK divides them.
+    // The lengths of the sform's columns are the spacing (method 3), not pixdim, by which VTK
+    // divides them.
     double spacing[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -473,7 +474,7 @@ namespace Explore
 {
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error)
 {
-  vtkNew<vtkImageData> region; // with the array that marks it as a region
+  vtkNew<vtkImageData> region; // also has the array that marks it as a region
   if (!source->ReadRegion(source->GetWholeExtent(), region, error))
   {
     return nullptr;
@@ -513,7 +514,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
     }
-    // The file of an OpenFOAM case is empty, and only names its folder.
+    // The file of an OpenFOAM case may be empty, because it only names its folder.
     const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
     if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
     {
@@ -554,7 +555,7 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
   {
     return {};
   }
-  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // in the NIfTI header
+  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // codes of the NIfTI header
   const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
   const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
   const double spacing = scale * reader->GetTimeSpacing();
@@ -574,7 +575,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
   if (!array.empty() || !volume.Flow.empty())
   {
-    // Shows what is felt.
+    // Show the array that is felt.
     const std::string& shown = array.empty() ? volume.Flow : array;
     volume.IsField = fields.UseWith(shown, path, volume.Image) || volume.IsField;
   }

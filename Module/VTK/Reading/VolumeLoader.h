@@ -18,26 +18,26 @@
 namespace Explore
 {
 /// A volume ready to be touched: one finite scalar component, at least two voxels along every axis,
-/// lengths in millimetres if the file says so, index axes within 45 degrees of the world's. Its
-/// vectors and tensors are further point arrays.
-/// World axes of medical formats are the DICOM ones: +x to the patient's left, +y to the back,
-/// +z to the head.
+/// lengths in millimetres if the file has a unit of length, and index axes within 45 degrees of the
+/// world's. Its vectors and tensors are further point arrays. World axes of medical formats are the
+/// DICOM ones: +x to the patient's left, +y to the back, +z to the head.
 struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;
   std::string Name;               // last part of the path
-  std::string Format;             // e.g. "NIfTI"
+  std::string Format;             // such as "NIfTI"
   std::vector<std::string> Notes; // assumptions and changes while loading
-  // A segmentation, if there is one, with the geometry of its own file.
+  // A segmentation, if there is one, with the geometry of its file.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
-  // If the volume moves: all time steps, with times in seconds; the image is the first one.
+  // If the volume moves: all time steps, with times in seconds; Image is the first one.
   vtkSmartPointer<vtkHapticTimeStepSource> TimeSteps = nullptr;
-  std::string Displacements = {}; // array with the time steps' material motion; empty if none
-  // If the volume is read around the hand only: its source. The image is a coarse level of it.
+  // name of the array with the motion of each time step's material; empty if there is none
+  std::string Displacements = {};
+  // If the volume is read only around the hand: its source. Image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
-  double MetersPerUnit = 0.001; // for lengths in the file's world
+  double MetersPerUnit = 0.001; // for lengths in the world of the file
   // The later phases of a DICOM series that moves, with their times (s): see LoadVolumes.
   struct Phase
   {
@@ -46,7 +46,7 @@ struct Volume
   };
   std::vector<Phase> Phases = {};
   std::string Modality = {}; // DICOM's modality, such as "CT"; empty if not known
-  bool HasPlace = true;      // whether the file says where the volume lies
+  bool HasPlace = true;      // whether the file defines the position of the volume
   bool IsGrid = false;       // whether the volume was resampled from cells
   bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
@@ -54,16 +54,16 @@ struct Volume
   // is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
-  bool MayBeLabels = false; // whether its values look like the numbers of labels
+  bool MayBeLabels = false; // whether the values look like label numbers
   bool AreLabels = false;   // whether its values are used as labels
-  std::string Flow = {};    // the vectors of a grid, followed by default
-  std::string Padding = {}; // what was taken for outside; empty if nothing was
+  std::string Flow = {};    // name of the vectors of a grid, which the hand follows by default
+  std::string Padding = {}; // describes what was taken for outside; empty if nothing was
 };
 
 /// Reads a file or a folder like LoadVolume, but does not change the voxels: they may have any
-/// type, and axes of any direction. The times of a NIfTI file become components on request, else
-/// the first time is read. From a DICOM folder, the series with a number is read, or for 0 the
-/// largest series.
+/// type, and axes of any direction. If timesAreComponents, the times of a NIfTI file become
+/// components; otherwise the first time is read. From a DICOM folder, the series with a number is
+/// read, or for 0 the largest series.
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
 /// The volumes along the fourth axis of a NIfTI file.
@@ -73,25 +73,27 @@ struct NiftiTimes
   double Spacing = 0.0; // s; 0 if there is one volume
 };
 
-/// Reads the number and the spacing of the volumes from a file's header; `unknown` is the spacing
-/// if the header does not give it. A file of any other format has one volume.
+/// Reads the number and the spacing of the volumes from a file's header. `unknown` is the spacing
+/// if the header does not define it. A file of any other format has one volume.
 NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
 
-/// Places the image along the axes of the world, straightened if its axes are sheared, with a note.
+/// Aligns the image with the axes of the world. Straightens it first if its axes are sheared, with
+/// a note.
 void AlignVolume(Volume& volume);
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or a
 /// single slice. If an array is named, its values, or the magnitude of its vectors, are shown and
-/// felt. Throws InputError for anything else, with the fault and the cure.
+/// felt. For anything else, throws InputError, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
-/// Reads all samples of a volume that can be read in boxes; null, with the reason, if that fails.
+/// Reads all samples of a volume that can be read in boxes. Returns null, with the reason in
+/// `error`, on failure.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
 /// Adds notes on what the source assumed when it opened its file.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
-/// Loads only the image, of a further time step of a moving volume.
+/// Loads the image of a further time step of a moving volume.
 vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array);
 } // namespace Explore
 

@@ -32,7 +32,7 @@ void TurnAboutZ(double axes[9], double origin[3])
   }
 }
 
-/// Finds, for every world axis, the index axis that runs along it best; each is used once.
+/// Finds the index axis that is closest to each world axis. Each index axis is used once.
 std::array<int, 3> BestPermutation(const double axes[9])
 {
   std::array<int, 3> order{ 0, 1, 2 }, best = order;
@@ -44,7 +44,7 @@ std::array<int, 3> BestPermutation(const double axes[9])
     {
       sum += std::abs(axes[3 * axis + order[axis]]);
     }
-    // The margin keeps the natural order, which comes first, on ties.
+    // On ties, this margin keeps the natural order, which comes first.
     if (sum > bestSum + 1e-9)
     {
       bestSum = sum;
@@ -68,7 +68,7 @@ WorldAxes ReadNrrdAxes(const std::string& path)
 WorldAxes ReadMetaImageAxes(const std::string& path)
 {
   const std::string letters = VolumeHaptics::HeaderText(path).Value({ "AnatomicalOrientation" });
-  // Three letters, one from each of these pairs; MetaIO writes ??? for unknown axes.
+  // Three letters, one of each of these pairs. MetaIO writes ??? for unknown axes.
   const bool isPatient = letters.size() == 3 && letters.find_first_of("RL") != std::string::npos &&
     letters.find_first_of("AP") != std::string::npos &&
     letters.find_first_of("SI") != std::string::npos;
@@ -89,7 +89,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
   }
   if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
   {
-    return; // the header is nonsense: plain axes are better than none
+    return; // the header is wrong: use plain axes
   }
   image->SetDirectionMatrix(unit);
   image->SetOrigin(origin);

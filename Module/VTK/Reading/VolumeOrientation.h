@@ -11,10 +11,10 @@
 
 namespace Explore
 {
-/// The directions of the world axes, according to a file.
+/// Meaning of the world axes, according to a file.
 enum class WorldAxes
 {
-  Unknown, // the file does not say
+  Unknown, // the file does not define it
   Patient, // left, posterior and superior, after conversion
   Other
 };
@@ -24,26 +24,26 @@ enum class WorldAxes
 WorldAxes ReadNrrdAxes(const std::string& path);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
-/// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is
-/// the direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
+/// Sets the axes of an image. Column c of `axes` (row-major 3x3, columns of any length) is the
+/// direction of index axis c; `origin` is the position of voxel (0, 0, 0). The spacing is kept.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
 
-/// VTK 9.1's MetaImage reader drops the header's TransformMatrix; this restores it. In ITK's
-/// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
+/// Applies the header's TransformMatrix, which VTK 9.1's MetaImage reader ignores. In ITK's
+/// convention, row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
 /// Returns a note if a NRRD file's space is turned into left-posterior-superior; else empty.
 std::string DescribeNrrdTurn(const std::string& path);
 
-/// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
-/// without one, and turns the result to left-posterior-superior.
+/// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), if
+/// it has one, and converts the result to left-posterior-superior.
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
 
 /// Multiplies all lengths of the image by a factor.
 void ScaleLengths(vtkImageData* image, double factor);
 
-/// Reorders the voxels, at the same positions, so that index axis c runs along world axis c as
-/// nearly as possible. Nothing is interpolated; if nothing has to change, returns the input.
+/// Reorders the voxels, at the same positions, so that index axis c is as close as possible to
+/// world axis c. Nothing is interpolated. If nothing has to change, returns the input.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
 } // namespace Explore
 

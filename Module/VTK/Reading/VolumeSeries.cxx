@@ -32,7 +32,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// The number of time steps in a second, for files without times.
+/// Number of time steps per second for files without times.
 constexpr double FRAMES_PER_SECOND = 10.0;
 
 struct TimeStepPath
@@ -64,8 +64,8 @@ std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
   return timeSteps;
 }
 
-/// Lists the volumes in a folder, or the folders in it if it has no files and they hold the slices
-/// of phases; none if there are fewer than two.
+/// Lists the volumes in a folder. If it has no files, lists its folders, if they contain the slices
+/// of phases. Returns none if there are fewer than two.
 std::vector<TimeStepPath> ListFolder(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -98,7 +98,7 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder)
   return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
 }
 
-/// Reads the files and times of a collection of ParaView.
+/// Reads the files and times of a ParaView collection (.pvd).
 std::vector<TimeStepPath> ReadCollection(const std::string& path)
 {
   const auto root =
@@ -173,7 +173,7 @@ void AddTimeStep(Volume& volume, const std::string& path, vtkImageData* image, d
   volume.TimeSteps->AddTimeStep(image, time);
 }
 
-/// Drops a last time step that repeats the first one, and adds notes for the user.
+/// Removes a last time step that repeats the first one, and adds notes for the user.
 void Finish(Volume& volume)
 {
   vtkHapticTimeStepSource* const timeSteps = volume.TimeSteps;
@@ -244,12 +244,12 @@ vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component
 }
 
 /// Loads one of the volumes along the fourth axis of a NIfTI file, or all of them as time steps.
-/// `chosen` is the number of the volume, from 1 on; 0 stands for all.
+/// `chosen` is the number of the volume, which begins at 1; 0 stands for all.
 Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
-  // Each time has several values, such as colours, of which the first is felt.
+  // The values of a time may have several components, such as colours, of which the first is felt.
   const int count = times.Count;
   const int step = std::max(1, all->GetNumberOfScalarComponents() / count);
   if (chosen > count)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticVolumeReader
- * @brief   reads a volume from a file or a folder, where and as large as it is in the patient
+ * @brief   reads a volume from a file or a folder, with its position and size in the patient
  *
  * Reads DICOM folders, slices and DICOMDIR, NIfTI and Analyze, NRRD, MetaImage, VTK images and
- * grids, TIFF stacks, VTKHDF and Zarr. Every program of this project reads its volumes so:
+ * grids, TIFF stacks, VTKHDF and Zarr. Every program of this project reads its volumes with this
+ * class:
  *
  *   vtkNew<vtkHapticVolumeReader> reader;
  *   reader->SetFileName("scans/thorax");
@@ -13,12 +14,12 @@
  *   std::cout << reader->GetNotes();
  *   filter->SetInputConnection(reader->GetOutputPort());
  *
- * The output has one scalar a voxel, in millimetres if the file has a unit of length, and its index
- * axes are within 45 degrees of the axes of the world: left-posterior-superior for files that know
- * a patient. The notes tell, a line each, what was guessed, dropped, filled, resampled or turned;
- * the output's field data has them in the string array "Notes".
- * A volume that moves has its time steps. The labels of a segmentation have their table; the
- * output's field data has it, too.
+ * The output has one scalar for each voxel. Its lengths are in millimetres if the file has a unit
+ * of length. Its index axes are within 45 degrees of the axes of the world, which are
+ * left-posterior-superior if the file is about a patient. The notes describe, one on each line,
+ * what was guessed, dropped, filled, resampled or turned; the output's field data also has them, in
+ * the string array "Notes". A moving volume has time steps. The labels of a segmentation have a
+ * table, which is also in the output's field data.
  *
  * A file that can't be read gives one error that names the cause and the cure, and an empty output.
  * For volumes larger than memory, use vtkHapticRegionSource.
@@ -81,8 +82,8 @@ public:
 
   ///@{
   /**
-   * From UpdateInformation() on: the notes, a line each, the format, such as "NIfTI", and DICOM's
-   * modality.
+   * GetNotes returns the notes, one on each line; GetFormat the format, such as "NIfTI";
+   * GetModality DICOM's modality. They are known after UpdateInformation().
    */
   const char* GetNotes();
   const char* GetFormat();
@@ -100,11 +101,15 @@ public:
   ///@}
 
   /**
-   * Whether the file says where the volume lies; a NIfTI file may not. From UpdateInformation() on.
+   * Get whether the file defines the position of the volume; a NIfTI file may not. Known after
+   * UpdateInformation().
    */
   bool HasPlace();
 
-  /** The table of the labels, from UpdateInformation() on; nullptr if the file has none. */
+  /**
+   * Get the table of the labels, which is known after UpdateInformation(); nullptr if the file has
+   * none.
+   */
   vtkHapticLabelTable* GetLabelTable();
 
 protected:

@@ -34,7 +34,7 @@ std::string NameOf(const DicomHeader& slice)
   return vtksys::SystemTools::GetFilenameName(slice.File);
 }
 
-/// Lists the series, one line each.
+/// Returns a list of the series, one on each line.
 std::string ListSeries(const std::vector<DicomSeries>& all)
 {
   std::string list;
@@ -109,8 +109,8 @@ double ComputeStep(const std::vector<DicomHeader>& slices)
   return *middle;
 }
 
-/// Leaves out slices that lie far from the others, such as a topogram with the number of the
-/// series. Returns the other slices.
+/// Removes slices that are far from the others, such as a topogram with the number of the series.
+/// Returns the other slices.
 std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
 {
   if (slices.size() < 3)
@@ -118,8 +118,8 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     return slices;
   }
   constexpr double farSteps = 8.0;
-  constexpr std::size_t fewest = 5;                                  // the fewest slices of a
-                                                                     // volume
+  // smallest number of slices of a volume
+  constexpr std::size_t fewest = 5;
   const double far = std::max(farSteps * ComputeStep(slices), 10.0); // mm
   std::size_t first = 0, best = 0, size = 0;
   for (std::size_t i = 1; i <= slices.size(); ++i)
@@ -154,8 +154,9 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
     "put the slices of one volume into a folder of their own; if it moves, each phase");
 }
 
-/// Returns the positions (mm) of slices along their normal, from the first one on; made even if
-/// they are even within the rounding of files. Throws if two slices are at the same place.
+/// Returns the positions (mm) of slices along their normal, beginning with 0. If they are even
+/// within the rounding of files, makes them exactly even. Throws InputError if two slices are at
+/// the same position.
 std::vector<double> FindPlaces(
   const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
@@ -181,10 +182,10 @@ std::vector<double> FindPlaces(
   {
     off = std::max(off, std::abs(along[i] - static_cast<double>(i) * even));
   }
-  constexpr double rounding = 0.11; // mm, the rounding of positions with one digit, and so of both
-                                    // ends of the line
+  // mm, rounding of positions with one digit, at both ends of the line
+  constexpr double rounding = 0.11;
   constexpr double smallPart = 0.05;
-  constexpr double finest = 0.25; // of a step
+  constexpr double finest = 0.25; // fraction of a step
   if (off <= std::max(std::min(rounding, finest * even), smallPart * even))
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -194,7 +195,7 @@ std::vector<double> FindPlaces(
     return along;
   }
   const double step = ComputeStep(slices);
-  constexpr double closest = 0.2; // of a step
+  constexpr double closest = 0.2; // fraction of a step
   constexpr double mostGap = 20.0;
   if (smallest < closest * step || largest > mostGap * step)
   {
@@ -284,7 +285,7 @@ void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImage
 
 namespace
 {
-/// Names the DICOM files of a folder that are no slices, such as "an RT plan (plan.dcm)", with the
+/// Names the DICOM files of a folder that are not slices, such as "an RT plan (plan.dcm)", with the
 /// cure.
 Explore::DicomObject FindObjects(const std::string& folder)
 {
@@ -306,7 +307,7 @@ Explore::DicomObject FindObjects(const std::string& folder)
   return found;
 }
 
-/// Chooses a series. Throws if there is no such series.
+/// Chooses a series. Throws InputError if there is no such series.
 std::size_t ChooseSeries(
   const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
 {
@@ -351,7 +352,7 @@ vtkSmartPointer<vtkImageData> ReadPlaced(const std::string& path,
   return image;
 }
 
-/// Adds notes on what was assumed of a series, and on what its values are.
+/// Adds notes on what was assumed about a series, and on the meaning of its values.
 void AddNotes(const DicomSeries& series, Volume& volume)
 {
   const DicomHeader& first = series.Slices.front();
@@ -387,11 +388,11 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   }
 }
 
-/// Reads the phases of a volume that moves; `along` has the places of the slices.
+/// Reads the phases of a moving volume. `along` has the positions of the slices.
 void ReadPhases(const std::string& path, const DicomSeries& series,
   const std::vector<double>& along, Volume& volume)
 {
-  constexpr double perSecond = 10.0; // phases a second, if they have no times
+  constexpr double perSecond = 10.0; // phases per second, if they have no times
   const std::vector<std::string> notes = volume.Notes;
   for (std::size_t i = 0; i < series.MorePhases.size(); ++i)
   {
@@ -400,7 +401,7 @@ void ReadPhases(const std::string& path, const DicomSeries& series,
     const double time = series.Times[i + 1] / (series.HaveTimes ? 1.0 : perSecond);
     volume.Phases.push_back({ time, ReadPlaced(path, slices, along, volume) });
   }
-  volume.Notes = notes; // each phase would add the same notes
+  volume.Notes = notes; // keep the notes once: each phase would add the same ones
 }
 
 Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
@@ -479,10 +480,11 @@ Volume ReadDicomFile(const std::string& path, int series)
   }
   if (header.Frames > 1 || header.IsSegmentation())
   {
-    // Such a file is a whole volume by itself, whatever lies beside it.
+    // The file is a complete volume, whatever other files are in its folder.
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
     Volume volume = LoadSeries(path, own, FindLargest(own));
-    constexpr unsigned long alone = 3; // entries, with the folder itself and the one above
+    // number of entries: the file, the folder itself and its parent
+    constexpr unsigned long alone = 3;
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
     {
       volume.Notes.emplace_back("the file alone is read, not what lies beside it");

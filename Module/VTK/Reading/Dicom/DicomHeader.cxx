@@ -40,15 +40,17 @@ constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
 constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
 
-/// The places of the frames in a file with several.
+/// Positions of the frames in a file with several.
 struct FramePlaces
 {
-  std::vector<DicomHeader> Groups; // for each frame: the differences from the file's header
-  std::vector<double> Offsets;     // position along the normal, or z in the patient, mm
+  // header of each frame, with the differences from the file's header
+  std::vector<DicomHeader> Groups;
+  std::vector<double> Offsets; // positions along the normal, or z in the patient (mm)
   std::vector<DicomSegment> Segments;
 };
 
-/// A kind of objects without pixels of a volume, by the beginning of its class.
+/// A kind of DICOM object that contains no pixels of a volume, recognised by the beginning of its
+/// class's UID, with the cure to suggest.
 struct ObjectKind
 {
   const char* Class;
@@ -90,7 +92,7 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Reads decimal numbers between backslashes. Returns false if there are too few.
+/// Reads decimal numbers that are separated by backslashes. Returns false if there are too few.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -288,7 +290,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
   }
 }
 
-/// Reads all decimal numbers between backslashes.
+/// Reads all decimal numbers that are separated by backslashes.
 std::vector<double> ReadAllDecimals(const std::string& text)
 {
   std::vector<double> numbers(

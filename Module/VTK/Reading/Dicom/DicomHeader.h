@@ -11,7 +11,7 @@
 
 namespace Explore
 {
-/// A number by which slices at one place differ.
+/// A number in which slices at the same position may differ.
 struct DicomFact
 {
   enum Encoding
@@ -24,10 +24,11 @@ struct DicomFact
   std::uint32_t Tag;
   const char* Name;
   Encoding Kind;
-  double Seconds; // seconds of one unit of a time; 0: numbers in the order of time; -1: no time
+  // seconds in one unit if this is a time; 0: numbers in the order of time; -1: not a time
+  double Seconds;
 };
 
-/// If two facts differ, the one that comes first here decides.
+/// The facts, in order of priority: if slices differ in two of them, the first one decides.
 constexpr DicomFact DICOM_FACTS[] = {
   { 0x00181060, "TriggerTime", DicomFact::Decimal, 1e-3 },
   { 0x00209153, "NominalCardiacTriggerDelayTime", DicomFact::Real, 1e-3 },
@@ -45,43 +46,44 @@ constexpr DicomFact DICOM_FACTS[] = {
   { 0x00200013, "InstanceNumber", DicomFact::Decimal, 0.0 },
 };
 
-/// Returns the fact that a tag stands for; null if it is none.
+/// Returns the fact of a tag; null if it is none.
 const DicomFact* FindDicomFact(std::uint32_t tag);
 
-/// The header of a DICOM slice: its series, its place, and the meaning of its samples. VTK's reader
-/// supports neither series nor sequences: it reads the preview in front of a slice instead of the
-/// slice.
+/// The header of a DICOM slice: its series, its position, and the meaning of its samples. VTK's
+/// reader is not used, because it supports neither series nor sequences: it reads the preview in
+/// front of a slice instead of the slice.
 struct DicomHeader
 {
   std::string File; // whole path
   std::string TransferSyntax;
-  std::string Class;    // what kind of object this is (SOPClassUID)
-  std::string Instance; // the file's own unique identifier
+  std::string Class;    // kind of the object (SOPClassUID)
+  std::string Instance; // unique identifier of the file
   std::string ImageType;
-  std::string Series; // the series' unique identifier
+  std::string Series; // unique identifier of the series
   int SeriesNumber = 0;
-  std::string Description; // the series' description
+  std::string Description; // description of the series
   std::string Modality;
   int Width = 0, Height = 0;
-  int Samples = 1;          // samples per pixel: 3 in RGB
-  bool ArePlanes = false;   // samples are stored by colour
-  bool IsYbr = false;       // colours are luminance and two differences (YBR_FULL) instead of RGB
-  int Bits = 0, Stored = 0; // bits of a sample in the file, and how many of them count
+  int Samples = 1;        // samples per pixel: 3 in RGB
+  bool ArePlanes = false; // whether the samples of each colour are stored together
+  // whether colours are stored as luminance and two differences (YBR_FULL) instead of RGB
+  bool IsYbr = false;
+  int Bits = 0, Stored = 0; // bits of a sample in the file, and the number of those that are used
   bool IsSigned = false;
   bool IsFloat = false;
   bool IsBig = false; // whether the most significant byte comes first
   int Frames = 1;     // number of frames in the file
-  int Frame = 0;      // this slice's number among the frames
+  int Frame = 0;      // number of this slice among the frames
   ///@{
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
-  std::optional<double> DoseScale;       // the slope of a dose
+  std::optional<double> DoseScale;       // slope of a dose
   std::string Units;                     // units of a dose or of PET, as the file names them
-  std::optional<double> Padding;         // the sample of pixels that were not measured
-  std::map<std::uint32_t, double> Facts; // facts in which slices at one place may differ
-  // Position of the first pixel, and directions along rows and columns; axial at 0 if the file does
-  // not give them.
+  std::optional<double> Padding;         // sample of pixels that were not measured
+  std::map<std::uint32_t, double> Facts; // facts in which slices at the same position may differ
+  // Position of the first pixel, and directions along rows and columns. If the file does not define
+  // them, the slice is axial and at 0.
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Row[3] = { 1.0, 0.0, 0.0 };
   double Column[3] = { 0.0, 1.0, 0.0 };
@@ -118,14 +120,14 @@ struct DicomSegment
 {
   int Number = 0;
   std::string Name;
-  std::vector<double> Color; // red, green and blue, 0 to 1; empty if it has none
+  std::vector<double> Color; // red, green and blue, 0 to 1; empty if the segment has no colour
 };
 
 /// Reads the segments of a segmentation file: PS3.3, section C.8.20.2.
 std::vector<DicomSegment> ReadDicomSegments(const std::string& path);
 
-/// The kind of a DICOM file that holds no pixels of a volume, such as "an RT plan", and the cure.
-/// Both texts are empty for a slice, and for a file that is not DICOM.
+/// The kind of a DICOM object that contains no pixels of a volume, such as "an RT plan", with the
+/// cure. Both texts are empty for a slice, and for a file that is not DICOM.
 struct DicomObject
 {
   std::string Name;
@@ -137,9 +139,9 @@ DicomObject FindDicomObject(const std::string& path);
 /// standard, sections 7 and A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
 
-/// Reads a header for each frame of a file, with its own place and meaning of samples: from the
-/// functional groups of PS3.3, section C.7.6.16, from the offsets of a dose, or from the spacing
-/// between slices. Empty if this is not a DICOM file with pixels.
+/// Reads a header for each frame of a file, each with its own position and meaning of samples. They
+/// come from the functional groups (PS3.3, section C.7.6.16), from the offsets of a dose, or from
+/// the spacing between slices. Returns none if this is not a DICOM file with pixels.
 std::vector<DicomHeader> ReadDicomSlices(const std::string& path);
 } // namespace Explore
 
