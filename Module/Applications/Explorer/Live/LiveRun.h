@@ -13,7 +13,7 @@ namespace Explore
 struct LiveRun
 {
   vtkSmartPointer<vtkPolyData> Trace; // trace as it was recorded, tick by tick
-  // how well the servo kept time, and a comparison with the offline filter
+  // text on how well the servo kept time, with a comparison with the offline filter
   std::string Report;
   bool IsReproduced = false; // whether equal tips gave equal forces offline and live
 };

@@ -226,7 +226,7 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
 {
   if (window->GetNeverRendered())
   {
-    window->Render(); // only a window with a context can tell
+    window->Render(); // creates the OpenGL context, which the checks below need
   }
   auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
   const int* size = image->GetDimensions();

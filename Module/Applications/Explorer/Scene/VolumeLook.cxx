@@ -56,8 +56,8 @@ void LookByThresholds(
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
-    // The ramp is short: what is visible is felt, so of thin parts whose values reach only the
-    // ramp's lower half, hardly anything may be seen.
+    // The ramp is short, because what is visible has to be felt: thin parts whose values reach only
+    // the ramp's lower half must be nearly invisible.
     { outer + 0.6 * step, 0.00, of[0] },
     { outer + step, body, of[1] },
     { deep, body, of[2] },

@@ -49,7 +49,7 @@ private:
   using Extent = std::array<int, 6>;
   /** Identifies an isosurface: its samples, their component, and its value. */
   using SurfaceKey = std::tuple<TouchedArray::Key, int, double>;
-  /** The result of the worker. */
+  /** Result of the worker: the samples and mesh of a region. */
   struct Made
   {
     vtkSmartPointer<vtkDataArray> Samples;

@@ -92,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Energy U that it takes a vtkHapticBurr to remove this label's tissue (J/mm^3, 0 or more). The
+   * Energy U that a vtkHapticBurr needs to remove this label's tissue (J/mm^3, 0 or more). The
    * getter returns -1 if it is not set.
    */
   void SetSpecificEnergy(int label, double energy);
