@@ -7,6 +7,8 @@
 #ifndef EditorMouse_h
 #define EditorMouse_h
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkHapticFunctionEditor.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -50,7 +52,7 @@ public:
   Place At(double value, double functionValue)
   {
     double x[2];
-    this->Shown->GetDisplayPosition(value, functionValue, x);
+    VolumeHaptics::EditorProbe::GetPosition(this->Shown, value, functionValue, x);
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 

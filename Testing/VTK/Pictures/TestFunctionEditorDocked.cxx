@@ -4,6 +4,8 @@
 // and its tissues, whose materials stand beside it.
 #include "Factories.h"
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
 #include "vtkNew.h"
@@ -30,7 +32,7 @@ int TestFunctionEditorDocked(int argc, char* argv[])
   editor->SetProperty(property);
   editor->SetInputData(head->GetOutput());
   editor->SetFunctionToSurfaceStrength();
-  editor->SelectTissue(5);
+  VolumeHaptics::EditorProbe::SelectTissue(editor, 5);
   editor->DockedOn();
   editor->SetDockShare(0.75);
 

@@ -5,6 +5,8 @@
 #include "EditorMouse.h"
 #include "Factories.h"
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticSliceView.h"
@@ -111,14 +113,16 @@ void TestTissues(View& view, vtkHapticProperty* property)
   view.Check(editor->GetTitle() == "Materials of tissues" && !editor->GetPiecewiseFunction(),
     "a page of its own");
   double at[2];
-  view.Check(editor->GetTissuePosition(3, at), "fluid is listed");
+  view.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 3, at), "fluid is listed");
   const Place fluid = { static_cast<int>(at[0]), static_cast<int>(at[1]) };
   const vtkMTimeType before = property->GetMTime();
   view.Drag(Editor::LEFT_BUTTON, fluid, fluid);
-  view.Check(editor->GetSelectedTissue() == 3 && property->GetMTime() == before,
+  view.Check(
+    VolumeHaptics::EditorProbe::GetSelectedTissue(editor) == 3 && property->GetMTime() == before,
     "a click selects and changes nothing");
   view.Window->Render();
-  view.Check(editor->GetSliderPosition(Editor::FRICTION, 0.8, at), "with sliders");
+  view.Check(VolumeHaptics::EditorProbe::GetSliderPosition(editor, Editor::FRICTION, 0.8, at),
+    "with sliders");
   const Place friction = { static_cast<int>(std::lround(at[0])),
     static_cast<int>(std::lround(at[1])) };
   view.Drag(Editor::LEFT_BUTTON, friction, friction);
@@ -128,10 +132,12 @@ void TestTissues(View& view, vtkHapticProperty* property)
   editor->TurnWheel(-2.0, friction[0], friction[1]);
   view.Check(IsNear(property->GetTissueFriction(3), 0.79, 0.011), "the wheel on it");
   view.Check(editor->Undo() && editor->Undo() && property->GetTissueFriction(3) == 0.12, "undone");
-  view.Check(!editor->SelectTissue(7) && !editor->SelectTissue(-1), "tissues that are not there");
+  view.Check(!VolumeHaptics::EditorProbe::SelectTissue(editor, 7) &&
+      !VolumeHaptics::EditorProbe::SelectTissue(editor, -1),
+    "tissues that are not there");
   property->RemoveAllTissues();
   view.Window->Render();
-  view.Check(editor->GetSelectedTissue() == -1, "none is left");
+  view.Check(!VolumeHaptics::EditorProbe::GetSelectedTissue(editor), "none is left");
   editor->SetFunctionToOpacity();
   editor->NextFunction();
   view.Check(editor->GetFunction() == Editor::STIFFNESS, "no page without tissues");
@@ -164,7 +170,8 @@ void TestDock(vtkHapticProperty* property)
     checks.Check(isAt(scene, 0, 0.35, 1, 1), "below the scene, in every frame");
   }
   double at[2];
-  checks.Check(editor->GetTissuePosition(2, at) && at[0] > 500, "the tissues beside the function");
+  checks.Check(VolumeHaptics::EditorProbe::GetTissuePosition(editor, 2, at) && at[0] > 500,
+    "the tissues beside the function");
   // In the window's corner, as the column of the slices takes the whole of its edge.
   vtkNew<vtkHapticSliceView> slices;
   slices->SetRenderWindow(window);

@@ -4,6 +4,8 @@
 #include "EditorMouse.h"
 #include "Factories.h"
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -50,7 +52,7 @@ int TestFunctionEditorFar(int, char*[])
         isPlace ? stiffness->AddPoint(b, 2.0) : stiffness->AddPoint(1.0, b);
         view.Window->Render();
         double place[2];
-        view.Shown->GetDisplayPosition(0.5 * a + 0.5 * b, 1.0, place);
+        VolumeHaptics::EditorProbe::GetPosition(view.Shown, 0.5 * a + 0.5 * b, 1.0, place);
         view.Drag(Editor::LEFT_BUTTON, { 200, 100 }, { 210, 90 });
         view.Window->Render();
       }

@@ -5,6 +5,8 @@
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkDataArray.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
@@ -84,7 +86,8 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   // The points of what was taken are dragged as any other.
   double place[2];
   const double height = strength->GetValue(1500.0);
-  editor->GetDisplayPosition(property->GetSurfaceStrength()->GetRange()[1], height, place);
+  VolumeHaptics::EditorProbe::GetPosition(
+    editor, property->GetSurfaceStrength()->GetRange()[1], height, place);
   const int x = static_cast<int>(place[0] + 0.5);
   const int y = static_cast<int>(place[1] + 0.5);
   editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);

@@ -6,6 +6,8 @@
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
@@ -13,6 +15,7 @@
 #include "vtkPointData.h"
 
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -46,17 +49,19 @@ public:
     this->Shown->SetFunctionToLabels();
   }
 
-  Place AtLabel(int label, int part)
+  Place AtLabel(int label, VolumeHaptics::EditorProbe::LabelPart part)
   {
     double x[2] = { -1.0, -1.0 };
-    this->Check(this->Shown->GetLabelPosition(label, part, x), "the label is in the window");
+    this->Check(VolumeHaptics::EditorProbe::GetLabelPosition(this->Shown, label, part, x),
+      "the label is in the window");
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 
   Place AtSlider(int function, double value)
   {
     double x[2] = { -1.0, -1.0 };
-    this->Check(this->Shown->GetSliderPosition(function, value, x), "there are sliders");
+    this->Check(VolumeHaptics::EditorProbe::GetSliderPosition(this->Shown, function, value, x),
+      "there are sliders");
     return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
   }
 
@@ -69,12 +74,7 @@ public:
 
   bool Lists(const std::vector<int>& labels)
   {
-    std::vector<int> listed;
-    for (vtkIdType i = 0; i < this->Shown->GetNumberOfListedLabels(); ++i)
-    {
-      listed.push_back(this->Shown->GetListedLabel(i));
-    }
-    return listed == labels;
+    return VolumeHaptics::EditorProbe::ListLabels(this->Shown) == labels;
   }
 
   vtkNew<vtkHapticLabelTable> Table;
@@ -103,13 +103,15 @@ void TestImages(LabelView& view)
   view.Window->Render();
   double at[2];
   view.Check(view.Shown->SelectLabel(2) &&
-      view.Shown->GetLabelPosition(2, Editor::LABEL_NAME, at) &&
-      view.Shown->GetSliderPosition(Editor::FRICTION, 0.5, at),
+      VolumeHaptics::EditorProbe::GetLabelPosition(
+        view.Shown, 2, VolumeHaptics::EditorProbe::LabelName, at) &&
+      VolumeHaptics::EditorProbe::GetSliderPosition(view.Shown, Editor::FRICTION, 0.5, at),
     "positions in the list");
   image->GetPointData()->GetScalars()->SetComponent(0, 0, 9.0);
   image->Modified();
-  view.Check(!view.Shown->GetLabelPosition(2, Editor::LABEL_NAME, at) &&
-      !view.Shown->GetSliderPosition(Editor::FRICTION, 0.5, at),
+  view.Check(!VolumeHaptics::EditorProbe::GetLabelPosition(
+               view.Shown, 2, VolumeHaptics::EditorProbe::LabelName, at) &&
+      !VolumeHaptics::EditorProbe::GetSliderPosition(view.Shown, Editor::FRICTION, 0.5, at),
     "no positions in a list that is out of date");
   view.Check(view.Lists({ 1, 2, 7, 9 }), "an image that has changed");
   view.Shown->SetLabelData(vtkSmartPointer<vtkImageData>::New());
@@ -126,20 +128,23 @@ void TestMaterials(LabelView& view)
   const apitest::EventCounter interactions(editor, vtkCommand::InteractionEvent);
   view.Window->Render();
   double nowhere[2];
-  view.Check(!editor->GetSliderPosition(Editor::FRICTION, 0.5, nowhere), "no sliders at first");
+  view.Check(!VolumeHaptics::EditorProbe::GetSliderPosition(editor, Editor::FRICTION, 0.5, nowhere),
+    "no sliders at first");
 
   vtkMTimeType before = table->GetMTime();
-  view.Check(view.Click(view.AtLabel(-3, Editor::LABEL_NAME)), "a click is taken");
-  view.Check(editor->HasSelectedLabel() && editor->GetSelectedLabel() == -3, "it selects");
+  view.Check(
+    view.Click(view.AtLabel(-3, VolumeHaptics::EditorProbe::LabelName)), "a click is taken");
+  view.Check(VolumeHaptics::EditorProbe::GetSelectedLabel(editor) == -3, "it selects");
   view.Check(table->GetMTime() == before && interactions.Count == 0, "and changes nothing");
 
-  view.Click(view.AtLabel(5, Editor::LABEL_FELT));
-  view.Click(view.AtLabel(6, Editor::LABEL_FORBIDDEN));
+  view.Click(view.AtLabel(5, VolumeHaptics::EditorProbe::LabelFelt));
+  view.Click(view.AtLabel(6, VolumeHaptics::EditorProbe::LabelForbidden));
   view.Check(!table->GetFelt(5) && table->GetFelt(6) && table->GetForbidden(6) &&
       !table->GetForbidden(5) && interactions.Count == 2,
     "boxes of two labels");
-  view.Click(view.AtLabel(5, Editor::LABEL_FELT));
-  view.Check(table->GetFelt(5) && editor->GetSelectedLabel() == 5, "felt again, and selected");
+  view.Click(view.AtLabel(5, VolumeHaptics::EditorProbe::LabelFelt));
+  view.Check(table->GetFelt(5) && VolumeHaptics::EditorProbe::GetSelectedLabel(editor) == 5,
+    "felt again, and selected");
 
   const auto near = [](double a, double b, double end) { return std::abs(a - b) <= 0.011 * end; };
   view.Click(view.AtSlider(Editor::STIFFNESS, 400.0));
@@ -200,27 +205,33 @@ void TestMany(LabelView& view)
   }
   editor->SetLabelData(image);
   view.Window->Render();
-  view.Check(editor->GetNumberOfListedLabels() == labels, "a million labels");
-  view.Check(editor->GetListedLabel(0) == -labels / 2 &&
-      editor->GetListedLabel(labels - 1) == labels / 2 - 1,
-    "in order");
+  std::vector<int> all(labels);
+  std::iota(all.begin(), all.end(), -labels / 2);
+  view.Check(view.Lists(all), "a million labels, in order");
   view.Check(editor->SelectLabel(123456) && !editor->SelectLabel(labels), "selected by number");
   view.Window->Render();
-  view.Click(view.AtLabel(123457, Editor::LABEL_NAME));
-  view.Check(editor->GetSelectedLabel() == 123457, "its neighbour is clicked on");
+  view.Click(view.AtLabel(123457, VolumeHaptics::EditorProbe::LabelName));
+  view.Check(
+    VolumeHaptics::EditorProbe::GetSelectedLabel(editor) == 123457, "its neighbour is clicked on");
 
-  const Place list = view.AtLabel(123457, Editor::LABEL_NAME);
+  const Place list = view.AtLabel(123457, VolumeHaptics::EditorProbe::LabelName);
   double at[2];
   editor->TurnWheel(-1000.0, list[0], list[1]); // three rows a step
-  view.Check(!editor->GetLabelPosition(123457, Editor::LABEL_NAME, at) &&
-      editor->GetLabelPosition(126457, Editor::LABEL_NAME, at),
+  view.Check(!VolumeHaptics::EditorProbe::GetLabelPosition(
+               editor, 123457, VolumeHaptics::EditorProbe::LabelName, at) &&
+      VolumeHaptics::EditorProbe::GetLabelPosition(
+        editor, 126457, VolumeHaptics::EditorProbe::LabelName, at),
     "the wheel scrolls towards the user");
   // The bar is at the right edge: its ends show the first and the last label.
   const Place right = { 120 + 20 + 300 - 9, list[1] };
   view.Drag(Editor::LEFT_BUTTON, right, { right[0], 1000 });
-  view.Check(editor->GetLabelPosition(-labels / 2, Editor::LABEL_FELT, at), "the bar, upwards");
+  view.Check(VolumeHaptics::EditorProbe::GetLabelPosition(
+               editor, -labels / 2, VolumeHaptics::EditorProbe::LabelFelt, at),
+    "the bar, upwards");
   view.Drag(Editor::LEFT_BUTTON, right, { right[0], 0 });
-  view.Check(editor->GetLabelPosition(labels / 2 - 1, Editor::LABEL_FELT, at), "and downwards");
+  view.Check(VolumeHaptics::EditorProbe::GetLabelPosition(
+               editor, labels / 2 - 1, VolumeHaptics::EditorProbe::LabelFelt, at),
+    "and downwards");
   view.Window->Render();
   editor->SetLabelData(nullptr);
 }

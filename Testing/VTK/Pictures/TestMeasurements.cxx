@@ -4,6 +4,7 @@
 // A point, a distance, an angle, a path and an area on a ball, with their values; one end of a
 // distance that is being measured; and the list in the head-up display, which no label covers.
 #include "Factories.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -106,15 +107,15 @@ int TestMeasurements(int argc, char* argv[])
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
   window->Render();
-  if (shown->GetNumberOfShownLabels() != 5)
+  if (VolumeHaptics::DisplayProbe::CountLabels(shown) != 5)
   {
-    std::cerr << shown->GetNumberOfShownLabels() << " labels are shown, not 5.\n";
+    std::cerr << VolumeHaptics::DisplayProbe::CountLabels(shown) << " labels are shown, not 5.\n";
     return EXIT_FAILURE;
   }
   display->SetHelpText("Touch\nt\ttouch\n");
   display->HelpVisibilityOn();
   window->Render();
-  if (shown->GetNumberOfShownLabels() != 0)
+  if (VolumeHaptics::DisplayProbe::CountLabels(shown) != 0)
   {
     std::cerr << "Labels are over the list of keys.\n";
     return EXIT_FAILURE;

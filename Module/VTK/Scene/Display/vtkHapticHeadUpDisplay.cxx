@@ -8,6 +8,7 @@
 #include "VTK/Scene/Base/HapticPixels.h"
 #include "VTK/Scene/Base/HapticTextLook.h"
 #include "VTK/Scene/Base/TouchedLabel.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 #include "VTK/Scene/Display/DisplayText.h"
 #include "VTK/Scene/Display/HapticDisplaySettings.h"
 #include "VTK/Scene/Display/HapticForceChart.h"
@@ -226,12 +227,15 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkNew<HapticKeySheet> Keys;
   vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
-  vtkNew<vtkTable> PlotTable; // the copy that GetPlotTable() returns
-  int CanDraw = -1;           // whether charts can be drawn; -1: not known yet
+  int CanDraw = -1; // whether charts can be drawn; -1: not known yet
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
   // the boxes that were drawn in the last frame, for Covers
   std::vector<std::array<double, 4>> Covered;
 
+  std::string GetPlotTitle() const
+  {
+    return this->Device ? this->Device->GetMethodText() : std::string();
+  }
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
@@ -393,32 +397,31 @@ std::string vtkHapticHeadUpDisplay::GetTissueName(double value)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
+vtkIdType DisplayProbe::CountStates(vtkHapticHeadUpDisplay* display)
 {
-  return static_cast<vtkIdType>(this->Internals->History.GetSize());
+  return static_cast<vtkIdType>(display->Internals->History.GetSize());
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
+vtkSmartPointer<vtkTable> DisplayProbe::CopyPlot(vtkHapticHeadUpDisplay* display)
 {
-  // Return a copy, because the drawn table has to stay unchanged.
-  auto& d = *this->Internals;
+  auto& d = *display->Internals;
   d.History.SetModes(NameModes(d.Device));
-  d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
-  return d.PlotTable;
+  auto copy = vtkSmartPointer<vtkTable>::New();
+  copy->DeepCopy(d.History.Plot(GetShownSpan(display->TimeSpan)));
+  return copy;
 }
 
 //------------------------------------------------------------------------------
-double vtkHapticHeadUpDisplay::GetForceRange()
+double DisplayProbe::GetForceRange(vtkHapticHeadUpDisplay* display)
 {
-  return this->Internals->History.GetRange();
+  return display->Internals->History.GetRange();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHapticHeadUpDisplay::GetPlotTitle()
+std::string DisplayProbe::GetPlotTitle(vtkHapticHeadUpDisplay* display)
 {
-  vtkHapticDevice* const device = this->Internals->Device;
-  return device ? device->GetMethodText() : std::string();
+  return display->Internals->GetPlotTitle();
 }
 
 //------------------------------------------------------------------------------
@@ -619,7 +622,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   this->Chart.SetModes(NameActiveModes(this->Device));
   const bool isStale = isDue &&
     this->Chart.Show(
-      this->History.Plot(span), { -span, 0.0, self.GetForceRange() }, self.GetPlotTitle());
+      this->History.Plot(span), { -span, 0.0, this->History.GetRange() }, this->GetPlotTitle());
   const int* const corner = this->Chart.GetCorner();
   this->Covered.push_back({ static_cast<double>(from[0]), static_cast<double>(corner[0]),
     static_cast<double>(from[1]), static_cast<double>(corner[1]) });
@@ -672,6 +675,6 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SettingsText: " << this->SettingsText << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
   os << indent << "HelpText: " << this->HelpText << "\n";
-  os << indent << "States: " << this->GetNumberOfStates() << "\n";
+  os << indent << "States: " << this->Internals->History.GetSize() << "\n";
   os << indent << "Tissues: " << this->Internals->Tissues.size() << "\n";
 }

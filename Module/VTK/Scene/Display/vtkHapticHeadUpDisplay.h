@@ -40,6 +40,13 @@ class vtkHapticDevice;
 class vtkHapticMeasurements;
 class vtkTable;
 
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct DisplayProbe;
+}
+#endif
+
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticHeadUpDisplay : public vtkProp
 {
 public:
@@ -198,20 +205,8 @@ public:
   vtkGetCharFromStdStringMacro(Notice);
   ///@}
 
-  /** Get the number of states in the plot. */
-  vtkIdType GetNumberOfStates();
-  /**
-   * Get the plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and for each
-   * mode of PRIMITIVES a column with its name, such as "1 vector follow, velocity" (N). The columns
-   * hold the smallest and the largest value of each of a few hundred intervals, so that no peak is
-   * lost.
-   */
-  vtkTable* GetPlotTable();
-  /** Get the upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
-  double GetForceRange();
-  /** Get the text that would be shown, or the plot's title, which is the name of the method. */
+  /** Get the text that would be shown. */
   std::string GetText();
-  std::string GetPlotTitle();
 
   /**
    * Get the number of the mode whose line in the list is at a position (pixels of the viewport,
@@ -251,6 +246,9 @@ protected:
   std::string HelpText;
 
 private:
+#ifndef __VTK_WRAP__
+  friend struct VolumeHaptics::DisplayProbe;
+#endif
   vtkHapticHeadUpDisplay(const vtkHapticHeadUpDisplay&) = delete;
   void operator=(const vtkHapticHeadUpDisplay&) = delete;
 

@@ -6,6 +6,7 @@
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Scene/Base/HapticDrawing.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 #include "VTK/Scene/Display/HapticMeasurementViewSettings.h"
 #include "VTK/Scene/Hand/SceneMarker.h"
 
@@ -529,9 +530,9 @@ vtkHapticHeadUpDisplay* vtkHapticMeasurementRepresentation::GetHeadUpDisplay()
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticMeasurementRepresentation::GetNumberOfShownLabels()
+int DisplayProbe::CountLabels(vtkHapticMeasurementRepresentation* measurements)
 {
-  return this->Internals->Shown;
+  return measurements->Internals->Shown;
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,13 @@
 class vtkHapticHeadUpDisplay;
 class vtkHapticMeasurements;
 
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct DisplayProbe;
+}
+#endif
+
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticMeasurementRepresentation : public vtkProp
 {
 public:
@@ -67,9 +74,6 @@ public:
   vtkBooleanMacro(HiddenVisibility, bool);
   ///@}
 
-  /** Get the number of labels in the last frame. */
-  int GetNumberOfShownLabels();
-
   ///@{
   /**
    * Compute the bounds of the measurements, draw them, and release their graphics resources; the
@@ -90,6 +94,9 @@ protected:
   bool HiddenVisibility = true;
 
 private:
+#ifndef __VTK_WRAP__
+  friend struct VolumeHaptics::DisplayProbe;
+#endif
   vtkHapticMeasurementRepresentation(const vtkHapticMeasurementRepresentation&) = delete;
   void operator=(const vtkHapticMeasurementRepresentation&) = delete;
 

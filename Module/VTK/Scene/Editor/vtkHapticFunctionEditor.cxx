@@ -7,6 +7,7 @@
 #include "VTK/Scene/Editor/EditHistory.h"
 #include "VTK/Scene/Editor/EditorDock.h"
 #include "VTK/Scene/Editor/EditorPages.h"
+#include "VTK/Scene/Editor/EditorProbe.h"
 #include "VTK/Scene/Editor/HapticEditorSettings.h"
 
 #include "vtkCommand.h"
@@ -21,8 +22,12 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 vtkStandardNewMacro(vtkHapticFunctionEditor);
+
+using namespace VolumeHaptics;
 
 //------------------------------------------------------------------------------
 struct vtkHapticFunctionEditor::vtkInternals
@@ -32,14 +37,24 @@ struct vtkHapticFunctionEditor::vtkInternals
   {
   }
 
-  VolumeHaptics::EditorPages Pages;
-  VolumeHaptics::EditHistory History;
-  VolumeHaptics::EditorDock Dock;
+  EditorPages Pages;
+  EditHistory History;
+  EditorDock Dock;
   int Held = 0;       // the pressed button; 0 if none is pressed
   int CanDraw = -1;   // whether charts can be drawn; -1: not known yet
   double Scale = 1.0; // pixels for each point of letters
   bool IsCounting = false;
   bool WaitsForProposal = false;
+
+  /** Returns the list of labels, with those of the current image. */
+  HapticLabelList& CountLabels()
+  {
+    if (!this->Pages.LabelList.IsCounted())
+    {
+      this->Pages.LabelList.Count();
+    }
+    return this->Pages.LabelList;
+  }
 
   /**
    * Does the editor's work between StartEvent and EndEvent. Observers may render meanwhile, which
@@ -139,58 +154,10 @@ void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkHapticFunctionEditor::GetNumberOfListedLabels()
-{
-  VolumeHaptics::HapticLabelList& list = this->Internals->Pages.LabelList;
-  if (!list.IsCounted())
-  {
-    list.Count();
-  }
-  return list.GetNumberOfRows();
-}
-
-//------------------------------------------------------------------------------
-int vtkHapticFunctionEditor::GetListedLabel(vtkIdType index)
-{
-  const vtkIdType labels = this->GetNumberOfListedLabels();
-  if (index < 0 || index >= labels)
-  {
-    vtkErrorMacro(<< "There is no label with the index " << index << " in a list of " << labels
-                  << " labels.");
-    return 0;
-  }
-  return this->Internals->Pages.LabelList.GetKey(index);
-}
-
-//------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::SelectLabel(int label)
 {
-  return this->GetNumberOfListedLabels() > 0 && this->Internals->Pages.LabelList.Select(label);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::HasSelectedLabel()
-{
-  return this->GetNumberOfListedLabels() > 0 &&
-    this->Internals->Pages.LabelList.GetSelected().has_value();
-}
-
-//------------------------------------------------------------------------------
-int vtkHapticFunctionEditor::GetSelectedLabel()
-{
-  return this->HasSelectedLabel() ? *this->Internals->Pages.LabelList.GetSelected() : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::SelectTissue(int tissue)
-{
-  return this->Internals->Pages.TissueList.Select(tissue);
-}
-
-//------------------------------------------------------------------------------
-int vtkHapticFunctionEditor::GetSelectedTissue()
-{
-  return this->Internals->Pages.TissueList.GetSelected().value_or(-1);
+  HapticLabelList& list = this->Internals->CountLabels();
+  return list.GetNumberOfRows() > 0 && list.Select(label);
 }
 
 //------------------------------------------------------------------------------
@@ -275,7 +242,7 @@ bool vtkHapticFunctionEditor::Propose()
   }
   // keep the editor alive, because observers may release it
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this);
-  VolumeHaptics::FoundFunctions found;
+  FoundFunctions found;
   d.WaitsForProposal = true;
   d.DoLongWork(this,
     [&]
@@ -491,27 +458,47 @@ bool vtkHapticFunctionEditor::DoubleClick(int button, int x, int y)
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::GetDisplayPosition(
-  double value, double functionValue, double position[2])
+std::vector<int> EditorProbe::ListLabels(vtkHapticFunctionEditor* editor)
 {
-  if (!position)
-  {
-    vtkErrorMacro("GetDisplayPosition() needs an array of two numbers, but got a null pointer.");
-    return;
-  }
-  this->Internals->Pages.Chart.GetPosition(value, functionValue, position);
-  this->Internals->Dock.ToDisplay(position);
+  HapticLabelList& list = editor->Internals->CountLabels();
+  std::vector<int> labels(static_cast<std::size_t>(list.GetNumberOfRows()));
+  vtkIdType row = 0;
+  std::generate(labels.begin(), labels.end(), [&] { return list.GetKey(row++); });
+  return labels;
+}
+
+std::optional<int> EditorProbe::GetSelectedLabel(vtkHapticFunctionEditor* editor)
+{
+  HapticLabelList& list = editor->Internals->CountLabels();
+  return list.GetNumberOfRows() > 0 ? list.GetSelected() : std::nullopt;
+}
+
+std::optional<int> EditorProbe::GetSelectedTissue(vtkHapticFunctionEditor* editor)
+{
+  return editor->Internals->Pages.TissueList.GetSelected();
+}
+
+bool EditorProbe::SelectTissue(vtkHapticFunctionEditor* editor, int tissue)
+{
+  return editor->Internals->Pages.TissueList.Select(tissue);
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double position[2])
+void EditorProbe::GetPosition(
+  vtkHapticFunctionEditor* editor, double value, double functionValue, double position[2])
 {
-  using VolumeHaptics::MaterialPart;
-  auto& d = *this->Internals;
-  const auto kind = part == LABEL_NAME ? MaterialPart::Name
-    : part == LABEL_FELT               ? MaterialPart::Felt
-                                       : MaterialPart::Forbidden;
-  const bool isShown = position && d.Pages.GetLabels().GetRowPosition(label, kind, position);
+  editor->Internals->Pages.Chart.GetPosition(value, functionValue, position);
+  editor->Internals->Dock.ToDisplay(position);
+}
+
+bool EditorProbe::GetLabelPosition(
+  vtkHapticFunctionEditor* editor, int label, LabelPart part, double position[2])
+{
+  auto& d = *editor->Internals;
+  const auto kind = part == LabelName ? MaterialPart::Name
+    : part == LabelFelt               ? MaterialPart::Felt
+                                      : MaterialPart::Forbidden;
+  const bool isShown = d.Pages.GetLabels().GetRowPosition(label, kind, position);
   if (isShown)
   {
     d.Dock.ToDisplay(position);
@@ -519,12 +506,11 @@ bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double posit
   return isShown;
 }
 
-//------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::GetTissuePosition(int tissue, double position[2])
+bool EditorProbe::GetTissuePosition(vtkHapticFunctionEditor* editor, int tissue, double position[2])
 {
-  auto& d = *this->Internals;
-  const bool isShown = position && d.Pages.GetSheet() == &d.Pages.GetTissues() &&
-    d.Pages.GetTissues().GetRowPosition(tissue, VolumeHaptics::MaterialPart::Name, position);
+  auto& d = *editor->Internals;
+  const bool isShown = d.Pages.GetSheet() == &d.Pages.GetTissues() &&
+    d.Pages.GetTissues().GetRowPosition(tissue, MaterialPart::Name, position);
   if (isShown)
   {
     d.Dock.ToDisplay(position);
@@ -532,13 +518,12 @@ bool vtkHapticFunctionEditor::GetTissuePosition(int tissue, double position[2])
   return isShown;
 }
 
-//------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, double position[2])
+bool EditorProbe::GetSliderPosition(
+  vtkHapticFunctionEditor* editor, int function, double value, double position[2])
 {
-  auto& d = *this->Internals;
-  const VolumeHaptics::HapticMaterialSheet* const sheet = d.Pages.GetSheet();
-  const bool isShown = sheet && position && function >= STIFFNESS && function <= SURFACE_STRENGTH &&
-    sheet->GetSliderPosition(function, value, position);
+  auto& d = *editor->Internals;
+  const HapticMaterialSheet* const sheet = d.Pages.GetSheet();
+  const bool isShown = sheet && sheet->GetSliderPosition(function, value, position);
   if (isShown)
   {
     d.Dock.ToDisplay(position);
@@ -558,7 +543,7 @@ int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
 int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
 {
   auto& d = *this->Internals;
-  if (!VolumeHaptics::IsDrawing(viewport))
+  if (!IsDrawing(viewport))
   {
     return 0;
   }
@@ -579,7 +564,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
   {
     return 0;
   }
-  d.Scale = VolumeHaptics::PixelsPerPoint(viewport);
+  d.Scale = PixelsPerPoint(viewport);
   this->UpdatePage();
   int drawn = 0;
   for (vtkContextActor* const actor : d.Pages.GetActors())
@@ -613,5 +598,5 @@ void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Function: " << this->GetTitle() << "\n";
   os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
      << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";
-  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::EditorSettings);
+  PrintSettings(os, indent, this, EditorSettings);
 }

@@ -92,6 +92,13 @@ class vtkImageData;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct EditorProbe;
+}
+#endif
+
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticFunctionEditor : public vtkProp
 {
 public:
@@ -190,34 +197,11 @@ public:
   bool DropProposal();
   ///@}
 
-  ///@{
   /**
-   * Get the labels in the list, in ascending order; the index counts from 0. The image is searched
-   * again if it has changed. For an index that does not exist, an error is reported and 0 returned.
-   */
-  vtkIdType GetNumberOfListedLabels();
-  int GetListedLabel(vtkIdType index);
-  ///@}
-
-  ///@{
-  /**
-   * The label for whose material sliders are shown. SelectLabel also scrolls to the label, and
-   * returns false if the list does not have it. GetSelectedLabel returns 0 if HasSelectedLabel is
-   * false.
+   * Select the label for whose material sliders are shown, and scroll to it. Returns false if the
+   * list does not have it.
    */
   bool SelectLabel(int label);
-  bool HasSelectedLabel();
-  int GetSelectedLabel();
-  ///@}
-
-  ///@{
-  /**
-   * The tissue for whose material sliders are shown, by its number in the property. SelectTissue
-   * returns whether there is such a tissue. GetSelectedTissue returns -1 if none is selected.
-   */
-  bool SelectTissue(int tissue);
-  int GetSelectedTissue();
-  ///@}
 
   ///@{
   /**
@@ -343,32 +327,6 @@ public:
    */
   bool TurnWheel(double steps, int x, int y);
 
-  /**
-   * Get where a data value and a function value are on the display (pixels). Call it after a
-   * render.
-   */
-  void GetDisplayPosition(double value, double functionValue, double position[2])
-    VTK_SIZEHINT(position, 2);
-
-  enum LabelPartType
-  {
-    LABEL_NAME = 0,
-    LABEL_FELT = 1,
-    LABEL_FORBIDDEN = 2
-  };
-
-  ///@{
-  /**
-   * Get a position on the display (pixels): of a label's name or one of its boxes, of a tissue's
-   * name, or of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH. Call
-   * these after a render. They return false if it is not shown: it is scrolled away, no label or
-   * tissue is selected, or the image was replaced or has changed since the render.
-   */
-  bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
-  bool GetTissuePosition(int tissue, double position[2]) VTK_SIZEHINT(position, 2);
-  bool GetSliderPosition(int function, double value, double position[2]) VTK_SIZEHINT(position, 2);
-  ///@}
-
   ///@{
   /** Draw the editor, and release its graphics resources; the renderer calls these. */
   int RenderOverlay(vtkViewport* viewport) override;
@@ -396,6 +354,9 @@ private:
   bool TakeBack(bool hasChanged);
   int Draw(vtkViewport* viewport);
 
+#ifndef __VTK_WRAP__
+  friend struct VolumeHaptics::EditorProbe;
+#endif
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

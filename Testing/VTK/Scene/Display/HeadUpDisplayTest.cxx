@@ -8,6 +8,7 @@
 #include "Rigs/ScriptedStates.h"
 
 #include "Rigs/DeviceRig.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkHapticHeadUpDisplay.h>
@@ -25,8 +26,8 @@ class HeadUpDisplay : public DeviceTest
 protected:
   double Largest(int column)
   {
-    auto* const values =
-      vtkDataArray::SafeDownCast(this->Display->GetPlotTable()->GetColumn(column));
+    const vtkSmartPointer<vtkTable> plot = VolumeHaptics::DisplayProbe::CopyPlot(this->Display);
+    auto* const values = vtkDataArray::SafeDownCast(plot->GetColumn(column));
     return values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0;
   }
 
@@ -39,10 +40,10 @@ TEST_F(HeadUpDisplay, LosesNoPeak)
 {
   const auto spike = [](double t) { return std::abs(t - 2.3456) < 0.0004 ? 4.0 : 1.0; };
   this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, spike));
-  EXPECT_EQ(this->Display->GetNumberOfStates(), 5000);
-  EXPECT_LE(this->Display->GetPlotTable()->GetNumberOfRows(), 500);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 5000);
+  EXPECT_LE(VolumeHaptics::DisplayProbe::CopyPlot(this->Display)->GetNumberOfRows(), 500);
   EXPECT_EQ(this->Largest(1), 4.0);
-  EXPECT_EQ(this->Display->GetForceRange(), 5.0);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetForceRange(this->Display), 5.0);
 }
 
 TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
@@ -51,15 +52,16 @@ TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
   for (int second = 0; second < 20; ++second)
   {
     this->Display->AddStates(scenetest::MakeStates(second, second + 1.0, early));
-    EXPECT_LE(this->Display->GetNumberOfStates(), 5001);
-    EXPECT_EQ(this->Display->GetForceRange(), second < 6 ? 10.0 : 1.0) << second;
+    EXPECT_LE(VolumeHaptics::DisplayProbe::CountStates(this->Display), 5001);
+    EXPECT_EQ(VolumeHaptics::DisplayProbe::GetForceRange(this->Display), second < 6 ? 10.0 : 1.0)
+      << second;
   }
   EXPECT_LT(this->Largest(1), 1.0);
   // The device has been started again.
   this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
-  EXPECT_EQ(this->Display->GetNumberOfStates(), 500);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 500);
   this->Display->Clear();
-  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 0);
 }
 
 TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
@@ -70,7 +72,7 @@ TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
   this->Display->AddStates(nullptr);
   ASSERT_EQ(this->DisplayLog.Errors.size(), 2U);
   EXPECT_NE(this->DisplayLog.Errors[0].find("DragForce"), std::string::npos);
-  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 0);
 }
 
 TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
@@ -85,7 +87,7 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
     this->Display->AddStates(states);
     ASSERT_EQ(this->DisplayLog.Errors.size(), 1U);
     EXPECT_NE(this->DisplayLog.Errors[0].find("row 50"), std::string::npos);
-    EXPECT_EQ(this->Display->GetNumberOfStates(), 50) << "those before it";
+    EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 50) << "those before it";
     EXPECT_EQ(this->Largest(1), 1.0);
     this->DisplayLog.Errors.clear();
   }
@@ -94,13 +96,13 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
   this->Display->Clear();
   this->Display->AddStates(cut);
   EXPECT_EQ(this->DisplayLog.Errors.size(), 1U);
-  EXPECT_EQ(this->Display->GetNumberOfStates(), 7);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CountStates(this->Display), 7);
 
   this->DisplayLog.Errors.clear();
   this->Display->SetTimeSpan(std::nan(""));
   this->Display->Clear();
   this->Display->AddStates(scenetest::MakeStates(0.0, 8.0, [](double) { return 1.0; }));
-  EXPECT_NEAR(this->Display->GetNumberOfStates(), 5000, 1) << "as by default";
+  EXPECT_NEAR(VolumeHaptics::DisplayProbe::CountStates(this->Display), 5000, 1) << "as by default";
   EXPECT_EQ(this->Largest(1), 1.0);
   this->Display->SetTimeSpan(5.0);
 
@@ -110,34 +112,36 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
     const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
     this->Display->Clear();
     this->Display->AddStates(scenetest::MakeStates(0.0, 0.1, absurd));
-    EXPECT_TRUE(std::isfinite(this->Display->GetForceRange()));
-    EXPECT_GE(this->Display->GetForceRange(), 1.0);
+    EXPECT_TRUE(std::isfinite(VolumeHaptics::DisplayProbe::GetForceRange(this->Display)));
+    EXPECT_GE(VolumeHaptics::DisplayProbe::GetForceRange(this->Display), 1.0);
     EXPECT_LE(this->Largest(1), 1.001e30);
   }
 }
 
-TEST_F(HeadUpDisplay, ThePlotsTableMayBeUsedForSomethingElse)
+TEST_F(HeadUpDisplay, HasAColumnForEachCurveUntilItIsCleared)
 {
   const auto states = scenetest::MakeStates(0.0, 1.0, [](double) { return 2.0; });
   this->Display->AddStates(states);
-  vtkHapticDevice::ListDevices(this->Display->GetPlotTable());
-  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfColumns(), 5);
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CopyPlot(this->Display)->GetNumberOfColumns(), 5);
   EXPECT_EQ(this->Largest(1), 2.0);
   this->Display->Clear();
-  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfRows(), 0) << "nothing is left";
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::CopyPlot(this->Display)->GetNumberOfRows(), 0)
+    << "nothing is left";
 }
 
 TEST_F(HeadUpDisplay, TitlesThePlotWithWhatIsFelt)
 {
-  EXPECT_EQ(this->Display->GetPlotTitle(), "");
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "");
   this->Display->SetDevice(this->Device);
   this->Filter->SetSolverToPaper();
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "will be felt";
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Proxy, PAPER")
+    << "will be felt";
   this->Begin();
   this->Filter->SetMethodToForceField();
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "not published";
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Proxy, PAPER")
+    << "not published";
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field");
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Force field");
   EXPECT_EQ(this->Display->GetText(), "") << "nothing to tell";
   this->Display->SetNotice("to be known");
   EXPECT_EQ(this->Display->GetText(), "to be known");

@@ -7,6 +7,8 @@
  * linear, and from copies of the functions.
  */
 
+#include "VTK/Scene/Editor/EditorProbe.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticProperty.h>
@@ -77,7 +79,7 @@ protected:
   {
     this->Window->Render();
     double at[2];
-    this->Editor->GetDisplayPosition(value, stiffness, at);
+    VolumeHaptics::EditorProbe::GetPosition(this->Editor, value, stiffness, at);
     return { static_cast<int>(std::lround(at[0])), static_cast<int>(std::lround(at[1])) };
   }
   /// The value and the stiffness that a pixel is wide and high.
@@ -85,8 +87,8 @@ protected:
   {
     double low[2];
     double high[2];
-    this->Editor->GetDisplayPosition(-1000.0, 0.0, low);
-    this->Editor->GetDisplayPosition(1000.0, 900.0, high);
+    VolumeHaptics::EditorProbe::GetPosition(this->Editor, -1000.0, 0.0, low);
+    VolumeHaptics::EditorProbe::GetPosition(this->Editor, 1000.0, 900.0, high);
     return { 2000.0 / (high[0] - low[0]), 900.0 / (high[1] - low[1]) };
   }
   void Drag(const Place& from, const Place& to, int button = Left)
@@ -181,7 +183,7 @@ TEST_F(FunctionEdits, AnEmptyFunctionStaysEmptyUntilAPointIsAdded)
   this->Editor->Update();
   EXPECT_EQ(this->Get()->GetSize(), 0);
   double at[2];
-  this->Editor->GetDisplayPosition(0.0, 0.0, at);
+  VolumeHaptics::EditorProbe::GetPosition(this->Editor, 0.0, 0.0, at);
   this->Click({ static_cast<int>(at[0]) + 90, static_cast<int>(at[1]) + 60 });
   const Nodes nodes = CopyNodes(this->Get());
   ASSERT_EQ(nodes.size(), 3u) << "the constant at both ends, and the point";

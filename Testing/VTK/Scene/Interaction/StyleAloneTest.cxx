@@ -7,6 +7,8 @@
  */
 
 #include "StyleRig.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
+#include "VTK/Scene/Editor/EditorProbe.h"
 
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkHapticFunctionEditor.h>
@@ -45,8 +47,8 @@ void CallDisplays(Parts& parts)
   parts.Display->AddStates(empty);
   parts.Display->AddTissue(nullptr, 0.0, 0.0);
   parts.Display->GetTissueName(0.0);
-  parts.Display->GetPlotTable();
-  parts.Display->GetPlotTitle();
+  VolumeHaptics::DisplayProbe::CopyPlot(parts.Display);
+  VolumeHaptics::DisplayProbe::GetPlotTitle(parts.Display);
   parts.Display->GetText();
   parts.Display->ReleaseGraphicsResources(nullptr);
   parts.Display->Clear();
@@ -59,7 +61,7 @@ void CallDisplays(Parts& parts)
     parts.Editor->DoubleClick(vtkHapticFunctionEditor::LEFT_BUTTON, at, at);
     parts.Editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, at, at);
   }
-  parts.Editor->GetDisplayPosition(0.0, 0.0, place);
+  VolumeHaptics::EditorProbe::GetPosition(parts.Editor, 0.0, 0.0, place);
   parts.Editor->ReleaseGraphicsResources(nullptr);
   parts.Hand->SetTrail(nullptr);
   parts.Hand->SetTrailLookupTable(nullptr);

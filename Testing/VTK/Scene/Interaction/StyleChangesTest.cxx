@@ -7,6 +7,7 @@
  */
 
 #include "StyleRig.h"
+#include "VTK/Scene/Editor/EditorProbe.h"
 
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticLabelTable.h>
@@ -88,11 +89,11 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   this->Press("l");
   EXPECT_TRUE(editor->GetVisibility());
   EXPECT_EQ(editor->GetFunction(), vtkHapticFunctionEditor::LABELS);
-  EXPECT_TRUE(editor->HasSelectedLabel());
-  EXPECT_EQ(editor->GetSelectedLabel(), 5) << "the label that is touched";
+  EXPECT_EQ(VolumeHaptics::EditorProbe::GetSelectedLabel(editor), 5) << "the label that is touched";
   this->Pointer(50, 140);
   double at[2];
-  ASSERT_TRUE(editor->GetSliderPosition(vtkHapticFunctionEditor::SURFACE_STRENGTH, 0.5, at));
+  ASSERT_TRUE(VolumeHaptics::EditorProbe::GetSliderPosition(
+    editor, vtkHapticFunctionEditor::SURFACE_STRENGTH, 0.5, at));
   const int x = static_cast<int>(std::lround(at[0]));
   const int y = static_cast<int>(std::lround(at[1]));
   this->Pointer(x, y, vtkCommand::LeftButtonPressEvent);

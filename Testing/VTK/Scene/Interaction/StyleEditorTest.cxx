@@ -6,6 +6,7 @@
  */
 
 #include "StyleRig.h"
+#include "VTK/Scene/Editor/EditorProbe.h"
 
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticHeadUpDisplay.h>
@@ -34,9 +35,10 @@ protected:
   void Slide(double stiffness)
   {
     double at[2];
-    ASSERT_TRUE(this->Editor->SelectTissue(2));
+    ASSERT_TRUE(VolumeHaptics::EditorProbe::SelectTissue(this->Editor, 2));
     this->Window->Render();
-    ASSERT_TRUE(this->Editor->GetSliderPosition(vtkHapticFunctionEditor::STIFFNESS, stiffness, at));
+    ASSERT_TRUE(VolumeHaptics::EditorProbe::GetSliderPosition(
+      this->Editor, vtkHapticFunctionEditor::STIFFNESS, stiffness, at));
     const int x = static_cast<int>(std::lround(at[0]));
     const int y = static_cast<int>(std::lround(at[1]));
     this->Pointer(x, y, vtkCommand::LeftButtonPressEvent);

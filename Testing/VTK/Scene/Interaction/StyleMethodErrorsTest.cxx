@@ -6,6 +6,7 @@
  */
 
 #include "StyleRig.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 
 #include <vtkHapticHeadUpDisplay.h>
 
@@ -49,7 +50,7 @@ TEST_F(StyleMethodErrors, TheMethodBeforeStays)
     EXPECT_NE(this->Display->GetText().find(words), std::string::npos) << this->Display->GetText();
   }
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field");
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Force field");
   this->Run(5);
   EXPECT_EQ(this->Device->GetState()->GetComputedForce()[2], force);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U) << "one error is enough";
@@ -76,7 +77,8 @@ TEST_F(StyleMethodErrors, CodeThatChoosesWhatCannotBeFeltDoesNotChangeTheTitle)
   this->Filter->SetMethodToSurfaceProxy();
   this->Style->UpdateHaptics();
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field") << "the servo goes on with it";
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Force field")
+    << "the servo goes on with it";
   EXPECT_FALSE(this->Filter->SetMethodByName("surface"));
   ASSERT_EQ(this->FilterLog.Errors.size(), 2U);
   EXPECT_NE(this->FilterLog.Errors[1].find("\"surface-proxy\""), std::string::npos);

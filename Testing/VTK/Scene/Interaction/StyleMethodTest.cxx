@@ -6,6 +6,7 @@
  */
 
 #include "StyleRig.h"
+#include "VTK/Scene/Display/DisplayProbe.h"
 
 #include <vtkDataArray.h>
 #include <vtkHapticHeadUpDisplay.h>
@@ -63,7 +64,7 @@ TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     EXPECT_EQ(this->Filter->GetMethodName(), names->GetValue(i));
-    shown.push_back(this->Display->GetPlotTitle());
+    shown.push_back(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display));
     this->Press("m");
     EXPECT_STREQ(this->Display->GetNotice(), "");
   }
@@ -81,7 +82,8 @@ TEST_F(StyleMethod, TheServoFeelsWithTheMethodAtOnce)
   const double depth = 30.0 - this->Device->GetState()->GetTipPosition()[2];
   this->Filter->SetMethodToForceField();
   this->Style->UpdateHaptics();
-  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field") << "also when it was not the key";
+  EXPECT_EQ(VolumeHaptics::DisplayProbe::GetPlotTitle(this->Display), "Force field")
+    << "also when it was not the key";
   this->Settle();
   this->ExpectForce(0.0, 0.0, 1.0);
   this->Press("m");
@@ -153,7 +155,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     0.0);
   EXPECT_NEAR(Length(this->Device->GetState()->GetModeForce(0)),
     Length(this->Device->GetState()->GetComputedForce()), 1e-12);
-  vtkTable* const plot = this->Display->GetPlotTable();
+  const vtkSmartPointer<vtkTable> plot = VolumeHaptics::DisplayProbe::CopyPlot(this->Display);
   auto* const curve = vtkDataArray::SafeDownCast(plot->GetColumnByName("1 surface"));
   ASSERT_TRUE(curve);
   const vtkIdType last = curve->GetNumberOfTuples() - 1;

@@ -85,7 +85,6 @@ TEST(Undrawn, NumbersThatAreMissing)
   expectError(calibration.Get(), [&] { calibration->AddPoint(three, nullptr); });
   EXPECT_EQ(calibration->GetNumberOfPoints(), 0);
   vtkNew<vtkHapticFunctionEditor> editor;
-  expectError(editor.Get(), [&] { editor->GetDisplayPosition(1.0, 1.0, nullptr); });
   expectError(editor.Get(), [&] { editor->SetRectangle(nullptr); });
 }
 
