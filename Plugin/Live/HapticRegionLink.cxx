@@ -4,6 +4,8 @@
 
 #include "HapticTimeStepLink.h"
 
+#include "VTK/Filter/PlannerSettings.h"
+
 #include "vtkHapticDevice.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -58,7 +60,7 @@ bool HapticRegionLink::Update(
     this->Volume = volume;
     this->Port = port;
     this->Filter = filter;
-    this->Planner->ResetLatency();
+    this->Planner.ResetLatency();
     this->HasLatency = false;
     vtkSmartPointer<vtkSMProxy> proxy;
     proxy.TakeReference(volume->GetSessionProxyManager()->NewProxy("misc", "HapticRegion"));
@@ -113,7 +115,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   }
   if (!this->IsSurveyed)
   {
-    this->IsSurveyed = this->Planner->SetWhole(image);
+    this->IsSurveyed = this->Planner.SetWhole(image, this->Problem);
     this->SettingsTime = 0;
   }
   else
@@ -180,7 +182,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchTimeSteps(
  */
 void HapticRegionLink::RecordLatency(double start)
 {
-  this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
+  this->Planner.AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
   this->HasLatency = true;
 }
 
@@ -236,10 +238,10 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   if (filter->GetMTime() != this->SettingsTime)
   {
     this->SettingsTime = filter->GetMTime();
-    filter->ConfigurePlanner(this->Planner);
+    VolumeHaptics::ConfigurePlanner(this->Planner, filter);
   }
   int wanted[6];
-  const bool isElsewhere = this->Planner->Plan(
+  const bool isElsewhere = this->Planner.Plan(
     device->GetState()->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted);
   if (!this->HasTimeSteps)
   {

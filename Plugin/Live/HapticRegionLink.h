@@ -7,8 +7,8 @@
 #ifndef HapticRegionLink_h
 #define HapticRegionLink_h
 
-#include "vtkHapticRegionPlanner.h"
-#include "vtkNew.h"
+#include "VTK/Regions/RegionPlanner.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -28,7 +28,7 @@ class HapticTimeStepLink;
 /**
  * Fetches regions. It first requests where the volume is. The answer is a corner of the volume,
  * with which the servo can start, because a tip outside the corner feels nothing. From then on, it
- * requests the regions that vtkHapticRegionPlanner plans.
+ * requests the regions that the planner plans.
  */
 class HapticRegionLink
 {
@@ -55,7 +55,7 @@ public:
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);
 
   /** Returns the time (s) from wanting a region until it is here; 0 before the first. */
-  double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
+  double GetLatency() const { return this->HasLatency ? this->Planner.GetLatency() : 0.0; }
   /** Returns the reason why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
@@ -64,9 +64,9 @@ public:
    */
   void SetMaximumVoxels(vtkIdType voxels)
   {
-    const vtkIdType before = this->Planner->GetMaximumVoxels(); // after the planner's own limit
-    this->Planner->SetMaximumVoxels(voxels);
-    this->IsRefused = this->IsRefused && this->Planner->GetMaximumVoxels() == before;
+    const vtkIdType before = this->Planner.GetMaximumVoxels(); // after the planner's own limit
+    this->Planner.SetMaximumVoxels(voxels);
+    this->IsRefused = this->IsRefused && this->Planner.GetMaximumVoxels() == before;
   }
   void Clear();
 
@@ -80,7 +80,7 @@ private:
   void RecordLatency(double start);
   void MeasureVelocity(vtkHapticDevice* device);
 
-  vtkNew<vtkHapticRegionPlanner> Planner;
+  VolumeHaptics::RegionPlanner Planner;
   vtkSmartPointer<vtkSMHapticRegionProxy> Proxy;
   vtkWeakPointer<vtkSMSourceProxy> Volume;
   unsigned int Port = 0;

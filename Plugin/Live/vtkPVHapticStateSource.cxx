@@ -2,14 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHapticStateSource.h"
 
+#include "VTK/Device/StateGeometry.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkPVHapticStateSource);
+
+//------------------------------------------------------------------------------
+vtkPVHapticStateSource::vtkPVHapticStateSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
 
 //------------------------------------------------------------------------------
 void vtkPVHapticStateSource::SetState(const double state[30])
@@ -29,8 +38,17 @@ bool vtkPVHapticStateSource::GetNeedsUpdate()
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVHapticStateSource::ReadState(ShownState& state)
+int vtkPVHapticStateSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  this->IsNew = false;
+  vtkInformation* const output = outputs->GetInformationObject(0);
+  if (this->State[0] == 0.0 ||
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
+  VolumeHaptics::ShownState state;
   const double* next = this->State + 1;
   for (vtkVector3d* const vector : { &state.Tip, &state.Proxy, &state.SurfacePosition,
          &state.MediumPosition, &state.Force, &state.ComputedForce, &state.Normal })
@@ -44,23 +62,16 @@ bool vtkPVHapticStateSource::ReadState(ShownState& state)
     *number = *next++;
   }
   std::copy_n(next, 4, state.Orientation);
-  return this->State[0] != 0.0;
-}
-
-//------------------------------------------------------------------------------
-int vtkPVHapticStateSource::RequestData(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  this->IsNew = false;
-  vtkInformation* const output = outputs->GetInformationObject(0);
-  return output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0
-    ? 1
-    : this->Superclass::RequestData(request, inputs, outputs);
+  VolumeHaptics::WriteStateGeometry(
+    state, this->ForceScale, this->ShowCommandedForce, vtkPolyData::GetData(outputs));
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 void vtkPVHapticStateSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ForceScale: " << this->ForceScale << "\n";
+  os << indent << "ShowCommandedForce: " << (this->ShowCommandedForce ? "On" : "Off") << "\n";
   os << indent << "HasState: " << (this->State[0] != 0.0 ? "Yes" : "No") << "\n";
 }

@@ -4,26 +4,41 @@
  * @class   vtkPVHapticStateSource
  * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
- * The output is the same as that of vtkHapticStateSource. The state comes from the client, through
- * vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
+ * The output is the same as that of vtkHapticState::GetGeometry. The state comes from the client,
+ * through vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
 
 #include "VolumeHapticsLiveModule.h" // for export macro
-#include "vtkHapticStateSource.h"
+#include "vtkPolyDataAlgorithm.h"
 
-class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticStateSource : public vtkHapticStateSource
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticStateSource : public vtkPolyDataAlgorithm
 {
 public:
   static vtkPVHapticStateSource* New();
-  vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
+  vtkTypeMacro(vtkPVHapticStateSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * Set the touched filter. This does nothing but show in ParaView that the two belong together.
    */
   void SetTouch(vtkObject*) {}
+
+  ///@{
+  /** Newtons per world unit in the output. Default 0.1: a line of 10 world units for 1 N. */
+  vtkSetClampMacro(ForceScale, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output shows the force that went to the device, or (default) what was computed,
+   * armed or not.
+   */
+  vtkSetMacro(ShowCommandedForce, bool);
+  vtkGetMacro(ShowCommandedForce, bool);
+  ///@}
 
   /** The number of values in a state. */
   static constexpr int Length = 30;
@@ -39,12 +54,9 @@ public:
   bool GetNeedsUpdate();
 
 protected:
-  vtkPVHapticStateSource() = default;
+  vtkPVHapticStateSource();
   ~vtkPVHapticStateSource() override = default;
 
-#ifndef __VTK_WRAP__
-  bool ReadState(ShownState& state) override;
-#endif
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -52,6 +64,8 @@ private:
   void operator=(const vtkPVHapticStateSource&) = delete;
 
   double State[Length] = {};
+  double ForceScale = 0.1;
+  bool ShowCommandedForce = false;
   bool IsNew = false;
 };
 

@@ -8,7 +8,7 @@
  * and, through the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy.
  * The data server has only a small source that shows the client's state, vtkPVHapticStateSource.
  * Data of the same process are touched without a copy. If the data are on a server, a region around
- * the tip is fetched (vtkHapticRegionPlanner) and passed to the servo, without a step of the force.
+ * the tip is fetched and passed to the servo, without a step of the force.
  * Its half-width h follows from the time t for the round trip and for loading, the largest speed
  * v_max of a hand, the spring's length T_N/k, the reach r of a tick, and the width b of the band in
  * which force fades:

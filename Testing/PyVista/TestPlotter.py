@@ -123,13 +123,16 @@ def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
     wait(lambda: "100 % of the force" in device.GetStatusText())
     device.GetVirtualHand().SetPosition(0, 0, 15)
     wait(lambda: device.GetState().GetForce()[2] > 0.5)
-    picture = haptics._picture
-    wait(lambda: picture.Update() or picture.IsRefined())
-    fine = picture.GetFineVolume().GetMapper().GetInputDataObject(0, 0)
-    assert fine.GetSpacing() == (2, 2, 2)
+    def find_fine():
+        plotter.render_window.Render()
+        return [one.GetMapper().GetInputDataObject(0, 0) for one in plotter.renderer.GetVolumes()
+                if one.GetVisibility() and one.GetMapper() is not shown.mapper]
+
+    wait(find_fine)
+    assert find_fine()[0].GetSpacing() == (2, 2, 2)
     assert list(shown.mapper.GetCroppingRegionPlanes()) == pytest.approx(large.GetOutput().GetBounds())
     plotter.close()
-    assert haptics.closed and not picture.IsRefined()
+    assert haptics.closed and haptics.style.GetCoarseVolume() is None
 
 
 def test_slices_lie_beside_the_scene(window, hands):

@@ -25,7 +25,7 @@ def test_every_method_is_known():
     assert device["SetVolumeHaptics"] == [["vtkVolumeHapticsFilter *"]] and device["Open"] == [["const char *"]]
     state = chaos.methods(module.vtkHapticState, module)
     assert state["Drain"] == [["vtkTable *", "int"]] and device["Arm"] == [[]]
-    assert "IsA" not in device and "Update" in chaos.methods(module.vtkHapticStateSource, module)
+    assert "IsA" not in device and "Update" in chaos.methods(module.vtkHapticPathSource, module)
 
 
 def test_errors_with_false_are_read_from_the_documentation():

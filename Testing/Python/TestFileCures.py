@@ -12,12 +12,12 @@ import pytest
 from TestCures import RAMP
 from TestModuleCures import TOLD, Bench, Calls, line_to, told, try_calls
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataReader
 from volumehaptics import (
     image,
     vtkHapticBurr,
-    vtkHapticCalibration,
     vtkHapticDevice,
     vtkHapticTimeStepSource,
     vtkHapticFunctionEditor,
@@ -447,15 +447,15 @@ def measurements(folder):
         "call SetProperty and SetInputData", "gives it. Pass its table as it is", "Pass the table of vtkHapticState::Drain",
         "give the smaller bound first")
 def other_classes(_):
-    fit, source, b = vtkHapticCalibration(), vtkHapticTimeStepSource(), Bench()
+    fit, source, b = vtkHapticDevice(), vtkHapticTimeStepSource(), Bench()
+    touched, known = vtkPoints(), vtkPoints()
     for x in ((0, 0, 0), (50, 0, 0), (0, 50, 0)):
-        fit.AddPoint([0.001 * one for one in x], x)
-    fit.SetFixedScale(math.nan)
+        touched.InsertNextPoint([0.001 * one for one in x])
+        known.InsertNextPoint(x)
     with told(fit, "Set it to world units per metre, or to 0"):
-        assert not fit.Compute()
+        assert fit.FitDeviceToWorld(touched, known, math.nan) == -1.0
     for scale in (0.0, 1000.0):
-        fit.SetFixedScale(scale)
-        assert fit.Compute() and fit.GetDeviceToWorld().GetElement(0, 0) == pytest.approx(1000.0)
+        assert fit.FitDeviceToWorld(touched, known, scale) >= 0.0 and fit.GetDeviceToWorld().GetElement(0, 0) == pytest.approx(1000.0)
     with told(source, "call AddTimeStep() for each of them first", source.GetExecutive()):
         source.Update()
     source.AddTimeStep(b.image, 0.0)

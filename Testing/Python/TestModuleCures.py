@@ -31,7 +31,6 @@ from vtkmodules.vtkImagingCore import vtkImageExtractComponents
 from volumehaptics import (
     image,
     path,
-    vtkHapticCalibration,
     vtkHapticDevice,
     vtkHapticGuideMode,
     vtkHapticLabelTable,
@@ -959,16 +958,22 @@ def proposals(_):
         assert feel.ProposeFromImage(image(step))
 
 
-@result("Touch three or more different ones", "Touch one well beside it", "three or more are needed. Touch more", "Touch again, while the device is ready")
+@result("Touch three or more different ones", "Touch one well beside it", "three or more are needed. Touch more", "Touch again, while the device is ready", "Give each touched point its known position")
 def calibrations(_):
     """Of a device whose axes are the world's, in metres instead of millimetres."""
-    fit = vtkHapticCalibration()
+    fit = vtkHapticDevice()
 
     def add(*points):
-        fit.RemoveAllPoints()
+        touched, known = vtkPoints(), vtkPoints()
         for x in points:
-            fit.AddPoint([0.001 * one for one in x], x)
-        return fit.Compute()
+            touched.InsertNextPoint([0.001 * one for one in x])
+            known.InsertNextPoint(x)
+        return fit.FitDeviceToWorld(touched, known) >= 0.0
+
+    with told(fit, "Give each touched point its known position"):
+        known = vtkPoints()
+        known.InsertNextPoint(1.0, 2.0, 3.0)
+        assert fit.FitDeviceToWorld(None, known) == -1.0
 
     with told(fit, "three or more are needed. Touch more"):
         assert not add((0, 0, 0), (50, 0, 0))

@@ -25,7 +25,6 @@ from .vtkVolumeHaptics import (
     vtkHapticTimeStepSource,
     vtkHapticMeasurementRepresentation,
     vtkHapticMeasurements,
-    vtkHapticRegionPicture,
     vtkHapticRegionSource,
     vtkHapticSliceView,
     vtkInteractorStyleHaptic,
@@ -70,7 +69,6 @@ class Haptics(HostHaptics):
         self._missing = 0  # number of props that were missing at the last check
         self._feels_hidden = False  # whether invisible props are felt, too
         self._outline: vtkActor | None = None
-        self._picture: vtkHapticRegionPicture | None = None
 
     def close(self) -> None:
         """Stops the servo, closes the device, and restores the plotter. May be called twice."""
@@ -82,8 +80,7 @@ class Haptics(HostHaptics):
             renderer.RemoveViewProp(self.measured)
             if self._outline is not None:
                 renderer.RemoveViewProp(self._outline)
-        if self._picture is not None:
-            self._picture.SetRenderer(None)
+        self.style.SetCoarseVolume(None)
         if self.slices is not None:
             self.slices.SetRenderWindow(None)
         if plotter is not None:
@@ -123,11 +120,7 @@ class Haptics(HostHaptics):
         self._renderer().AddViewProp(self._outline)
         shown = [prop for prop in self._in_scene if isinstance(prop, vtkVolume)]
         if shown:
-            self._picture = vtkHapticRegionPicture()
-            self._picture.SetSource(large)
-            self._picture.SetVolumeHaptics(self.filter)
-            self._picture.SetVolume(shown[0])
-            self._picture.SetRenderer(self._renderer())
+            self.style.SetCoarseVolume(shown[0])
 
     def _show_slices(self, plotter: pv.Plotter, image: vtkImageData | None) -> None:
         """Shows slices through the tip beside the scene: slices of an image, or of the felt data."""

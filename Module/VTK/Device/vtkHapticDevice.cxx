@@ -5,10 +5,12 @@
 #include "Devices/Common/DeviceMemory.h"
 #include "Devices/Kinds/DeviceRegistry.h"
 #include "VTK/Device/DeviceParts.h"
+#include "VTK/Device/DevicePlacement.h"
 #include "VTK/Device/HapticDeviceSettings.h"
 
 #include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -269,6 +271,21 @@ void vtkHapticDevice::SetLights(int lights)
 vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
 {
   return this->Parts->Models.GetFilter();
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::FitDeviceToWorld(vtkPoints* touched, vtkPoints* known, double scale)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  double largest = 0.0;
+  const std::string flaw = ComputePlacement(touched, known, scale, matrix, largest);
+  if (!flaw.empty())
+  {
+    vtkErrorMacro(<< flaw);
+    return -1.0;
+  }
+  this->SetDeviceToWorld(matrix);
+  return largest;
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,7 @@
 #include <string> // for std::string
 
 class vtkMatrix4x4;
+class vtkPoints;
 class vtkStringArray;
 class vtkTable;
 class vtkVolumeHapticsFilter;
@@ -230,6 +231,28 @@ public:
   void SetDeviceToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetDeviceToWorld();
   ///@}
+
+  /**
+   * Set DeviceToWorld from three or more points that the stylus touched and whose positions in the
+   * world are known, such as marks on the display, so that the hand feels an object where the eye
+   * sees it:
+   *
+   *   touched->InsertNextPoint(device->GetState()->GetTipPosition()); // in m: see below
+   *   known->InsertNextPoint(mark);
+   *   ... two or more others ...
+   *   const double worst = device->FitDeviceToWorld(touched, known);
+   *   device->Publish();
+   *
+   * The matrix is a rotation, a translation and one uniform scale, by least squares, and never a
+   * mirror. A `scale` above 0 (world units per metre) is kept: only a rigid motion is computed. The
+   * points have to span a triangle whose height is at least 1 % of its longest side. Positions of
+   * the device are in its space (m): those of GetTipPosition() while DeviceToWorld is the identity.
+   *
+   * Returns the largest distance (world units) between a known position and a touched one; if it is
+   * large, a point was touched badly. Returns -1, with an error and no change, for points that do
+   * not tell the placement.
+   */
+  double FitDeviceToWorld(vtkPoints* touched, vtkPoints* known, double scale = 0.0);
 
   ///@{
   /** Ticks per second (Hz), 100 to 10000. Default 1000. Takes effect with Start. */

@@ -5,12 +5,16 @@
 #include "Core/Model/BakedMode.h"
 #include "VTK/Device/DeviceParts.h"
 #include "VTK/Device/FollowedPolyData.h"
+#include "VTK/Device/StateGeometry.h"
 #include "VTK/Tools/NeedleTrace.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+
+#include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkHapticState);
 
@@ -61,6 +65,40 @@ void vtkHapticState::GetNeedleTrack(vtkPolyData* track)
   {
     track->Initialize();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticState::GetGeometry(vtkPolyData* geometry, double forceScale, bool commanded)
+{
+  if (!geometry || !(forceScale > 0.0))
+  {
+    vtkErrorMacro("GetGeometry() needs a polydata to write to and a force scale above 0 (N per "
+                  "world unit), but got "
+      << (geometry ? std::to_string(forceScale) : "a null pointer") << ".");
+    return;
+  }
+  if (this->Time == 0.0)
+  {
+    geometry->Initialize();
+    return;
+  }
+  ShownState state;
+  state.Tip = vtkVector3d(this->TipPosition);
+  state.Proxy = vtkVector3d(this->ProxyPosition);
+  state.SurfacePosition = vtkVector3d(this->SurfacePosition);
+  state.MediumPosition = vtkVector3d(this->MediumPosition);
+  state.Force = vtkVector3d(this->Force);
+  state.ComputedForce = vtkVector3d(this->ComputedForce);
+  state.Normal = vtkVector3d(this->Normal);
+  state.NormalForce = this->NormalForce;
+  state.FrictionForce = this->FrictionForce;
+  state.Contact = this->Contact;
+  state.SurfaceValue = this->SurfaceValue;
+  if (this->HasTipOrientation())
+  {
+    std::copy_n(this->TipOrientation, 4, state.Orientation);
+  }
+  WriteStateGeometry(state, forceScale, commanded, geometry);
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,7 @@
  * The getters return values of the same tick. Positions are in world units and forces in newtons
  * along the world's axes, unless stated. After the device was deleted, the last values stay.
  *
- * @sa vtkHapticDevice, vtkHapticStateSource
+ * @sa vtkHapticDevice, vtkHapticRepresentation
  */
 #ifndef vtkHapticState_h
 #define vtkHapticState_h
@@ -133,6 +133,30 @@ public:
    * room: on a full disk it leaves a part of the file, and Write() may return 1 all the same.
    */
   void GetNeedleTrack(vtkPolyData* track);
+
+  /** The cells of GetGeometry. */
+  enum PartType
+  {
+    TIP = 0,
+    PROXY = 1,
+    SURFACE_POSITION = 2, ///< x_s
+    MEDIUM_POSITION = 3,  ///< x_v
+    SPRING = 4,           ///< line from the tip to the proxy
+    FORCE = 5,            ///< line from the tip: the force on the hand
+    NORMAL_FORCE = 6,     ///< line from the proxy: the push of the surface
+    FRICTION_FORCE = 7    ///< line from the proxy: the friction of the surface
+  };
+
+  /**
+   * Get the latest state as plain cells for any mapper or writer: vertices for the tip, the proxy
+   * and the positions x_s and x_v at which the materials were read, and lines for the spring and
+   * the forces. The cell array Part identifies them (see PartType); Newtons is the size of a force
+   * (N). Lines begin at the point on which a force acts and are Newtons / forceScale world units
+   * long. `commanded` chooses the force that went to the device instead of the computed one. The
+   * field arrays Contact, SurfaceValue and Orientation (w, x, y, z; all 0 if the device has none)
+   * hold values of the state. Empty before the first state.
+   */
+  void GetGeometry(vtkPolyData* geometry, double forceScale = 0.1, bool commanded = false);
 
   /**
    * Get how deep a vtkHapticNeedle is inserted in the latest state (world units); 0 if it is not.

@@ -10,10 +10,10 @@
 #include "Core/Solvers/Precise/FarSide.h"
 #include "Core/Solvers/Primitives/PrimitiveFollower.h"
 #include "VTK/Modes/HapticModeKinds.h"
+#include "VTK/Regions/RegionPlanner.h"
 
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
-#include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -30,20 +30,6 @@ namespace
  * Longest stretch (m) of the spring that a hand is expected to cause if nothing limits the force.
  */
 constexpr double LongestSpring = 0.05;
-
-/** Returns the longest edge of a voxel (world units). */
-double FindVoxelSize(vtkHapticRegionPlanner* planner)
-{
-  const double* const direction = planner->GetDirection();
-  const double* const spacing = planner->GetSpacing();
-  Matrix3 toWorld;
-  for (int i = 0; i < 3; ++i)
-  {
-    toWorld.Row[i] = { direction[3 * i] * spacing[0], direction[3 * i + 1] * spacing[1],
-      direction[3 * i + 2] * spacing[2] };
-  }
-  return LargestColumn(toWorld);
-}
 
 /**
  * Computes the largest (T_N sqrt(1 + mu^2) + R) / k (m). It occurs at one of the points of the
@@ -122,11 +108,11 @@ double ComputeModeSpring(vtkVolumeHapticsFilter* filter)
 } // namespace
 
 //------------------------------------------------------------------------------
-void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* filter)
+void ConfigurePlanner(RegionPlanner& planner, vtkVolumeHapticsFilter* filter)
 {
-  const double voxel = FindVoxelSize(planner);
+  const double voxel = LargestColumn(planner.GetWhole().IndexToWorld.Linear); // longest edge
   const double radius = filter->GetKernelRadius();
-  planner->SetMetersPerWorldUnit(filter->GetMetersPerWorldUnit());
+  planner.MetersPerWorldUnit = filter->GetMetersPerWorldUnit();
   const int method = filter->GetMethod();
   const bool isSurface = method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
     method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
@@ -134,7 +120,7 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
   const double spring = isSurface ? LongestSpring
     : hasModes                    ? ComputeModeSpring(filter)
                                   : ComputeSpring(filter);
-  planner->SetSpringLength(spring / filter->GetMetersPerWorldUnit());
+  planner.SpringLength = spring / filter->GetMetersPerWorldUnit();
   double voxels = radius + ResidencySpare;
   if (hasModes)
   {
@@ -163,9 +149,9 @@ void ConfigurePlanner(vtkHapticRegionPlanner* planner, vtkVolumeHapticsFilter* f
       std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
     reach = std::max(reach, radius * coarsest + ResidencySpare * voxel);
   }
-  planner->SetReach(
-    reach + (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));
-  planner->SetBand(ResidencyBand * voxel);
+  planner.Reach =
+    reach + (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0);
+  planner.Band = ResidencyBand * voxel;
 }
 
 } // namespace VolumeHaptics

@@ -16,6 +16,7 @@
 #include "VTK/Filter/HapticMethods.h"
 #include "VTK/Filter/PlannerSettings.h"
 #include "VTK/Modes/ModePresets.h"
+#include "VTK/Regions/RegionPlanner.h"
 #include "VTK/Regions/RegionsAlongPath.h"
 #include "VTK/Tools/TissueArrays.h"
 #include "VTK/Tools/ToolKind.h"
@@ -31,7 +32,6 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
-#include "vtkHapticRegionPlanner.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkHapticRemoval.h"
 #include "vtkHapticTool.h"
@@ -625,17 +625,6 @@ vtkImageData* vtkVolumeHapticsFilter::GetTouchedImage()
 }
 
 //------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::ConfigurePlanner(vtkHapticRegionPlanner* planner)
-{
-  if (!planner)
-  {
-    vtkErrorMacro("ConfigurePlanner() needs a planner, but got a null pointer.");
-    return;
-  }
-  VolumeHaptics::ConfigurePlanner(planner, this);
-}
-
-//------------------------------------------------------------------------------
 void vtkVolumeHapticsFilter::ConfigureSource(vtkHapticRegionSource* source)
 {
   if (!source)
@@ -643,9 +632,10 @@ void vtkVolumeHapticsFilter::ConfigureSource(vtkHapticRegionSource* source)
     vtkErrorMacro("ConfigureSource() needs a source of regions, but got a null pointer.");
     return;
   }
-  source->GetPlanner()->SetSpacing(source->GetSpacing());
-  source->GetPlanner()->SetDirection(source->GetDirection());
-  VolumeHaptics::ConfigurePlanner(source->GetPlanner(), this);
+  VolumeHaptics::RegionPlanner& planner = source->GetPlanner();
+  planner.SetWhole(
+    source->GetWholeExtent(), source->GetOrigin(), source->GetSpacing(), source->GetDirection());
+  VolumeHaptics::ConfigurePlanner(planner, this);
   source->SetFeltAs(this->KernelRadius, this->GetProperty()->GetScalarsAreLabels());
 }
 

@@ -103,7 +103,6 @@
 class vtkHapticLabelTable;
 class vtkHapticMode;
 class vtkHapticProperty;
-class vtkHapticRegionPlanner;
 class vtkHapticRegionSource;
 class vtkHapticRemoval;
 class vtkHapticTool;
@@ -787,17 +786,8 @@ public:
   vtkHapticRegionSource* GetRegionSource();
 
   /**
-   * Set SpringLength, Reach, Band and MetersPerWorldUnit of a planner. They follow from the
-   * settings and the property of this filter, and from Spacing and Direction of the planner.
-   * SpringLength is the largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05
-   * m; with SameShape, k is the CouplingStiffness. The methods of surfaces hold without limit, so
-   * with them it is 0.05 m.
-   */
-  void ConfigurePlanner(vtkHapticRegionPlanner* planner);
-
-  /**
-   * Set what the planner and the output of a source of regions need to know of this filter. The
-   * filter and vtkHapticDevice call this for the source on port 0.
+   * Set what a source of regions needs from this filter, to plan and fill them. The filter and
+   * vtkHapticDevice call this for the source on port 0.
    */
   void ConfigureSource(vtkHapticRegionSource* source);
 

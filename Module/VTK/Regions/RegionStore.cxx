@@ -8,7 +8,6 @@
 #include "VTK/Base/WholeFacts.h"
 
 #include "vtkDataArray.h"
-#include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkTimeStamp.h"
@@ -81,7 +80,7 @@ void RegionStore::Clear()
   this->Velocity = {};
   this->UseTime = 0.0;
   this->Trouble.clear();
-  this->Planner->ResetLatency();
+  this->Planner.ResetLatency();
 }
 
 void RegionStore::SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level)
@@ -162,7 +161,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
 bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
 {
   // The longest spring may need more room than a region with this many samples can have.
-  return this->Planner->FindRoom(tip, region.data()) + this->Planner->GetSpringLength() >= 0.0;
+  return this->Planner.ComputeRoom(tip, region.data()) + this->Planner.SpringLength >= 0.0;
 }
 
 void RegionStore::Show(RegionSamples&& region, bool standsIn)
@@ -193,7 +192,7 @@ bool RegionStore::ReceiveRegion(const double tip[3], double interval)
   if (this->Ordered == come->Extent)
   {
     // The region may have been needed since the poll before the one that ordered it.
-    this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
+    this->Planner.AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
     this->Ordered.reset();
   }
   if (this->StandsIn && this->Holds(this->Region, tip) && !this->Holds(come->Extent, tip))
@@ -223,10 +222,10 @@ bool RegionStore::UpdateStandIn(const double tip[3])
   {
     return false;
   }
-  const vtkIdType most = this->Planner->GetMaximumVoxels();
-  this->Planner->SetMaximumVoxels(std::min(most, MostStandInSamples));
-  const bool isThere = this->Planner->Plan(tip, this->Velocity.data(), NoRegion.data(), box.data());
-  this->Planner->SetMaximumVoxels(most);
+  const vtkIdType most = this->Planner.GetMaximumVoxels();
+  this->Planner.SetMaximumVoxels(std::min(most, MostStandInSamples));
+  const bool isThere = this->Planner.Plan(tip, this->Velocity.data(), NoRegion.data(), box.data());
+  this->Planner.SetMaximumVoxels(most);
   if (isThere)
   {
     this->StandIns.Forget(); // the same box may be requested again later
@@ -266,14 +265,14 @@ void RegionStore::MeasureVelocity(const double tip[3], double time)
 
 void RegionStore::Order(const double tip[3])
 {
-  const vtkIdType most = this->Planner->GetMaximumVoxels();
+  const vtkIdType most = this->Planner.GetMaximumVoxels();
   if (most < this->OrderedMost)
   {
     this->Ordered.reset(); // there may be too little memory for the order
   }
   const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;
-  if (this->Planner->Plan(tip, this->Velocity.data(), here.data(), wanted.data()))
+  if (this->Planner.Plan(tip, this->Velocity.data(), here.data(), wanted.data()))
   {
     this->Thread->Order(wanted);
     this->Ordered = wanted;

@@ -11,10 +11,10 @@
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Regions/CoarseImage.h"
 #include "VTK/Regions/Formats/LargeVolume.h"
+#include "VTK/Regions/RegionPlanner.h"
 #include "VTK/Regions/RegionReader.h"
 #include "VTK/Regions/VolumeSurvey.h"
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -26,7 +26,6 @@
 #include <utility>
 
 class vtkDataArray;
-class vtkHapticRegionPlanner;
 class vtkImageData;
 
 namespace VolumeHaptics
@@ -84,7 +83,7 @@ public:
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 
-  vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
+  RegionPlanner& GetPlanner() { return this->Planner; }
 
   /**
    * Accepts the region that has arrived, if any, and orders the region that the tip needs at a time
@@ -129,7 +128,7 @@ private:
   void MeasureVelocity(const double tip[3], double time);
   void Order(const double tip[3]);
 
-  const vtkNew<vtkHapticRegionPlanner> Planner;
+  RegionPlanner Planner;
   LargeVolumeKey Key;
   std::shared_ptr<const LargeVolume> Volume;
   std::optional<VolumeFacts> Facts;

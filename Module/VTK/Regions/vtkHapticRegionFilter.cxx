@@ -37,54 +37,6 @@ vtkIdType TupleOf(const int extent[6], int i, int j, int k)
 } // namespace
 
 //------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetWholeExtentName()
-{
-  return VolumeHaptics::WholeFactNames::WholeExtent;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetNoiseName()
-{
-  return VolumeHaptics::WholeFactNames::Noise;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetBorderValueName()
-{
-  return VolumeHaptics::WholeFactNames::BorderValue;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetWholeTimeName()
-{
-  return VolumeHaptics::WholeFactNames::WholeTime;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetSolidName()
-{
-  return VolumeHaptics::WholeFactNames::Solid;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetShiftName()
-{
-  return VolumeHaptics::WholeFactNames::Shift;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetShareName()
-{
-  return VolumeHaptics::WholeFactNames::Share;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHapticRegionFilter::GetOutsideName()
-{
-  return VolumeHaptics::WholeFactNames::Outside;
-}
-
-//------------------------------------------------------------------------------
 vtkHapticRegionFilter::vtkHapticRegionFilter()
 {
   this->SetInputArrayToProcess(
@@ -123,9 +75,7 @@ int vtkHapticRegionFilter::RequestInformation(
                   << this->Region[2] << ", " << this->Region[3] << ", " << this->Region[4] << ", "
                   << this->Region[5] << ") has no part of the image in it, whose extent is ("
                   << whole[0] << ", " << whole[1] << ", " << whole[2] << ", " << whole[3] << ", "
-                  << whole[4] << ", " << whole[5]
-                  << "). SetRegion() to indices within that, for example those that "
-                     "vtkHapticRegionPlanner plans.");
+                  << whole[4] << ", " << whole[5] << "). SetRegion() to indices within that.");
     return 0;
   }
   outputs->GetInformationObject(0)->Set(

@@ -9,7 +9,7 @@
  * application sends small regions around the tip from time to time:
  *
  *   regions->SetInputConnection(reader->GetOutputPort());  // where the whole volume is
- *   regions->SetRegion(wanted);                            // as vtkHapticRegionPlanner::Plan says
+ *   regions->SetRegion(wanted);                            // around the tip
  *   regions->Update();
  *   haptics->SetInputData(regions->GetOutput());           // where the hand is
  *
@@ -56,7 +56,9 @@
  * for volumes that lie in pieces on several processes overrides the three protected virtual
  * functions (C++ only), and includes "Core/Field/NoiseSamples.h".
  *
- * @sa vtkHapticRegionPlanner, vtkVolumeHapticsFilter, vtkHapticDevice
+ * A vtkHapticRegionSource plans and fetches regions by itself, also through a function of yours.
+ *
+ * @sa vtkHapticRegionSource, vtkVolumeHapticsFilter, vtkHapticDevice
  */
 #ifndef vtkHapticRegionFilter_h
 #define vtkHapticRegionFilter_h
@@ -93,18 +95,6 @@ public:
    */
   vtkSetVector6Macro(Region, int);
   vtkGetVector6Macro(Region, int);
-  ///@}
-
-  ///@{
-  /** Get the names of the field arrays that are listed above. */
-  static const char* GetWholeExtentName();
-  static const char* GetNoiseName();
-  static const char* GetBorderValueName();
-  static const char* GetWholeTimeName();
-  static const char* GetSolidName();
-  static const char* GetShiftName();
-  static const char* GetShareName();
-  static const char* GetOutsideName();
   ///@}
 
 protected:

@@ -19,7 +19,6 @@
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHapticProperty.h"
-#include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -307,7 +306,7 @@ void vtkHapticRegionSource::Reload()
 }
 
 //------------------------------------------------------------------------------
-vtkHapticRegionPlanner* vtkHapticRegionSource::GetPlanner()
+RegionPlanner& vtkHapticRegionSource::GetPlanner()
 {
   return this->Store->GetPlanner();
 }
@@ -394,12 +393,10 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
     }
     this->Store->SetVolume(key, std::move(volume));
   }
-  vtkHapticRegionPlanner* const planner = this->GetPlanner();
-  planner->SetWholeExtent(this->WholeExtent);
-  planner->SetOrigin(this->Origin);
-  planner->SetSpacing(this->Spacing);
-  planner->SetDirection(this->Direction);
-  planner->SetMaximumVoxels(static_cast<vtkIdType>(this->MemoryLimit / RegionsInMemory / size));
+  RegionPlanner& planner = this->GetPlanner();
+  planner.SetWhole(this->WholeExtent, this->Origin, this->Spacing, this->Direction);
+  planner.MaximumSpeed = this->MaximumSpeed;
+  planner.SetMaximumVoxels(static_cast<vtkIdType>(this->MemoryLimit / RegionsInMemory / size));
   return this->UpdateCoarse(error);
 }
 

@@ -22,21 +22,21 @@
  * computed one after another. A read that fails is an error of the filter. A path can't be a
  * recording.
  *
- * Live. vtkHapticDevice::UpdateState calls Follow, which plans the region around the tip with a
- * vtkHapticRegionPlanner. A thread of the source reads this region, and writes it into memory
- * before the servo sees it; neither the servo nor the GUI thread ever waits for the read. Where
- * samples are late, or can't be read, the force fades within 50 ms (vtkHapticState::GetResidency),
- * and returns when the samples are there. If there is a CoarseImage, it stands in meanwhile, with
- * half of its force. A failed read gives one error, is reported by GetStatusText() of source and
- * device, and is repeated at intervals that grow from 50 ms to 2 s. At first nothing is felt: 512
- * blocks of 5^3 samples are read to estimate the noise (of a volume of at most 2^26 samples, all
- * samples). A source follows one device: two hands need two sources.
+ * Live. vtkHapticDevice::UpdateState calls Follow, which plans the region around the tip
+ * (Documentation/method.md, "Regions of a volume"). A thread of the source reads this region, and
+ * writes it into memory before the servo sees it; neither the servo nor the GUI thread ever waits
+ * for the read. Where samples are late, or can't be read, the force fades within 50 ms
+ * (vtkHapticState::GetResidency), and returns when the samples are there. If there is a
+ * CoarseImage, it stands in meanwhile, with half of its force. A failed read gives one error, is
+ * reported by GetStatusText() of source and device, and is repeated at intervals that grow from 50
+ * ms to 2 s. At first nothing is felt: 512 blocks of 5^3 samples are read to estimate the noise (of
+ * at most 2^26 samples, all). A source follows one device: two hands need two sources.
  *
  * The output is the region that was read last, or a region of the CoarseImage that stands in, with
  * the field arrays of vtkHapticRegionFilter. Before the first region is there, it is a few voxels
  * of zeros in the middle of the volume. Its scalars are called "Scalars" and have one component.
  *
- * @sa vtkHapticRegionPlanner, vtkHapticRegionPicture, vtkVolumeHapticsFilter, vtkHapticDevice
+ * @sa vtkVolumeHapticsFilter, vtkInteractorStyleHaptic::SetCoarseVolume
  */
 #ifndef vtkHapticRegionSource_h
 #define vtkHapticRegionSource_h
@@ -55,13 +55,13 @@
 namespace VolumeHaptics
 {
 class DataSetSampler;
+class RegionPlanner;
 class RegionStore;
 } // namespace VolumeHaptics
 #endif
 
 class vtkDataArray;
 class vtkDataObject;
-class vtkHapticRegionPlanner;
 class vtkImageData;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionSource : public vtkImageAlgorithm
@@ -142,6 +142,12 @@ public:
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 4194304, 1099511627776);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /** The speed of the hand that the regions allow for (m/s), 0 to 10. Default 0.5. */
+  vtkSetClampMacro(MaximumSpeed, double, 0.0, 10.0);
+  vtkGetMacro(MaximumSpeed, double);
   ///@}
 
   ///@{
@@ -298,13 +304,9 @@ public:
    * vtkVolumeHapticsFilter::ConfigureSource calls this.
    */
   void SetFeltAs(int kernelRadius, bool areLabels);
+  /** Get the planner of the regions, which the filter configures. */
+  VolumeHaptics::RegionPlanner& GetPlanner();
 #endif
-
-  /**
-   * Get the planner of the regions. Applications may set only its MaximumSpeed; this source sets
-   * the rest.
-   */
-  vtkHapticRegionPlanner* GetPlanner();
 
   /** Get whether a region that Follow has ordered is still being read. */
   bool IsWaiting();
@@ -362,6 +364,7 @@ private:
   vtkTypeInt64 HeaderSize = 0;
   int ByteOrder = LITTLE;
   vtkTypeInt64 MemoryLimit = 67108864;
+  double MaximumSpeed = 0.5;
   bool IsAwaited = true;
   vtkSmartPointer<vtkImageData> CoarseImage;
   int KernelRadius = 2;   // see SetFeltAs

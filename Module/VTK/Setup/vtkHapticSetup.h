@@ -37,7 +37,7 @@
  * all others. Unknown keys are ignored. If a file can't be used, one error names the file, the key
  * and the cure, and nothing is changed.
  *
- * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
+ * @sa vtkVolumeHapticsFilter, vtkHapticDevice
  */
 #ifndef vtkHapticSetup_h
 #define vtkHapticSetup_h

@@ -6,8 +6,8 @@
  */
 
 #include "Rigs/ApiRig.h"
-
-#include <vtkHapticRegionPlanner.h>
+#include "VTK/Filter/PlannerSettings.h"
+#include "VTK/Regions/RegionPlanner.h"
 
 using namespace apitest;
 
@@ -90,10 +90,10 @@ TEST_F(SameShape, HidesIsosurfacesWithoutStiffness)
 
 TEST_F(SameShape, DecidesHowFarASpringOfARegionReaches)
 {
-  vtkNew<vtkHapticRegionPlanner> planner;
-  this->Filter->ConfigurePlanner(planner);
-  EXPECT_DOUBLE_EQ(planner->GetSpringLength(), 1000.0 * 2.0 / 80.0);
+  VolumeHaptics::RegionPlanner planner;
+  VolumeHaptics::ConfigurePlanner(planner, this->Filter);
+  EXPECT_DOUBLE_EQ(planner.SpringLength, 1000.0 * 2.0 / 80.0);
   this->Filter->SameShapeOn();
-  this->Filter->ConfigurePlanner(planner);
-  EXPECT_DOUBLE_EQ(planner->GetSpringLength(), 4.0) << "2 N and 500 N/m";
+  VolumeHaptics::ConfigurePlanner(planner, this->Filter);
+  EXPECT_DOUBLE_EQ(planner.SpringLength, 4.0) << "2 N and 500 N/m";
 }

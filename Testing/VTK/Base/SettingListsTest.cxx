@@ -11,6 +11,7 @@
 #include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Modes/HapticModeSettings.h"
 #include "VTK/Regions/HapticRegionSettings.h"
+#include "VTK/Regions/RegionPlanner.h"
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Trace/Paths/HapticPathSettings.h"
 
@@ -113,10 +114,6 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticProperty>(PropertySettings);
   ExpectHeadersBehave<vtkHapticDevice>(DeviceSettings);
   ExpectHeadersBehave<vtkHapticDevice>(DeviceVectors);
-  ExpectHeadersBehave<vtkHapticCalibration>(CalibrationSettings);
-  ExpectHeadersBehave<vtkHapticStateSource>(StateSourceSettings);
-  ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerSettings);
-  ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerVectors);
   ExpectHeadersBehave<vtkHapticRegionFilter>(RegionFilterVectors);
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceSettings);
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceVectors);
@@ -172,12 +169,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
     device.erase(std::find(device.begin(), device.end(), sent));
   }
   ExpectRows("vtkHapticDevice", device);
-  ExpectRows("vtkHapticCalibration", Names(CalibrationSettings));
-  ExpectRows("vtkHapticStateSource", Names(StateSourceSettings));
   ExpectRows("vtkHapticRegionFilter", Names(RegionFilterVectors));
-  std::vector<std::string> planner = Names(PlannerSettings, PlannerVectors);
-  planner.erase(std::find(planner.begin(), planner.end(), "Direction")); // without macro
-  ExpectRows("vtkHapticRegionPlanner", planner);
   std::vector<std::string> source = Names(RegionSourceSettings, RegionSourceVectors);
   source.erase(std::find(source.begin(), source.end(), "Direction")); // without macro
   source.emplace_back("FileName");                                    // a text
@@ -203,12 +195,8 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticProperty", PropertyFunctions);
   ExpectComments("vtkHapticDevice", DeviceSettings);
   ExpectComments("vtkHapticDevice", DeviceVectors);
-  ExpectComments("vtkHapticStateSource", StateSourceSettings);
   ExpectComments("vtkHapticPathSource", PathSettings);
   ExpectComments("vtkHapticPathSource", PathVectors);
-  ExpectComments("vtkHapticCalibration", CalibrationSettings);
-  ExpectComments("vtkHapticRegionPlanner", PlannerSettings);
-  ExpectComments("vtkHapticRegionPlanner", PlannerVectors);
   ExpectComments("vtkHapticRegionFilter", RegionFilterVectors);
   ExpectComments("vtkHapticRegionSource", RegionSourceSettings);
   ExpectComments("vtkHapticRegionSource", RegionSourceVectors);
@@ -243,7 +231,6 @@ TEST(SettingLists, ParaViewHasAllSettings)
   // ParaView calls the device all the time, and has no tools.
   device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque" });
   device.ExpectAll(DeviceVectors);
-  device.ExpectAll(StateSourceSettings);
   const ParaViewProxy path("HapticPath.xml");
   path.ExpectAll(PathSettings);
   path.ExpectAll(PathVectors);
@@ -283,23 +270,27 @@ TEST(SettingLists, ParaViewsPropertiesAreOfTheirTypes)
     "<Entry value=\"1\" text=\"Precise\"/> </EnumerationDomain>");
   expect("HapticPath.xml", "Normal", "DoubleVectorProperty SetNormal 3 0 0 1",
     "<DoubleRangeDomain name=\"range\"/>");
+  expect("HapticDevice.xml", "ForceScale", "DoubleVectorProperty SetForceScale 1 0.1",
+    "<DoubleRangeDomain name=\"range\" min=\"1e-9\"/>");
+  expect("HapticDevice.xml", "ShowCommandedForce", "IntVectorProperty SetShowCommandedForce 1 0",
+    "<BooleanDomain name=\"bool\"/>");
   expect("HapticDevice.xml", "HomingTime", "DoubleVectorProperty none 1 120",
     "<DoubleRangeDomain name=\"range\" min=\"1\"/>");
 }
 
 TEST(SettingLists, ParaViewHasTheSameMaximumOfVoxels)
 {
-  const auto row = std::find_if(std::begin(PlannerSettings), std::end(PlannerSettings),
-    [](const PlannerSetting& setting) { return setting.Name == std::string("MaximumVoxels"); });
-  ASSERT_NE(row, std::end(PlannerSettings));
+  RegionPlanner planner;
   const ParaViewProxy paraview("HapticDevice.xml");
   vtkXMLDataElement* const property = paraview.Find("MaximumRegionVoxels");
   ASSERT_NE(property, nullptr);
-  EXPECT_EQ(ParaViewProxy::Number(property, "default_values"), row->Default);
+  EXPECT_EQ(ParaViewProxy::Number(property, "default_values"), planner.GetMaximumVoxels());
   vtkXMLDataElement* const range = property->FindNestedElementWithName("IntRangeDomain");
   ASSERT_NE(range, nullptr);
-  EXPECT_EQ(ParaViewProxy::Number(range, "min"), row->Minimum);
-  EXPECT_EQ(ParaViewProxy::Number(range, "max"), row->Maximum);
+  planner.SetMaximumVoxels(0);
+  EXPECT_EQ(ParaViewProxy::Number(range, "min"), planner.GetMaximumVoxels());
+  planner.SetMaximumVoxels(VTK_ID_MAX);
+  EXPECT_EQ(ParaViewProxy::Number(range, "max"), planner.GetMaximumVoxels());
 }
 
 TEST(SettingLists, TheCoreHasTheSameDefaults)

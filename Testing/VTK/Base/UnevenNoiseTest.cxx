@@ -232,7 +232,7 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   filter->Update();
   EXPECT_TRUE(IsSame(felt, filter->GetOutput()));
   // Regions that say nothing of a level are felt as before.
-  part->GetFieldData()->RemoveArray(vtkHapticRegionFilter::GetSolidName());
+  part->GetFieldData()->RemoveArray("HapticSolid");
   part->Modified();
   filter->SetInputData(0, part);
   EXPECT_GT(Feel(filter).Off, Rays / 4);

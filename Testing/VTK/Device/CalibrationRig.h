@@ -9,8 +9,9 @@
 
 #include "Rigs/ApiRig.h"
 
-#include <vtkHapticCalibration.h>
+#include <vtkHapticDevice.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPoints.h>
 #include <vtkTransform.h>
 
 #include <random>
@@ -22,6 +23,12 @@ using namespace apitest;
 class Calibration : public testing::Test
 {
 protected:
+  Calibration()
+  {
+    this->Touched->SetDataTypeToDouble();
+    this->Known->SetDataTypeToDouble();
+  }
+
   double Draw(double size)
   {
     return std::uniform_real_distribution<double>(-size, size)(this->Random);
@@ -39,22 +46,42 @@ protected:
   /// Points in the reach of a device (m), with an error in the world (world units).
   void Touch(int points, double error = 0.0)
   {
-    this->Calibrator->RemoveAllPoints();
-    this->Pairs.clear();
+    this->RemovePoints();
     for (int i = 0; i < points; ++i)
     {
       const Point device{ this->Draw(0.1), this->Draw(0.1), this->Draw(0.1) };
       Point world;
       this->Truth->TransformPoint(device.data(), world.data());
       world[i % 3] += error > 0.0 ? this->Draw(error) : 0.0;
-      this->Calibrator->AddPoint(device.data(), world.data());
-      this->Pairs.emplace_back(device, world);
+      this->AddPoint(device, world);
     }
   }
 
+  void RemovePoints()
+  {
+    this->Touched->Reset();
+    this->Known->Reset();
+    this->Pairs.clear();
+  }
+
+  void AddPoint(const Point& device, const Point& world)
+  {
+    this->Touched->InsertNextPoint(device.data());
+    this->Known->InsertNextPoint(world.data());
+    this->Pairs.emplace_back(device, world);
+  }
+
+  /// Whether the points tell a placement.
+  bool Compute()
+  {
+    this->Largest = this->Device->FitDeviceToWorld(this->Touched, this->Known, this->FixedScale);
+    return this->Largest >= 0.0;
+  }
+  vtkMatrix4x4* GetDeviceToWorld() { return this->Device->GetDeviceToWorld(); }
+
   void ExpectError(const char* words)
   {
-    EXPECT_FALSE(this->Calibrator->Compute());
+    EXPECT_FALSE(this->Compute());
     ASSERT_EQ(this->Log.Errors.size(), 1U);
     EXPECT_NE(this->Log.Errors[0].find(words), std::string::npos) << this->Log.Errors[0];
     this->Log.Errors.clear();
@@ -62,18 +89,22 @@ protected:
 
   void AddPoints(const std::vector<Point>& points)
   {
-    this->Calibrator->RemoveAllPoints();
+    this->RemovePoints();
     for (const Point& x : points)
     {
-      this->Calibrator->AddPoint(x.data(), x.data());
+      this->AddPoint(x, x);
     }
   }
 
   std::mt19937 Random{ 5 };
   vtkNew<vtkTransform> Truth;
   std::vector<std::pair<Point, Point>> Pairs;
-  vtkNew<vtkHapticCalibration> Calibrator;
-  MessageLog Log{ this->Calibrator };
+  vtkNew<vtkPoints> Touched;
+  vtkNew<vtkPoints> Known;
+  double FixedScale = 0.0;
+  double Largest = 0.0;
+  vtkNew<vtkHapticDevice> Device;
+  MessageLog Log{ this->Device };
 };
 } // namespace calibrationtest
 

@@ -13,7 +13,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFloatArray.h>
-#include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -213,7 +212,7 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
 TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
 {
   this->Source->SetMemoryLimit(134217728);
-  this->Source->GetPlanner()->SetMaximumSpeed(10.0);
+  this->Source->SetMaximumSpeed(10.0);
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(100000.0);
   this->Filter->SetProxyRadius(0.5);

@@ -200,7 +200,7 @@ TEST_F(FilterShift, OfARegionIsThatOfTheWhole)
   EXPECT_GT(Most(units), 0.2);
 
   // What lies in a region says nothing: a part of a lung is not all of a chest.
-  crop->GetOutput()->GetFieldData()->RemoveArray(vtkHapticRegionFilter::GetShiftName());
+  crop->GetOutput()->GetFieldData()->RemoveArray("HapticShift");
   this->Filter->SetInputDataObject(0, crop->GetOutput());
   this->Feel();
   EXPECT_EQ(this->Property->GetFoundShift(), 0.0);

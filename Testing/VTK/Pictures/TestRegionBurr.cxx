@@ -6,11 +6,11 @@
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/RemovalRig.h"
+#include "VTK/Scene/Volumes/RegionPicture.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
-#include <vtkHapticRegionPicture.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
@@ -63,7 +63,7 @@ struct BurrScene
   vtkNew<vtkVolume> Coarse;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkHapticRegionPicture> Picture;
+  VolumeHaptics::RegionPicture Picture;
   double Time = 0.0;
 
   BurrScene(vtkVolumeMapper* mapper, vtkIdType coarseVoxels, const Hole* hole)
@@ -105,11 +105,11 @@ struct BurrScene
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(BurrPictureSize, BurrPictureSize);
     this->Window->AddRenderer(this->Renderer);
-    this->Picture->SetMaximumVoxels(1000000);
-    this->Picture->SetSource(this->Source);
-    this->Picture->SetVolume(this->Coarse);
-    this->Picture->SetVolumeHaptics(this->Touch);
-    this->Picture->SetRenderer(this->Renderer);
+    this->Picture.SetMaximumVoxels(1000000);
+    this->Picture.SetSource(this->Source);
+    this->Picture.SetVolume(this->Coarse);
+    this->Picture.SetVolumeHaptics(this->Touch);
+    this->Picture.SetRenderer(this->Renderer);
     vtkCamera* const camera = this->Renderer->GetActiveCamera();
     camera->SetFocalPoint(55.0, 33.0, 50.0);
     camera->SetPosition(105.0, -117.0, 120.0);
@@ -126,9 +126,9 @@ struct BurrScene
         this->Touch->ConfigureSource(this->Source);
         this->Source->Follow(tip, this->Time);
         this->Touch->Update();
-        this->Picture->Update();
-        const double* const box = this->Picture->GetFineVolume()->GetBounds();
-        return this->Picture->IsRefined() && box && std::abs(x - 0.5 * (box[0] + box[1])) < 15.0 &&
+        this->Picture.Update();
+        const double* const box = this->Picture.GetFineVolume()->GetBounds();
+        return this->Picture.IsRefined() && box && std::abs(x - 0.5 * (box[0] + box[1])) < 15.0 &&
           std::abs(y - 0.5 * (box[2] + box[3])) < 25.0;
       });
   }
@@ -181,13 +181,13 @@ int CheckMapper(
   // All tissue comes back.
   scene.Touch->GetRemoval()->Reset();
   const std::vector<double> wholeAgain = scene.Draw();
-  scene.Picture->SetVolumeHaptics(nullptr);
+  scene.Picture.SetVolumeHaptics(nullptr);
   expect(apitest::ComputeMeanDifference(wholeAgain, scene.Draw()) == 0.0,
     "nothing is left of what is undone");
   expect(scene.Mapper->GetDataObjectInput() == coarse, "the mapper has its own image");
-  scene.Picture->SetRenderer(nullptr);
+  scene.Picture.SetRenderer(nullptr);
   expect(apitest::ComputeMeanDifference(wholeCoarse, scene.Draw()) == 0.0, "as it was");
-  carved.Picture->SetRenderer(nullptr);
+  carved.Picture.SetRenderer(nullptr);
   return wrong;
 }
 } // namespace

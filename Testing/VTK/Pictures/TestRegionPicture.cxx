@@ -6,18 +6,22 @@
 // translucent shell around a core, so that what is drawn in another order looks different.
 #include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
+#include "VTK/Scene/Volumes/RegionPicture.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
-#include <vtkHapticRegionPicture.h>
+#include <vtkHapticDevice.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkImageData.h>
+#include <vtkInteractorStyleHaptic.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
+#include <vtkVolumeCollection.h>
 #include <vtkVolumeHapticsFilter.h>
 #include <vtkVolumeProperty.h>
 
@@ -61,7 +65,7 @@ struct Scene
   vtkNew<vtkVolume> Coarse;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkHapticRegionPicture> Picture;
+  VolumeHaptics::RegionPicture Picture;
 
   Scene()
   {
@@ -92,14 +96,14 @@ struct Scene
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(PictureSize, PictureSize);
     this->Window->AddRenderer(this->Renderer);
-    this->Picture->SetSource(this->Source);
-    this->Picture->SetVolume(this->Coarse);
+    this->Picture.SetSource(this->Source);
+    this->Picture.SetVolume(this->Coarse);
   }
 };
 
 std::vector<double> Render(Scene& scene, vtkRenderer* renderer)
 {
-  scene.Picture->SetRenderer(renderer);
+  scene.Picture.SetRenderer(renderer);
   scene.Window->Render();
   return apitest::ReadPixels(scene.Window, 0, 0, PictureSize - 1, PictureSize - 1);
 }
@@ -117,10 +121,10 @@ int TestRegionPicture(int, char*[])
       ++wrong;
     }
   };
-  scene.Picture->SetMaximumVoxels(1000000);
-  scene.Picture->SetRenderer(scene.Renderer);
-  scene.Picture->Update();
-  expect(!scene.Picture->IsRefined(), "nothing is refined before there are samples");
+  scene.Picture.SetMaximumVoxels(1000000);
+  scene.Picture.SetRenderer(scene.Renderer);
+  scene.Picture.Update();
+  expect(!scene.Picture.IsRefined(), "nothing is refined before there are samples");
   const double tip[3] = { 65.0, 27.0, 62.0 };
   double time = 0.0;
   const bool isRefined = devicetest::Eventually(
@@ -130,8 +134,8 @@ int TestRegionPicture(int, char*[])
       scene.Touch->ConfigureSource(scene.Source);
       scene.Source->Follow(tip, time);
       scene.Touch->Update();
-      scene.Picture->Update();
-      return scene.Picture->IsRefined();
+      scene.Picture.Update();
+      return scene.Picture.IsRefined();
     });
   expect(isRefined, "the box is refined");
   const int* const region = scene.Source->GetOutput()->GetExtent();
@@ -154,17 +158,38 @@ int TestRegionPicture(int, char*[])
     camera->SetViewUp(0.0, 0.0, 1.0);
     scene.Renderer->ResetCameraClippingRange();
     const std::vector<double> refined = Render(scene, scene.Renderer);
-    expect(scene.Picture->IsRefined(), "the box is shown");
+    expect(scene.Picture.IsRefined(), "the box is shown");
     const std::vector<double> plain = Render(scene, nullptr);
-    expect(!scene.Picture->IsRefined() && scene.Mapper->GetCropping() == 0, "it is taken out");
+    expect(!scene.Picture.IsRefined() && scene.Mapper->GetCropping() == 0, "it is taken out");
     const double difference = apitest::ComputeMeanDifference(refined, plain);
     const double light =
       apitest::ComputeMeanDifference(plain, std::vector<double>(plain.size(), 0.0));
     std::cout << "view " << view << ": difference " << difference << " of " << light << "\n";
     expect(difference < 0.4, "it looks like one volume");
     expect(light > 5.0, "something is seen");
-    scene.Picture->SetRenderer(scene.Renderer);
+    scene.Picture.SetRenderer(scene.Renderer);
   }
-  scene.Picture->SetRenderer(nullptr);
+  scene.Picture.SetRenderer(nullptr);
+  scene.Picture.SetVolume(nullptr);
+
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(scene.Window);
+  vtkNew<vtkInteractorStyleHaptic> style;
+  interactor->SetInteractorStyle(style);
+  vtkNew<vtkHapticDevice> device;
+  device->SetVolumeHaptics(scene.Touch);
+  style->SetDevice(device);
+  style->SetCoarseVolume(scene.Coarse);
+  const bool isShown = devicetest::Eventually(
+    [&]
+    {
+      scene.Window->Render();
+      return scene.Mapper->GetCropping() != 0;
+    });
+  expect(isShown, "a style refines its coarse volume");
+  expect(scene.Renderer->GetVolumes()->GetNumberOfItems() == 3, "the box, and two parts around it");
+  style->SetCoarseVolume(nullptr);
+  expect(scene.Mapper->GetCropping() == 0, "the style gives the volume back");
+  expect(scene.Renderer->GetVolumes()->GetNumberOfItems() == 1, "as it was");
   return wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -10,11 +10,11 @@
 
 #include "Rigs/Eventually.h"
 #include "Rigs/TemporaryFolder.h"
+#include "VTK/Regions/RegionPlanner.h"
 
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkHapticRegionFilter.h>
-#include <vtkHapticRegionPlanner.h>
 #include <vtkPointData.h>
 
 #include <chrono>
@@ -109,8 +109,7 @@ protected:
   double GetShare()
   {
     this->Source->Update();
-    vtkDataArray* const share =
-      this->Source->GetOutput()->GetFieldData()->GetArray(vtkHapticRegionFilter::GetShareName());
+    vtkDataArray* const share = this->Source->GetOutput()->GetFieldData()->GetArray("HapticShare");
     return share ? share->GetComponent(0, 0) : 1.0;
   }
   /// Follows a tip until the output has its samples: the volume's own, or those that stand in.
@@ -122,7 +121,7 @@ protected:
         this->Follow(tip);
         const bool isSo = this->GetShare() == share;
         const int* const extent = this->Source->GetOutput()->GetExtent();
-        return isSo && this->Source->GetPlanner()->FindRoom(tip.data(), extent) >= 0.0;
+        return isSo && this->Source->GetPlanner().ComputeRoom(tip.data(), extent) >= 0.0;
       });
   }
   void ExpectPlain(int i, int j, int k)

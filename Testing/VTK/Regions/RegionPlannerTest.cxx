@@ -5,11 +5,11 @@
  * Which region is fetched, and when, for hands that rest, tremble and move.
  */
 
+#include "VTK/Regions/RegionPlanner.h"
 #include "Rigs/ApiRig.h"
 
-#include <vtkHapticRegionPlanner.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace apitest;
@@ -21,20 +21,27 @@ class Planner : public testing::Test
 protected:
   Planner()
   {
-    this->Plan->SetWholeExtent(0, 999, 0, 999, 0, 999);
-    this->Plan->AddLatency(0.1); // 50 world units at 0.5 m/s
-    this->Plan->SetMaximumVoxels(1 << 24);
+    this->SetWhole({ 0, 999, 0, 999, 0, 999 });
+    this->Plan.AddLatency(0.1); // 50 world units at 0.5 m/s
+    this->Plan.SetMaximumVoxels(1 << 24);
+  }
+  void SetWhole(const std::array<int, 6>& extent, double spacing = 1.0)
+  {
+    const double origin[3] = { 0.0, 0.0, 0.0 };
+    const double steps[3] = { spacing, 1.0, 1.0 };
+    const double direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+    this->Plan.SetWhole(extent.data(), origin, steps, direction);
   }
   bool Wants(double x, double vx = 0.0)
   {
     const double tip[3] = { x, 500.0, 500.0 };
     const double velocity[3] = { vx, 0.0, 0.0 };
-    return this->Plan->Plan(tip, velocity, this->Resident, this->Wanted);
+    return this->Plan.Plan(tip, velocity, this->Resident, this->Wanted);
   }
   void Forget() { this->Resident[1] = this->Resident[0] - 1; }
   void Take() { std::copy(this->Wanted, this->Wanted + 6, this->Resident); }
 
-  vtkNew<vtkHapticRegionPlanner> Plan;
+  VolumeHaptics::RegionPlanner Plan;
   int Resident[6] = { 0, -1, 0, -1, 0, -1 };
   int Wanted[6] = {};
 };
@@ -45,16 +52,16 @@ TEST_F(Planner, TellsTheRoomThatARegionGivesATip)
   // Less T_N/k, reach and band: 4 + 8 + 4.
   const double tip[3] = { 520.0, 300.0, 5.0 };
   const int around[6] = { 480, 600, 200, 400, 0, 70 };
-  EXPECT_DOUBLE_EQ(this->Plan->FindRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
+  EXPECT_DOUBLE_EQ(this->Plan.ComputeRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
   const int beside[6] = { 510, 600, 200, 400, 0, 70 };
-  EXPECT_DOUBLE_EQ(this->Plan->FindRoom(tip, beside), 10.0 - 16.0);
+  EXPECT_DOUBLE_EQ(this->Plan.ComputeRoom(tip, beside), 10.0 - 16.0);
   const int none[6] = { 0, -1, 0, -1, 0, -1 };
-  EXPECT_LT(this->Plan->FindRoom(tip, none), 0.0);
+  EXPECT_LT(this->Plan.ComputeRoom(tip, none), 0.0);
 }
 
 TEST_F(Planner, TakesWhatCanBeReachedUntilTheNextOneComes)
 {
-  EXPECT_DOUBLE_EQ(this->Plan->GetHalfWidth(), 500.0 * 0.1 + 4.0 + 8.0 + 4.0);
+  EXPECT_DOUBLE_EQ(this->Plan.GetHalfWidth(), 500.0 * 0.1 + 4.0 + 8.0 + 4.0);
   EXPECT_TRUE(this->Wants(500.0)) << "there is none yet";
   EXPECT_EQ(this->Wanted[0], 500 - 66);
   EXPECT_EQ(this->Wanted[1], 500 + 66);
@@ -62,14 +69,14 @@ TEST_F(Planner, TakesWhatCanBeReachedUntilTheNextOneComes)
   EXPECT_EQ(this->Wanted[0], 530 - 66) << "ahead of the tip";
   this->Wants(500.0, 1e6);
   EXPECT_EQ(this->Wanted[0], 550 - 66) << "no faster than a hand";
-  this->Plan->SetSpacing(0.5, 1.0, 1.0);
+  this->SetWhole({ 0, 999, 0, 999, 0, 999 }, 0.5);
   this->Wants(250.0);
   EXPECT_EQ(this->Wanted[0], 500 - 132);
   this->Wants(2.0);
   EXPECT_EQ(this->Wanted[0], 0) << "clipped";
-  this->Plan->SetWholeExtent(10, 130, -5, 120, 0, 110);
+  this->SetWhole({ 10, 130, -5, 120, 0, 110 }, 0.5);
   this->Wants(40.0);
-  EXPECT_TRUE(std::equal(this->Wanted, this->Wanted + 6, this->Plan->GetWholeExtent()))
+  EXPECT_TRUE(std::equal(this->Wanted, this->Wanted + 6, this->Plan.GetWhole().Extent))
     << "the whole fits";
 }
 
@@ -77,7 +84,7 @@ TEST_F(Planner, FetchesNothingForAHandThatRestsOrTrembles)
 {
   for (const vtkIdType most : { vtkIdType{ 1 } << 24, vtkIdType{ 4096 }, vtkIdType{ 100000 } })
   {
-    this->Plan->SetMaximumVoxels(most);
+    this->Plan.SetMaximumVoxels(most);
     this->Forget();
     EXPECT_TRUE(this->Wants(500.0));
     this->Take();

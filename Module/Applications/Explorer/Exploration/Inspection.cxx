@@ -33,8 +33,7 @@ double EstimateImageNoise(vtkImageData* image)
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
   whole->SetInputData(image);
   whole->Update();
-  vtkDataArray* const noise =
-    whole->GetOutput()->GetFieldData()->GetArray(vtkHapticRegionFilter::GetNoiseName());
+  vtkDataArray* const noise = whole->GetOutput()->GetFieldData()->GetArray("HapticNoise");
   return noise ? noise->GetTuple1(0) : 0.0;
 }
 

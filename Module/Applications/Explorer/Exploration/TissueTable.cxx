@@ -61,8 +61,8 @@ Background FindBackground(vtkImageData* image)
   whole->SetInputData(image);
   whole->Update();
   vtkFieldData* const facts = whole->GetOutput()->GetFieldData();
-  vtkDataArray* const noise = facts->GetArray(vtkHapticRegionFilter::GetNoiseName());
-  vtkDataArray* const solid = facts->GetArray(vtkHapticRegionFilter::GetSolidName());
+  vtkDataArray* const noise = facts->GetArray("HapticNoise");
+  vtkDataArray* const solid = facts->GetArray("HapticSolid");
   return noise && solid
     ? Background{ noise->GetTuple1(0), solid->GetTuple1(0), solid->GetTuple1(1) }
     : Background{};

@@ -301,6 +301,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   touch.Style->SetFunctionEditor(touch.Editor);
   touch.Style->SetMeasurements(touch.Measurements);
   touch.Style->SetDefaultRenderer(touch.Scene.Renderer);
+  touch.Style->SetCoarseVolume(exploration.Input.Large ? touch.Scene.Volume.Get() : nullptr);
   if (vtkHapticTimeStepSource* const timeSteps = exploration.Input.TimeSteps)
   {
     timeSteps->Update();

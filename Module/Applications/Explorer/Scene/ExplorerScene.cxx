@@ -268,13 +268,6 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   volume->SetProperty(property);
   volume->SetUserMatrix(toWorld);
   scene.Renderer->AddVolume(volume);
-  if (exploration.Input.Large)
-  {
-    scene.Refined->SetSource(exploration.Input.Large);
-    scene.Refined->SetVolumeHaptics(exploration.Filter);
-    scene.Refined->SetVolume(volume);
-    scene.Refined->SetRenderer(scene.Renderer);
-  }
   scene.MapperName = gpu ? "vtkGPUVolumeRayCastMapper" : "vtkFixedPointVolumeRayCastMapper";
 }
 

@@ -6,7 +6,6 @@
 #include "Applications/Explorer/Exploration/Exploration.h"
 #include "Applications/Explorer/Scene/VolumeCut.h"
 
-#include "vtkHapticRegionPicture.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -50,7 +49,6 @@ struct ExplorerScene
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
-  vtkNew<vtkHapticRegionPicture> Refined; // shows a large volume in fine detail around the hand
   std::string MapperName;
 };
 

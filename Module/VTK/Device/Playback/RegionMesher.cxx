@@ -9,10 +9,10 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/WholeFacts.h"
 #include "VTK/Filter/HapticBaker.h"
+#include "VTK/Filter/PlannerSettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
-#include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkStructuredData.h"
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkDataArray> CopyTuples(
 RegionMesher::RegionMesher()
   : Region{ 0, -1, 0, -1, 0, -1 }
 {
-  this->Planner->SetMaximumVoxels(MostMeshedSamples);
+  this->Planner.SetMaximumVoxels(MostMeshedSamples);
 }
 
 RegionMesher::~RegionMesher() = default;
@@ -84,7 +84,7 @@ std::optional<SurfaceRegion> RegionMesher::Drain(
     return std::nullopt;
   }
   this->Region = *std::exchange(this->Ordered, std::nullopt);
-  this->Planner->AddLatency(ServoClock::SecondsSince(this->OrderTime));
+  this->Planner.AddLatency(ServoClock::SecondsSince(this->OrderTime));
   const int component = filter->GetProperty()->GetComponent();
   const TouchedArray scalars = filter->GetBaker().GetFilled();
   HapticVolume volume;
@@ -173,11 +173,11 @@ std::optional<SurfaceRegion> RegionMesher::Poll(vtkVolumeHapticsFilter* filter, 
   }
   std::optional<SurfaceRegion> made = this->Drain(image, filter);
   Extent wanted;
-  this->Planner->SetWhole(image);
-  filter->ConfigurePlanner(this->Planner);
+  this->Planner.SetWhole(image, error);
+  ConfigurePlanner(this->Planner, filter);
   const double atRest[3] = { 0.0, 0.0, 0.0 };
   if (!this->Meshing.IsUnderWay() &&
-    this->Planner->Plan(tip, atRest, this->Region.data(), wanted.data()))
+    this->Planner.Plan(tip, atRest, this->Region.data(), wanted.data()))
   {
     this->Order(image, filter, wanted);
   }

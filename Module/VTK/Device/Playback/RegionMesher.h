@@ -10,8 +10,8 @@
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/TouchedArray.h"
+#include "VTK/Regions/RegionPlanner.h"
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -21,7 +21,6 @@
 #include <tuple>
 
 class vtkDataArray;
-class vtkHapticRegionPlanner;
 class vtkImageData;
 class vtkVolumeHapticsFilter;
 
@@ -59,7 +58,7 @@ private:
   std::optional<SurfaceRegion> Drain(vtkImageData* image, vtkVolumeHapticsFilter* filter);
   void Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, const Extent& region);
 
-  const vtkNew<vtkHapticRegionPlanner> Planner;
+  RegionPlanner Planner;
   std::optional<SurfaceKey> Of;
   Extent Region;
   std::optional<Extent> Ordered;

@@ -16,7 +16,6 @@
 #include "VTK/Scene/Hand/LandingRing.h"
 #include "VTK/Scene/Hand/SceneMarker.h"
 #include "VTK/Scene/Hand/SpringCoil.h"
-#include "vtkHapticStateSource.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -26,6 +25,7 @@
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticState.h"
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -60,13 +60,14 @@ constexpr double ScaleBottom = 0.02;
 
 struct vtkHapticRepresentation::vtkInternals
 {
-  vtkNew<vtkHapticStateSource> Source;
-  /// The spheres are numbered as in vtkHapticStateSource, beginning at TIP.
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkNew<vtkPolyData> State; ///< geometry of the state; empty without a state
+  /// The spheres are numbered as in vtkHapticState, beginning at TIP.
   SceneMarker Spheres[4] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
     { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 } };
   SpringCoil Spring;
-  /// The arrows are numbered as in vtkHapticStateSource, beginning at FORCE.
+  /// The arrows are numbered as in vtkHapticState, beginning at FORCE.
   SceneMarker Arrows[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   /// Second heads mark arrows that are shorter than their forces. They are numbered like the
@@ -101,7 +102,7 @@ struct vtkHapticRepresentation::vtkInternals
   /** Draw the markers on the free side of a touched surface, or the markers inside it. */
   void RenderOutside(vtkViewport* viewport)
   {
-    this->Spheres[vtkHapticStateSource::PROXY].RenderOpaque(viewport);
+    this->Spheres[vtkHapticState::PROXY].RenderOpaque(viewport);
     for (int i = 1; i < 3; ++i)
     {
       this->Arrows[i].RenderOpaque(viewport);
@@ -114,8 +115,8 @@ struct vtkHapticRepresentation::vtkInternals
   }
   void RenderInside(vtkViewport* viewport)
   {
-    for (const int i : { vtkHapticStateSource::TIP, vtkHapticStateSource::SURFACE_POSITION,
-           vtkHapticStateSource::MEDIUM_POSITION })
+    for (const int i :
+      { vtkHapticState::TIP, vtkHapticState::SURFACE_POSITION, vtkHapticState::MEDIUM_POSITION })
     {
       this->Spheres[i].RenderOpaque(viewport);
     }
@@ -207,7 +208,7 @@ void vtkHapticRepresentation::SetDevice(vtkHapticDevice* device)
 {
   if (this->GetDevice() != device)
   {
-    this->Internals->Source->SetDevice(device);
+    this->Internals->Device = device;
     this->Modified();
   }
 }
@@ -215,7 +216,7 @@ void vtkHapticRepresentation::SetDevice(vtkHapticDevice* device)
 //------------------------------------------------------------------------------
 vtkHapticDevice* vtkHapticRepresentation::GetDevice()
 {
-  return this->Internals->Source->GetDevice();
+  return this->Internals->Device;
 }
 
 //------------------------------------------------------------------------------
@@ -247,17 +248,20 @@ void vtkHapticRepresentation::SetTrailLookupTable(vtkScalarsToColors* table)
 //------------------------------------------------------------------------------
 void vtkHapticRepresentation::UpdateMarkers()
 {
-  using Source = vtkHapticStateSource;
+  using State = vtkHapticState;
   auto& d = *this->Internals;
-  d.Source->SetForceScale(this->ForceScale);
-  d.Source->Update();
-  vtkPolyData* const state = d.Source->GetOutput();
+  d.State->Initialize();
+  if (d.Device)
+  {
+    d.Device->GetState()->GetGeometry(d.State, this->ForceScale);
+  }
+  vtkPolyData* const state = d.State;
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
   // After the hand has let go, it feels nothing, even with the tip in a surface. Then show no
   // markers, unless the application moves the tip.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
-  const Vector3 tip = d.HasState ? at(Source::TIP) : Vector3{};
+  const Vector3 tip = d.HasState ? at(State::TIP) : Vector3{};
   if (std::exchange(d.WasFelt, isFelt) && !isFelt)
   {
     d.HasLetGo = true;
@@ -281,18 +285,18 @@ void vtkHapticRepresentation::UpdateMarkers()
   {
     const auto contact =
       static_cast<int>(state->GetFieldData()->GetArray("Contact")->GetComponent(0, 0));
-    d.Spheres[Source::PROXY].SetColor(ContactColors[contact & 3]);
+    d.Spheres[State::PROXY].SetColor(ContactColors[contact & 3]);
     d.Landing.SetColor(ContactColors[contact & 3]);
     const double radii[4] = { 0.6, 1.0, 0.35, 0.35 };
-    for (int i = Source::TIP; i <= Source::MEDIUM_POSITION; ++i)
+    for (int i = State::TIP; i <= State::MEDIUM_POSITION; ++i)
     {
       d.Spheres[i].PlaceSphere(at(i), radii[i] * this->Radius);
     }
     if (isFelt && this->SpringVisibility)
     {
       d.Spring.Show(true);
-      d.Spring.Place(at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetState()->GetSlack(),
-        this->Radius);
+      d.Spring.Place(
+        at(State::PROXY), at(State::TIP), this->GetDevice()->GetState()->GetSlack(), this->Radius);
     }
     const bool shown[3] = { isFelt && this->ForceVisibility, isFelt && this->NormalForceVisibility,
       isFelt && this->FrictionForceVisibility };
@@ -300,8 +304,8 @@ void vtkHapticRepresentation::UpdateMarkers()
       this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
     for (int i = 0; i < 3; ++i)
     {
-      // In the source's points, the points of the spring come before the points of the arrows.
-      const vtkIdType point = Source::SPRING + 2 + 2 * i;
+      // In the state's points, the points of the spring come before the points of the arrows.
+      const vtkIdType point = State::SPRING + 2 + 2 * i;
       const Vector3 from = at(point);
       const Vector3 whole = at(point + 1) - from;
       const bool isTooLong = Norm(whole) > longest;
@@ -311,8 +315,8 @@ void vtkHapticRepresentation::UpdateMarkers()
       d.SecondHeads[i].Show(shown[i] && isTooLong);
       d.SecondHeads[i].PlaceAlong(from, from + SecondHead * arrow, 0.3 * this->Radius);
     }
-    d.Spheres[Source::SURFACE_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
-    d.Spheres[Source::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
+    d.Spheres[State::SURFACE_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
+    d.Spheres[State::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
   }
   d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
     this->ComputeStylusLength());
@@ -334,14 +338,14 @@ void vtkHapticRepresentation::UpdateStylus()
   {
     return;
   }
-  vtkPolyData* const state = d.Source->GetOutput();
+  vtkPolyData* const state = d.State;
   const Quaternion measured = ReadQuaternion(state->GetFieldData()->GetArray("Orientation"), 0);
   const bool isMeasured = SquaredNorm(measured) > 0.0;
   const Quaternion orientation = isMeasured || !IsFelt(this->GetDevice()) ? measured : d.Leaning;
   const bool isFitted = !isMeasured && !(this->StylusLength > 0.0);
   const double whole = this->ComputeStylusLength();
   d.Stylus.Show(SquaredNorm(orientation) > 0.0);
-  d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticStateSource::PROXY)), orientation,
+  d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticState::PROXY)), orientation,
     isFitted ? std::min(whole, d.MostLength) : whole);
 }
 

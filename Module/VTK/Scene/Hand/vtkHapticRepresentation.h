@@ -31,7 +31,7 @@
  * After it was disarmed, nothing is shown until its tip moves. Markers behind a surface or inside
  * the volume are drawn faintly.
  *
- * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
+ * @sa vtkHapticState, vtkInteractorStyleHaptic
  */
 #ifndef vtkHapticRepresentation_h
 #define vtkHapticRepresentation_h

@@ -12,7 +12,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkTable.h"
+#include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <chrono>
@@ -549,6 +551,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   this->Displays.UpdateHint();
   this->Compared.Report();
   this->UpdateCarving();
+  this->UpdateRefined();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;
@@ -635,6 +638,38 @@ void HapticInteraction::UpdateVolumes()
   {
     this->Touched.FeelShown();
   }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::SetCoarseVolume(vtkVolume* volume)
+{
+  this->Refined.SetRenderer(nullptr);
+  this->Refined.SetVolume(volume);
+  this->UpdateRefined();
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::UpdateRefined()
+{
+  vtkVolume* const volume = this->Refined.GetVolume();
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  if (!volume)
+  {
+    return;
+  }
+  vtkRenderer* shown = nullptr;
+  vtkRendererCollection* const renderers = window ? window->GetRenderers() : nullptr;
+  for (int i = 0; renderers && !shown && i < renderers->GetNumberOfItems(); ++i)
+  {
+    auto* const renderer = vtkRenderer::SafeDownCast(renderers->GetItemAsObject(i));
+    shown = renderer && renderer->HasViewProp(volume) ? renderer : nullptr;
+  }
+  vtkVolumeHapticsFilter* const filter =
+    this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
+  this->Refined.SetVolumeHaptics(filter);
+  this->Refined.SetSource(filter ? filter->GetRegionSource() : nullptr);
+  this->Refined.SetRenderer(shown);
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "VTK/Scene/Volumes/CarvedPicture.h"
 #include "VTK/Scene/Volumes/HapticShownTimeSteps.h"
 #include "VTK/Scene/Volumes/HapticShownVolumes.h"
+#include "VTK/Scene/Volumes/RegionPicture.h"
 
 #include "vtkNew.h"
 #include "vtkTable.h"
@@ -87,6 +88,8 @@ public:
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
+  /** Sets the volume that Refined refines; null for none. */
+  void SetCoarseVolume(vtkVolume* volume);
 
   vtkHapticDevice* GetDevice() const;
 
@@ -144,6 +147,7 @@ public:
   CarvedPictures Carved;
   std::uint64_t CarvedChanges = 0; ///< number of changes of the removed tissue at the last update
   TouchedVolumes Touched;
+  RegionPicture Refined; ///< shows a volume beyond memory finely around the hand
   FilterPublisher Publisher;
   ComparedSettings Compared;
   vtkNew<vtkTable> States; ///< states of the last update
@@ -156,6 +160,7 @@ private:
    * shown.
    */
   void UpdateVolumes();
+  void UpdateRefined();
   /** Makes volumes show the tissue that a tool has left. */
   void UpdateCarving();
   /** If the mouse has changed what the slices show, draws the scene and returns true. */

@@ -177,6 +177,22 @@ vtkHapticSliceView* vtkInteractorStyleHaptic::GetSliceView()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetCoarseVolume(vtkVolume* volume)
+{
+  if (this->GetCoarseVolume() != volume)
+  {
+    this->Internals->Interaction.SetCoarseVolume(volume);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkInteractorStyleHaptic::GetCoarseVolume()
+{
+  return this->Internals->Interaction.Refined.GetVolume();
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetMeasurements(vtkHapticMeasurements* measurements)
 {
   if (this->Internals->Interaction.SetMeasurements(measurements))
@@ -594,6 +610,7 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
   os << indent << "SliceView: " << scene.Slices.GetPointer() << "\n";
+  os << indent << "CoarseVolume: " << this->GetCoarseVolume() << "\n";
   os << indent << "Measurements: " << scene.Measurements.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);

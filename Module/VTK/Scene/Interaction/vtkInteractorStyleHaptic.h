@@ -176,6 +176,18 @@ public:
 
   ///@{
   /**
+   * The volume that shows the CoarseImage of the vtkHapticRegionSource that the device's filter
+   * feels (optional). The style cuts the box of the samples in memory out of it, and shows these
+   * samples there, so that the picture is fine around the hand. The image of the volume's mapper
+   * has no direction of its own; the volume's matrix may turn it. The style sets the mapper's
+   * cropping. nullptr (default) gives the volume back as it was.
+   */
+  void SetCoarseVolume(vtkVolume* volume);
+  vtkVolume* GetCoarseVolume();
+  ///@}
+
+  ///@{
+  /**
    * The list of measurements that the keys below fill (optional). The application shows it with a
    * vtkHapticMeasurementRepresentation, and lists it with vtkHapticHeadUpDisplay::SetMeasurements.
    * Default nullptr: these keys do nothing. They measure the position of the proxy while something

@@ -13,7 +13,6 @@
 #include "VTK/Scene/Hand/HapticRepresentationSettings.h"
 #include "VTK/Scene/Interaction/HapticStyleSettings.h"
 #include "VTK/Scene/Slices/HapticSliceViewSettings.h"
-#include "VTK/Scene/Volumes/HapticPictureSettings.h"
 
 using namespace settingtest;
 using namespace VolumeHaptics;
@@ -23,7 +22,6 @@ TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
   ExpectHeadersBehave<vtkHapticFunctionEditor>(EditorSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
-  ExpectHeadersBehave<vtkHapticRegionPicture>(PictureSettings);
   ExpectHeadersBehave<vtkHapticMeasurementRepresentation>(MeasurementViewSettings);
   ExpectHeadersBehave<vtkHapticSliceView>(SliceViewSettings);
   ExpectHeadersBehave<vtkHapticXRController>(XRControllerSettings);
@@ -42,7 +40,6 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
     display.emplace_back(text);
   }
   ExpectRows("vtkHapticHeadUpDisplay", display);
-  ExpectRows("vtkHapticRegionPicture", Names(PictureSettings));
   ExpectRows("vtkHapticMeasurementRepresentation", Names(MeasurementViewSettings));
   std::vector<std::string> slices = Names(SliceViewSettings);
   slices.emplace_back("Unit"); // a text
@@ -58,7 +55,6 @@ TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
   ExpectComments("vtkHapticFunctionEditor", EditorSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
-  ExpectComments("vtkHapticRegionPicture", PictureSettings);
   ExpectComments("vtkHapticMeasurementRepresentation", MeasurementViewSettings);
   ExpectComments("vtkHapticSliceView", SliceViewSettings);
   ExpectComments("vtkHapticXRController", XRControllerSettings);

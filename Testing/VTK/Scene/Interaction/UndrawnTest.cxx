@@ -8,12 +8,10 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkContextDevice2D.h> // has the charts drawn with OpenGL
-#include <vtkHapticCalibration.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticPathSource.h>
-#include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRepresentation.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -67,23 +65,11 @@ TEST(Undrawn, NumbersThatAreMissing)
     ASSERT_EQ(log.Errors.size(), 1U);
     EXPECT_NE(log.Errors[0].find("number"), std::string::npos) << log.Errors[0];
   };
-  const double three[3] = { 1.0, 2.0, 3.0 };
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
   vtkNew<vtkHapticDevice> device;
   expectError(device.Get(), [&] { device->GetVirtualHand()->SetPosition(nullptr); });
   expectError(device.Get(), [&] { device->SetNewtonsPerFullScale(nullptr); });
   vtkNew<vtkHapticPathSource> source;
   expectError(source.Get(), [&] { source->SetBoxBounds(nullptr); });
-  vtkNew<vtkHapticRegionPlanner> planner;
-  expectError(planner.Get(), [&] { planner->SetDirection(nullptr); });
-  expectError(planner.Get(), [&] { planner->Plan(nullptr, three, extent, extent); });
-  expectError(planner.Get(), [&] { planner->Plan(three, nullptr, extent, extent); });
-  expectError(planner.Get(), [&] { planner->Plan(three, three, nullptr, extent); });
-  expectError(planner.Get(), [&] { planner->Plan(three, three, extent, nullptr); });
-  vtkNew<vtkHapticCalibration> calibration;
-  expectError(calibration.Get(), [&] { calibration->AddPoint(nullptr, three); });
-  expectError(calibration.Get(), [&] { calibration->AddPoint(three, nullptr); });
-  EXPECT_EQ(calibration->GetNumberOfPoints(), 0);
   vtkNew<vtkHapticFunctionEditor> editor;
   expectError(editor.Get(), [&] { editor->SetRectangle(nullptr); });
 }

@@ -12,21 +12,24 @@
 #include <vtkFieldData.h>
 #include <vtkHapticPointShell.h>
 #include <vtkHapticRepresentation.h>
-#include <vtkHapticStateSource.h>
+#include <vtkHapticState.h>
 #include <vtkPointData.h>
 
 using namespace devicetest;
 
 namespace
 {
-class StateSource : public DeviceTest
+class StateGeometry : public DeviceTest
 {
 protected:
-  StateSource() { this->Source->SetDevice(this->Device); }
+  vtkPolyData* Get()
+  {
+    this->Device->GetState()->GetGeometry(this->Geometry);
+    return this->Geometry;
+  }
   void ExpectLine(int part, const double* from, const double* vector)
   {
-    this->Source->Update();
-    vtkPolyData* const output = this->Source->GetOutput();
+    vtkPolyData* const output = this->Get();
     vtkDataArray* const parts = output->GetCellData()->GetArray("Part");
     for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
     {
@@ -41,29 +44,32 @@ protected:
           EXPECT_NEAR(output->GetPoint(ends->GetId(1))[c], from[c] + vector[c], 1e-6) << part;
         }
         EXPECT_NEAR(output->GetCellData()->GetArray("Newtons")->GetComponent(cell, 0),
-          part == vtkHapticStateSource::SPRING ? 0.0 : 0.1 * Length(vector), 1e-6);
+          part == vtkHapticState::SPRING ? 0.0 : 0.1 * Length(vector), 1e-6);
         return;
       }
     }
     ADD_FAILURE() << "no part " << part;
   }
 
-  vtkNew<vtkHapticStateSource> Source;
+  vtkNew<vtkPolyData> Geometry;
 };
 } // namespace
 
-TEST_F(StateSource, IsEmptyWithoutAState)
+TEST_F(StateGeometry, IsEmptyWithoutAState)
 {
-  this->Source->Update();
-  EXPECT_EQ(this->Source->GetOutput()->GetNumberOfPoints(), 0);
-  this->Source->SetDevice(nullptr);
-  this->Source->Update();
-  EXPECT_EQ(this->Source->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkPoints> points;
+  this->Geometry->SetPoints(points);
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  EXPECT_EQ(this->Get()->GetNumberOfPoints(), 0);
+  MessageLog log(this->Device->GetState());
+  this->Device->GetState()->GetGeometry(nullptr);
+  this->Device->GetState()->GetGeometry(this->Geometry, 0.0);
+  EXPECT_EQ(log.Errors.size(), 2U);
   vtkNew<vtkHapticRepresentation> representation;
   EXPECT_EQ(representation->GetBounds(), nullptr);
 }
 
-TEST_F(StateSource, IsTheStateOfTheDevice)
+TEST_F(StateGeometry, IsTheStateOfTheDevice)
 {
   SetConstant(this->Filter->GetProperty()->GetFriction(), 0.4);
   this->Begin();
@@ -71,7 +77,6 @@ TEST_F(StateSource, IsTheStateOfTheDevice)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->Lead(8.5, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));
-  this->Source->Update();
   const double* const tip = this->Device->GetState()->GetTipPosition();
   const double* const proxy = this->Device->GetState()->GetProxyPosition();
   const double spring[3] = { proxy[0] - tip[0], proxy[1] - tip[1], proxy[2] - tip[2] };
@@ -81,34 +86,25 @@ TEST_F(StateSource, IsTheStateOfTheDevice)
   const double friction[3] = { force[0], force[1], 0.0 };
   ASSERT_LT(normal[2], -10.0);
   ASSERT_LT(friction[0], -1.0);
-  this->ExpectLine(vtkHapticStateSource::SPRING, tip, spring);
-  this->ExpectLine(vtkHapticStateSource::FORCE, tip, force);
-  this->ExpectLine(vtkHapticStateSource::NORMAL_FORCE, proxy, normal);
-  this->ExpectLine(vtkHapticStateSource::FRICTION_FORCE, proxy, friction);
-  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(2)[2], proxy[2] + 2.0, 1e-6) << "x_s";
-  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(3)[2], proxy[2] - 2.0, 1e-6) << "x_v";
+  this->ExpectLine(vtkHapticState::SPRING, tip, spring);
+  this->ExpectLine(vtkHapticState::FORCE, tip, force);
+  this->ExpectLine(vtkHapticState::NORMAL_FORCE, proxy, normal);
+  this->ExpectLine(vtkHapticState::FRICTION_FORCE, proxy, friction);
+  EXPECT_NEAR(this->Get()->GetPoint(2)[2], proxy[2] + 2.0, 1e-6) << "x_s";
+  EXPECT_NEAR(this->Get()->GetPoint(3)[2], proxy[2] - 2.0, 1e-6) << "x_v";
 }
 
-TEST_F(StateSource, FollowsTheDevice)
+TEST_F(StateGeometry, FollowsTheDevice)
 {
   this->Begin();
-  this->Source->Update();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
-  this->Source->Update();
-  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(0)[2], 4.0, 1e-6);
-  const vtkMTimeType time = this->Source->GetMTime();
-  EXPECT_EQ(this->Source->GetMTime(), time) << "nothing new";
+  EXPECT_NEAR(this->Get()->GetPoint(0)[2], 4.0, 1e-6);
 }
 
-TEST_F(StateSource, HasTheOrientationOfTheStylus)
+TEST_F(StateGeometry, HasTheOrientationOfTheStylus)
 {
   this->Begin();
-  this->Source->Update();
-  const auto orientation = [this]
-  {
-    this->Source->Update();
-    return this->Source->GetOutput()->GetFieldData()->GetArray("Orientation");
-  };
+  const auto orientation = [this] { return this->Get()->GetFieldData()->GetArray("Orientation"); };
   ASSERT_TRUE(orientation());
   ASSERT_EQ(orientation()->GetNumberOfComponents(), 4);
   EXPECT_EQ(orientation()->GetComponent(0, 0), 0.0) << "all 0: the device has none";
@@ -121,7 +117,7 @@ TEST_F(StateSource, HasTheOrientationOfTheStylus)
   }
 }
 
-TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
+TEST_F(StateGeometry, TheStylusIsShownIfItIsTurned)
 {
   this->Begin();
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
@@ -141,7 +137,7 @@ TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
 }
 
 /// In place of the stylus, where the tool is, turned as it is.
-TEST_F(StateSource, AToolWithAShapeIsShown)
+TEST_F(StateGeometry, AToolWithAShapeIsShown)
 {
   vtkNew<vtkCubeSource> box;
   box->SetXLength(1.0);
@@ -172,7 +168,7 @@ TEST_F(StateSource, AToolWithAShapeIsShown)
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
 }
 
-TEST_F(StateSource, ArrowsAreNoLongerThanTheirMaximum)
+TEST_F(StateGeometry, ArrowsAreNoLongerThanTheirMaximum)
 {
   this->Begin();
   ASSERT_TRUE(this->ArmFully());

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkHapticRegionPicture.h"
+#include "VTK/Scene/Volumes/RegionPicture.h"
 
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Scene/Volumes/CarvedArray.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
-#include "VTK/Scene/Volumes/HapticPictureSettings.h"
 #include "VTK/Scene/Volumes/ReplacedInput.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
@@ -223,13 +222,6 @@ void FineBox::ApplyCopy(const std::vector<char>& bytes)
   std::copy(bytes.begin(), bytes.end(), static_cast<char*>(this->Copy->GetScalarPointer()));
 }
 
-} // namespace
-} // namespace VolumeHaptics
-
-using namespace VolumeHaptics;
-
-namespace
-{
 /**
  * Draws the parts of the coarse volume in front of the box, with the mapper of the parts behind it.
  */
@@ -342,7 +334,7 @@ void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
 }
 } // namespace
 
-class vtkHapticRegionPicture::Internal
+class RegionPicture::Internal
 {
 public:
   vtkVolumeMapper* GetCoarseMapper() const
@@ -596,10 +588,8 @@ public:
   bool HasCropped = false;
 };
 
-vtkStandardNewMacro(vtkHapticRegionPicture);
-
 //------------------------------------------------------------------------------
-vtkHapticRegionPicture::vtkHapticRegionPicture()
+RegionPicture::RegionPicture()
   : Internals(new Internal)
 {
   for (vtkVolume* const part :
@@ -611,67 +601,46 @@ vtkHapticRegionPicture::vtkHapticRegionPicture()
   }
   this->Internals->Observer->SetClientData(this);
   this->Internals->Observer->SetCallback([](vtkObject*, unsigned long, void* picture, void*)
-    { static_cast<vtkHapticRegionPicture*>(picture)->Update(); });
+    { static_cast<RegionPicture*>(picture)->Update(); });
 }
 
 //------------------------------------------------------------------------------
-vtkHapticRegionPicture::~vtkHapticRegionPicture()
+RegionPicture::~RegionPicture()
 {
   this->Internals->Leave();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionPicture::SetSource(vtkHapticRegionSource* source)
+void RegionPicture::SetSource(vtkHapticRegionSource* source)
 {
-  if (this->Internals->Source != source)
-  {
-    this->Internals->Source = source;
-    this->Modified();
-  }
+  this->Internals->Source = source;
 }
 
 //------------------------------------------------------------------------------
-vtkHapticRegionSource* vtkHapticRegionPicture::GetSource()
+void RegionPicture::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
-  return this->Internals->Source;
+  this->Internals->Filter = filter;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionPicture::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
-{
-  if (this->Internals->Filter != filter)
-  {
-    this->Internals->Filter = filter;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkVolumeHapticsFilter* vtkHapticRegionPicture::GetVolumeHaptics()
-{
-  return this->Internals->Filter;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticRegionPicture::SetVolume(vtkVolume* volume)
+void RegionPicture::SetVolume(vtkVolume* volume)
 {
   if (this->Internals->Volume != volume)
   {
     this->Internals->ShowCoarseOnly();
     this->Internals->GiveCoarseBack();
     this->Internals->Volume = volume;
-    this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkVolume* vtkHapticRegionPicture::GetVolume()
+vtkVolume* RegionPicture::GetVolume() const
 {
   return this->Internals->Volume;
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionPicture::SetRenderer(vtkRenderer* renderer)
+void RegionPicture::SetRenderer(vtkRenderer* renderer)
 {
   if (this->Internals->Renderer == renderer)
   {
@@ -686,17 +655,10 @@ void vtkHapticRegionPicture::SetRenderer(vtkRenderer* renderer)
     renderer->AddViewProp(this->Internals->Fine);
     renderer->AddViewProp(this->Internals->Front);
   }
-  this->Modified();
 }
 
 //------------------------------------------------------------------------------
-vtkRenderer* vtkHapticRegionPicture::GetRenderer()
-{
-  return this->Internals->Renderer;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticRegionPicture::Update()
+void RegionPicture::Update()
 {
   Internal& in = *this->Internals;
   if (!in.Renderer)
@@ -717,25 +679,15 @@ void vtkHapticRegionPicture::Update()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionPicture::IsRefined()
+bool RegionPicture::IsRefined() const
 {
   return this->Internals->HasCropped;
 }
 
 //------------------------------------------------------------------------------
-vtkVolume* vtkHapticRegionPicture::GetFineVolume()
+vtkVolume* RegionPicture::GetFineVolume() const
 {
   return this->Internals->Fine;
 }
 
-//------------------------------------------------------------------------------
-void vtkHapticRegionPicture::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Source: " << (this->Internals->Source ? "set" : "(none)") << "\n";
-  os << indent << "VolumeHaptics: " << (this->Internals->Filter ? "set" : "(none)") << "\n";
-  os << indent << "Volume: " << (this->Internals->Volume ? "set" : "(none)") << "\n";
-  os << indent << "Renderer: " << (this->Internals->Renderer ? "set" : "(none)") << "\n";
-  PrintSettings(os, indent, this, PictureSettings);
-  os << indent << "Refined: " << (this->Internals->HasCropped ? "yes" : "no") << "\n";
-}
+} // namespace VolumeHaptics

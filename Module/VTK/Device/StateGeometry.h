@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A device's state as geometry, from a device or from what a client has sent.
+ */
+#ifndef StateGeometry_h
+#define StateGeometry_h
+
+#include "vtkVector.h"              // for vtkVector3d
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/** The shown state: positions in world units, forces in N along the world's axes. */
+struct ShownState
+{
+  vtkVector3d Tip;
+  vtkVector3d Proxy;
+  vtkVector3d SurfacePosition;
+  vtkVector3d MediumPosition;
+  vtkVector3d Force;
+  vtkVector3d ComputedForce;
+  vtkVector3d Normal;
+  double NormalForce = 0.0;
+  double FrictionForce = 0.0;
+  double Contact = 0.0;
+  double SurfaceValue = 0.0;
+  double Orientation[4] = {}; ///< w, x, y, z; all 0 if there is none
+};
+
+/** Replaces the output by the geometry that vtkHapticState::CopyToPolyData describes. */
+VTKVOLUMEHAPTICS_EXPORT void WriteStateGeometry(
+  const ShownState& state, double forceScale, bool isCommanded, vtkPolyData* output);
+
+} // namespace VolumeHaptics
+
+#endif
