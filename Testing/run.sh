@@ -68,8 +68,8 @@ wheel_dir=$(dirname "$build_dir")/wheel
 # when the machine stands still for 30 ms: if only tests of one fail, they are run once more, alone.
 run_tests()
 {
-  local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.](Emulated|Haply|Hfab|Vendor)|ParaView|'
-  live+='Hosts|VTK[.](Charts|Emulated|Endings|Headset|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  local live='^[0-9]+:(VolumeHaptics[.](Applications[.]DeviceTool|Core[.]ServoLoop|Devices[.](Emulated|Haply|Hfab|Vendor)|ParaView|'
+  live+='Hosts|VTK[.](Emulated|Endings|Scene)|Wheel[.](Hosts|PyVista|Python))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
