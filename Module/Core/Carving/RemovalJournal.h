@@ -31,7 +31,7 @@ public:
   static constexpr std::size_t DefaultMost = 8192; ///< default limit of stored bricks (4 MiB)
   static constexpr std::size_t MostStrokes = 256;
 
-  /** Keeps a reference to the bricks. */
+  /** Stores a reference to the bricks. */
   explicit RemovalJournal(CarvedBricks& bricks, std::size_t most = DefaultMost);
 
   ///@{
@@ -99,7 +99,7 @@ private:
   {
     std::uint64_t Begin;
     std::uint64_t End;
-    double Volume; ///< removed volume in mm^3
+    double Volume; ///< removed volume (mm^3)
   };
 
   Stroke& At(std::uint64_t stroke) noexcept { return this->Strokes[stroke % MostStrokes]; }

@@ -45,7 +45,7 @@ public:
   TissueRemoval(const TissueRemoval&) = delete;
   TissueRemoval& operator=(const TissueRemoval&) = delete;
 
-  /** Queues a request; returns false if too many requests wait. Called by one thread. */
+  /** Queues a request. Returns false if too many requests wait. Called by one thread. */
   bool Request(RemovalRequest request) noexcept;
   /** Returns the number of requests that are not finished yet. From any thread. */
   std::size_t GetPending() const noexcept

@@ -20,7 +20,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The remaining fractions, and the value of a sample without tissue. Keeps only a pointer to the
+ * The remaining fractions, and the value of a sample without tissue. Stores only a pointer to the
  * bricks; it is null if nothing can be removed.
  */
 struct CarvedView

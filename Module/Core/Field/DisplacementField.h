@@ -55,7 +55,7 @@ struct MaterialPlace
   ///@}
 };
 
-/** Computes where material is. Keeps only a view of the displacements. */
+/** Computes where material is. Stores only a view of the displacements. */
 class DisplacementField
 {
 public:

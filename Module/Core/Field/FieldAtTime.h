@@ -23,7 +23,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The field at one instant. Keeps references to the time steps, which must have the same geometry.
+ * The field at one instant. Stores references to the time steps, which must have the same geometry.
  */
 class FieldAtTime
 {

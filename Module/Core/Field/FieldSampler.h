@@ -130,18 +130,21 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  /** Values for the blend's fraction and for another one. */
+  /** Values for the blend's fraction and for another fraction. */
   SharedValuesFunction SharedValues = nullptr;
   BlendedPairFunction BlendedPair = nullptr;
-  /** Null for kernels with many taps. */
+  /** The blended gradient; null for kernels with many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
   ///@{
-  /** Null for estimators that a memory does not make faster. */
+  /** Functions for gradients from a memory; null for estimators that it does not make faster. */
   FillFunction Fill = nullptr;
   RememberedFunction Remembered = nullptr;
   ///@}
   ///@{
-  /** Null for estimators without a memory of both time steps, or whose values are not trilinear. */
+  /**
+   * Functions for values from a memory of both time steps; null for estimators without this memory,
+   * or whose values are not trilinear.
+   */
   TapValueFunction TapValue = nullptr;
   SharedTapValuesFunction SharedTapValues = nullptr;
   TapPairFunction TapPair = nullptr;
@@ -158,7 +161,7 @@ enum class InstructionSet : std::uint8_t
 InstructionSet DetectInstructionSet();
 
 /**
- * Samples a volume with an estimator. Keeps references to the samples, to the kernel's table, and
+ * Samples a volume with an estimator. Stores references to the samples, to the kernel's table, and
  * to the remaining fractions of tissue.
  */
 class FieldSampler

@@ -17,7 +17,7 @@ class FieldStep
 {
 public:
   /**
-   * Keeps references to the time steps, whose samples must be blended, and to a memory.
+   * Stores references to the time steps, whose samples must be blended, and to a memory.
    * @param before, now fractions of the second time step, more than 0 and less than 1
    */
   FieldStep(const FieldSampler& first, const FieldSampler& second, double before, double now,

@@ -111,8 +111,8 @@ struct LabelFunctions
 };
 
 /**
- * Samples a label image with a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Keeps a view of
- * the samples.
+ * Samples a label image with a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Stores a view
+ * of the samples.
  *
  * At 32 fractions of a voxel, the weights are the kernel's. Between them, they are cubic Hermite
  * polynomials, so that weights and slopes are continuous, and each slope is the derivative of its

@@ -289,7 +289,7 @@ float ComputeEnd(float here, float before, float most, float mostBefore, float s
 }
 
 /**
- * Returns the length by which the radius of a piece decreases up to the next slice; 0 if it does
+ * Returns the length by which the radius of a piece decreases up to the next slice, or 0 if it does
  * not decrease. The arguments are those of ComputeEnd.
  */
 float ComputeFall(float most, float mostBefore, float step)

@@ -33,7 +33,7 @@ struct LabelCell
 };
 
 /**
- * The voxels of a label image, at continuous indices of this image. Keeps only a view of the
+ * The voxels of a label image, at continuous indices of this image. Stores only a view of the
  * memory.
  */
 class LabelView

@@ -28,7 +28,7 @@ enum class VectorAxes : std::uint8_t
   Image
 };
 
-/** The vectors or tensors of a volume. Keeps only a view of the samples. */
+/** The vectors or tensors of a volume. Stores only a view of the samples. */
 class VectorField
 {
 public:

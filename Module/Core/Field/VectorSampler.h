@@ -52,7 +52,7 @@ struct VectorFunctions
   VectorFunction Gradient = nullptr;
 };
 
-/** Samples a volume of vectors or tensors. Keeps only a view of the samples. */
+/** Samples a volume of vectors or tensors. Stores only a view of the samples. */
 class VectorSampler
 {
 public:

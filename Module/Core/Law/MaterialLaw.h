@@ -105,7 +105,7 @@ struct Slope
   double Magnitude; ///< see MaterialPoint::GradientMagnitude
 };
 
-/** Computes the slope of a sample; returns false if there is no gradient. */
+/** Computes the slope of a sample. Returns false if there is no gradient. */
 VOLUME_HAPTICS_INLINE bool ComputeSlope(
   const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
 {

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 
 struct PassiveSpring
 {
-  double Tissue = 0.0;  ///< K, the tissue's stiffness in N/m
+  double Tissue = 0.0;  ///< K, the tissue's stiffness (N/m)
   double Tension = 1.0; ///< stretch / |d|; 1 without slack
   double Reserve = 0.0; ///< energy in J that pays for later rises of K
 

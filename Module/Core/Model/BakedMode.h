@@ -104,8 +104,8 @@ struct ModeDescription
   VectorView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Volume.Data alive
   VectorAxes Axes = VectorAxes::World;
-  Polyline First = ConstantPolyline(2.0);  ///< first strength in N; see the table above
-  Polyline Second = ConstantPolyline(0.0); ///< second strength in N
+  Polyline First = ConstantPolyline(2.0);  ///< first strength (N); see the table above
+  Polyline Second = ConstantPolyline(0.0); ///< second strength (N)
   bool IsActive = true; ///< whether the mode adds primitives; an inactive mode still has its number
   bool IsDark = false;  ///< for Ridge: whether vessels are darker than their surroundings
   /** For Ridge: largest distance (voxels) at which the mode holds with all of its strength. */

@@ -91,7 +91,9 @@ public:
   virtual void Begin(ServoState& /*state*/) const noexcept {}
   ///@}
 
-  /** Returns `last` if this tool can use it, otherwise new memory; null if the tool needs none. */
+  /**
+   * Returns `last` if this tool can use it, otherwise new memory, or null if the tool needs none.
+   */
   virtual std::shared_ptr<ToolMemory> MakeMemory(const std::shared_ptr<ToolMemory>& /*last*/) const
   {
     return nullptr;
@@ -113,7 +115,7 @@ public:
    */
   virtual double GetReach() const noexcept { return -1.0; }
   /**
-   * Returns the stiffness (N m/rad) of the spring that turns the hand; 0 if the tool exerts no
+   * Returns the stiffness (N m/rad) of the spring that turns the hand, or 0 if the tool exerts no
    * torque.
    */
   virtual double GetTurningStiffness() const noexcept { return 0.0; }

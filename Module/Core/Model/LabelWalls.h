@@ -63,7 +63,7 @@ struct WallMemory
   ///@}
 };
 
-/** Computes walls. Keeps references to the view's memory and to the table. */
+/** Computes walls. Stores references to the view's memory and to the table. */
 class LabelWalls
 {
 public:

@@ -18,7 +18,7 @@ constexpr double SecondsPerNanosecond = 1e-9;
 constexpr double NanosecondsPerSecond = 1e9;
 constexpr std::int64_t Millisecond = 1000000; ///< ns
 
-/** Returns the monotonic time in ns. */
+/** Returns the monotonic time (ns). */
 std::int64_t Now() noexcept;
 /** Returns the seconds that have passed since a time of Now(). */
 inline double SecondsSince(std::int64_t time) noexcept

@@ -31,21 +31,21 @@ namespace VolumeHaptics
 /** The limits of a device. */
 struct DeviceLimits
 {
-  double MaximumForce = 0.0;     ///< largest force in N
-  double MaximumStiffness = 0.0; ///< largest stiffness in N/m; 0 if the device does not limit it
-  double MaximumDamping = 0.0;   ///< largest damping in N s/m; 0 if the device does not limit it
+  double MaximumForce = 0.0;     ///< largest force (N)
+  double MaximumStiffness = 0.0; ///< largest stiffness (N/m); 0 if the device does not limit it
+  double MaximumDamping = 0.0;   ///< largest damping (N s/m); 0 if the device does not limit it
   /// Largest speed of a tip (m/s) that a hand holds. A faster tip means that the hand has lost the
   /// stylus. 0 if there is no limit.
   double MaximumSpeed = 0.0;
-  double Damping = 0.0;         ///< the device's own friction b in N s/m; 0 if it is not known
-  double WorkspaceRadius = 0.0; ///< radius of the workspace in m
+  double Damping = 0.0;         ///< the device's own friction b (N s/m); 0 if it is not known
+  double WorkspaceRadius = 0.0; ///< radius of the workspace (m)
   /// Smallest motion (m) that a device reports if it sends only changes and so is silent at rest. 0
   /// if it also reports at rest.
   double LeastMotion = 0.0;
   unsigned ForceAxes = 7;     ///< bit i is set if the device can exert a force along axis i
   bool MovesTip = true;       ///< whether forces move the tip, which PortObserver requires
   bool Vibrates = false;      ///< whether the device only vibrates and can't exert a force
-  double MaximumTorque = 0.0; ///< largest torque in N m; 0 if the device exerts no torque
+  double MaximumTorque = 0.0; ///< largest torque (N m); 0 if the device exerts no torque
 };
 
 /** Round trip (s) for which devices state their largest stiffness and damping. */
@@ -78,7 +78,7 @@ struct TakenForce
 /** The report of a device in a tick. */
 struct DeviceSample
 {
-  Vector3 Tip;               ///< position of the tip in m
+  Vector3 Tip;               ///< position of the tip (m)
   std::uint32_t Buttons = 0; ///< bit 0 is the main button
   bool Fresh = false;        ///< whether the tip was measured since the last Read
   /// Whether the device has shown since the last Read that it is connected and that the tip has not
@@ -104,8 +104,8 @@ struct DeviceSample
 /** The force and torque to output in a tick. */
 struct DeviceCommand
 {
-  Vector3 Force;  ///< force on the hand at the tip in N
-  Vector3 Torque; ///< torque on the hand about the tip in N m, for a tool with a shape
+  Vector3 Force;  ///< force on the hand at the tip (N)
+  Vector3 Torque; ///< torque on the hand about the tip (N m), for a tool with a shape
 };
 
 /** Result of a Read or a Write, for the servo loop in each tick. Users see DeviceStage instead. */

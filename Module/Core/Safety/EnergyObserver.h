@@ -81,14 +81,14 @@ namespace VolumeHaptics
 class EnergyObserver
 {
 public:
-  static constexpr double LongestCycle = 0.075; ///< longest cycle that counts, in s
-  static constexpr double LeastPath = 1e-3;     ///< shortest path of a cycle, there and back, in m
-  static constexpr double LeastSwing = 2e-5;    ///< smallest swing that counts, in J
+  static constexpr double LongestCycle = 0.075; ///< longest cycle that counts (s)
+  static constexpr double LeastPath = 1e-3;     ///< shortest path of a cycle, there and back (m)
+  static constexpr double LeastSwing = 2e-5;    ///< smallest swing that counts (J)
   static constexpr double LeastShare = 0.7;
   static constexpr double MostDriven = 0.5;
   static constexpr double LeastLasting = 0.95;
   static constexpr double LeastReturn = 0.95;
-  static constexpr double LeastEnergy = 2e-3; ///< least energy that a row gives back, in J
+  static constexpr double LeastEnergy = 2e-3; ///< least energy that a row gives back (J)
   static constexpr std::size_t Cycles = 8;
   static constexpr std::size_t FewCycles = 4;
   static constexpr double MuchGiven = 4.0;
@@ -124,9 +124,9 @@ private:
   {
     double Time = 0.0; ///< time in s
     Vector3 Tip;
-    double Energy = 0.0;   ///< energy E in J
-    double Path = 0.0;     ///< path of the tip in m
-    double WallWork = 0.0; ///< work of the wall in J
+    double Energy = 0.0;   ///< energy E (J)
+    double Path = 0.0;     ///< path of the tip (m)
+    double WallWork = 0.0; ///< work of the wall (J)
   };
   Instant Now() const noexcept
   {
@@ -141,26 +141,26 @@ private:
   Vector3 Tip;
   double Path = 0.0;
   double Energy = 0.0;
-  double WallWork = 0.0; ///< sum of the absolute values of the wall's work in J
-  Vector3 SentSum;       ///< sum of the forces sent in all ticks since the last measurement, in N
+  double WallWork = 0.0; ///< sum of the absolute values of the wall's work (J)
+  Vector3 SentSum;       ///< sum of the forces sent in all ticks since the last measurement (N)
   double SentCount = 0.0;
-  double Force = 0.0; ///< magnitude of the last force sent, in N
+  double Force = 0.0; ///< magnitude of the last force sent (N)
 
   bool Rises = false;   ///< whether E has risen since its last extreme
   bool HasPeak = false; ///< whether Peak is a maximum
   Instant Extreme;      ///< the highest or lowest E since it changed direction
   Instant Peak;         ///< the last maximum
-  double Low = 0.0;     ///< the last minimum of E in J
-  double Swing = 0.0;   ///< the last swing of E in J
+  double Low = 0.0;     ///< the last minimum of E (J)
+  double Swing = 0.0;   ///< the last swing of E (J)
 
   struct Cycle
   {
-    double Taken = 0.0; ///< energy taken in J
-    double Given = 0.0; ///< energy given back in J
+    double Taken = 0.0; ///< energy taken (J)
+    double Given = 0.0; ///< energy given back (J)
   };
   std::array<Cycle, Cycles> Row{}; ///< a ring buffer of the last cycles
   std::size_t Count = 0;
-  double Largest = 0.0; ///< the largest energy given back by a cycle of the row, in J
+  double Largest = 0.0; ///< the largest energy given back by a cycle of the row (J)
 };
 
 } // namespace VolumeHaptics

@@ -65,13 +65,13 @@ namespace VolumeHaptics
 /** A wanted force and the data by which its growth is limited. */
 struct GrowthInput
 {
-  Vector3 Wanted; ///< the wanted force in N
-  Vector3 Drag;   ///< purely dissipative part of Wanted in N, if it is known
-  Vector3 Tip;    ///< position of the tip in m
+  Vector3 Wanted; ///< the wanted force (N)
+  Vector3 Drag;   ///< purely dissipative part of Wanted (N), if it is known
+  Vector3 Tip;    ///< position of the tip (m)
   /** Whether the tip was measured since the last Apply, even if it did not move. */
   bool IsMeasured = false;
   double Share = 1.0;  ///< fraction of Wanted that may be sent, 0 to 1
-  double Growth = 0.0; ///< largest growth of the force over the last one, in N
+  double Growth = 0.0; ///< largest growth of the force over the last one (N)
   /** Largest energy (J) that the hand can get back from Wanted; negative if it is not known. */
   double Recoverable = -1.0;
 };
@@ -111,15 +111,15 @@ private:
   void BeginContact() noexcept;
   double ComputeMostShare() const noexcept;
 
-  Vector3 Source; ///< the wanted force without drag in N
+  Vector3 Source; ///< the wanted force without drag (N)
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
   double LeastShare = 1.0; ///< smallest s since the last measurement of the tip
   double MostShare = 1.0;  ///< largest s since the last measurement of the tip
   double LastShare = 1.0;  ///< s of the last tick
-  double Work = 0.0;       ///< work of the hand against W in J
-  double Unpaid = 0.0;     ///< Work - Paid in J; exactly 0 until some force is held back
+  double Work = 0.0;       ///< work of the hand against W (J)
+  double Unpaid = 0.0;     ///< Work - Paid (J); exactly 0 until some force is held back
   double Return = 0.0;     ///< part of Work (J) that the hand got back when the tip last moved
 };
 

@@ -70,12 +70,12 @@ private:
   bool Engaged = false;
   std::array<Measurement, Kept> Measurements{}; ///< a ring buffer
   std::size_t Count = 0;
-  double Time = 0.0;    ///< time of the last measurement in s
-  double Free = 0.0;    ///< time since the wall last pushed in s
-  double Taken = 0.0;   ///< energy that the damping has taken, in J
-  double Between = 0.0; ///< time between the last two measurements in s
-  double Span = 0.0;    ///< time over which the velocity is averaged in s
-  Vector3 Velocity;     ///< velocity of the tip in m/s
+  double Time = 0.0;    ///< time of the last measurement (s)
+  double Free = 0.0;    ///< time since the wall last pushed (s)
+  double Taken = 0.0;   ///< energy that the damping has taken (J)
+  double Between = 0.0; ///< time between the last two measurements (s)
+  double Span = 0.0;    ///< time over which the velocity is averaged (s)
+  Vector3 Velocity;     ///< velocity of the tip (m/s)
   Vector3 DampedSum;    ///< sum of the damping forces (N) of all ticks since the last measurement
   double DampedCount = 0.0;
 };

@@ -105,11 +105,11 @@ private:
   double SentCount = 0.0;
   double LargestForce = 0.0; ///< largest force (N) of the recent past
   double EarlierForce = 0.0; ///< force (N), smoothed over RiseTime
-  Vector3 Velocity;          ///< velocity of the tip in m/s
+  Vector3 Velocity;          ///< velocity of the tip (m/s)
   bool IsContact = false;
-  double Work = 0.0;         ///< see above, in J
-  double Excess = 0.0;       ///< see above, in J
-  double RisingExcess = 0.0; ///< Excess with gains only while the force rises, in J
+  double Work = 0.0;         ///< see above (J)
+  double Excess = 0.0;       ///< see above (J)
+  double RisingExcess = 0.0; ///< Excess with gains only while the force rises (J)
 };
 
 } // namespace VolumeHaptics

@@ -45,9 +45,9 @@ namespace VolumeHaptics
 struct SafetyLimits
 {
   double MaximumForce = 0.0;       ///< in N; with 0, no force is sent
-  double MaximumForceRate = 500.0; ///< fastest growth of the force in N/s
+  double MaximumForceRate = 500.0; ///< fastest growth of the force (N/s)
   double MaximumSpeed = 0.0;       ///< in m/s; 0 for no limit
-  double RampTime = 0.5;           ///< duration of the ramp after Arm in s
+  double RampTime = 0.5;           ///< duration of the ramp after Arm (s)
   double WatchdogTime = 0.03;      ///< time without samples (s) after which the force retreats
   /**
    * Time (s) for which the owner may be silent before the force fades out (ServoLoop::Attend); 0
@@ -55,28 +55,28 @@ struct SafetyLimits
    */
   double AttentionTime = 0.0;
   bool MovesTip = false;       ///< whether forces move the tip (DeviceLimits)
-  double MaximumDamping = 0.0; ///< largest damping that the device renders in N s/m; 0 for no limit
+  double MaximumDamping = 0.0; ///< largest damping that the device renders (N s/m); 0 for no limit
   double MaximumTorque = 0.0;  ///< in N m; with 0, no torque is sent (TorqueStage.h)
-  double MaximumTorqueRate = 20.0; ///< fastest growth of the torque in N m/s
+  double MaximumTorqueRate = 20.0; ///< fastest growth of the torque (N m/s)
 };
 
 /** The input of the stage in a tick. */
 struct SafetyInput
 {
-  Vector3 Force; ///< computed force in N
+  Vector3 Force; ///< computed force (N)
   /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
   double Stiffness = 0.0;
-  double Stretch = 0.0; ///< stretch of the spring in m; Force may be less than the spring's pull
-  Vector3 Drag;         ///< purely dissipative part of the force in N, if it is known
+  double Stretch = 0.0; ///< stretch of the spring (m); Force may be less than the spring's pull
+  Vector3 Drag;         ///< purely dissipative part of the force (N), if it is known
   /**
    * Work (J) of a moving surface on the spring that pulls the hand, assuming that the whole force
    * is sent.
    */
   double WallWork = 0.0;
   bool IsNew = false;   ///< whether the force has changed for a reason other than the tip's motion
-  Vector3 Tip;          ///< position of the tip in m
-  double Period = 1e-3; ///< nominal period in s, for the slew limit and the ramp
-  double Elapsed = 0.0; ///< measured time since the last tick in s
+  Vector3 Tip;          ///< position of the tip (m)
+  double Period = 1e-3; ///< nominal period (s), for the slew limit and the ramp
+  double Elapsed = 0.0; ///< measured time since the last tick (s)
   bool Fresh = false;   ///< whether the tip was measured for this tick
   bool Alive = false;   ///< whether the tip is known not to have moved (DeviceSample::Alive)
   /**
@@ -84,9 +84,9 @@ struct SafetyInput
    * clock. If it is not known (0), the stage uses the time since the last fresh tip.
    */
   double MotionTime = 0.0;
-  double RoundTrip = 0.0; ///< measured round trip in s; 0 if it is not known
+  double RoundTrip = 0.0; ///< measured round trip (s); 0 if it is not known
   bool Lost = false;      ///< whether the device is lost
-  Vector3 Torque; ///< computed torque in N m, which the stage only checks for finite numbers
+  Vector3 Torque;         ///< computed torque (N m), which the stage only checks for finite numbers
 };
 
 class SafetyStage
@@ -135,8 +135,8 @@ private:
   Vector3 LastCommand;    ///< in N
   double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;
-  double SampleAge = 0.0; ///< time since the last fresh sample in s
-  double Silence = 0.0;   ///< time since the last sign of the device in s
+  double SampleAge = 0.0; ///< time since the last fresh sample (s)
+  double Silence = 0.0;   ///< time since the last sign of the device (s)
   bool HasTip = false;
   bool Stale = false;
 };

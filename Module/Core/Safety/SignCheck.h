@@ -121,13 +121,13 @@ private:
 
   SignVerdict Verdict;
   unsigned Axes = 0;
-  double Most = 0.0; ///< largest force of a push in N
+  double Most = 0.0; ///< largest force of a push (N)
   Votes Tally[3];
   int Axis = 0;
   Phase Now = Phase::Rest;
-  double Time = 0.0;           ///< time since Begin in s
-  double Start = 0.0;          ///< time at which the phase began in s
-  double Duration = 0.0;       ///< duration of the push in s
+  double Time = 0.0;           ///< time since Begin (s)
+  double Start = 0.0;          ///< time at which the phase began (s)
+  double Duration = 0.0;       ///< duration of the push (s)
   double Clear = 0.0;          ///< distance (m) below which a trial is no vote
   double Farthest = 0.0;       ///< farthest signed distance (m) in the trial
   bool MustPushHarder = false; ///< whether the next push along this axis must be stronger

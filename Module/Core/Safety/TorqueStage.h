@@ -30,8 +30,8 @@ struct SafetyLimits;
 /** The input of the stage in a tick. */
 struct TorqueInput
 {
-  Vector3 Torque;          ///< computed torque in N m
-  double Stiffness = 0.0;  ///< stiffness of the torque's spring in N m/rad; 0 without a spring
+  Vector3 Torque;          ///< computed torque (N m)
+  double Stiffness = 0.0;  ///< stiffness of the torque's spring (N m/rad); 0 without a spring
   Quaternion Orientation;  ///< orientation of the stylus, a unit quaternion
   bool IsMeasured = false; ///< whether the orientation was measured for this tick
   double Period = 1e-3;    ///< period in s, for the limit of growth
@@ -48,7 +48,7 @@ private:
   void UpdateTurn(const Quaternion& orientation) noexcept;
 
   GrowthLimit Growth;
-  Vector3 Turned;  ///< sum of all small rotations in rad
+  Vector3 Turned;  ///< sum of all small rotations (rad)
   Quaternion Last; ///< the last measured orientation
 };
 

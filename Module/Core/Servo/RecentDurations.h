@@ -36,7 +36,7 @@ public:
   ///@}
 
   ///@{
-  /** Return the values in ns, or 0 until they are known. */
+  /** Return the values (ns), or 0 until they are known. */
   std::int64_t GetUpper() const noexcept { return this->Upper.load(std::memory_order_relaxed); }
   std::int64_t GetTypical() const noexcept { return this->Typical.load(std::memory_order_relaxed); }
   ///@}

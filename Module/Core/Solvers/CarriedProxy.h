@@ -41,9 +41,9 @@ namespace VolumeHaptics
 /** The volume at the proxy after the motion. */
 struct CarriedProxy
 {
-  Vector3 Shift;     ///< motion of the proxy with the material in m
-  Vector3 Motion;    ///< motion of the proxy by the level in m
-  double Work = 0.0; ///< work of the wall on the spring in J
+  Vector3 Shift;     ///< motion of the proxy with the material (m)
+  Vector3 Motion;    ///< motion of the proxy by the level (m)
+  double Work = 0.0; ///< work of the wall on the spring (J)
   /**
    * The surface through the proxy, with an ascending normal. None if the volume has not changed
    * there.

@@ -47,7 +47,7 @@ namespace VolumeHaptics
 /** The remainder of the forces before leaps, and the energy that pays for its changes. */
 struct ReleaseState
 {
-  Vector3 Force; ///< e, the remainder in N
+  Vector3 Force; ///< e, the remainder (N)
   /** k, the stiffness in N/m of the stiffest spring that has leapt; 0 if none has. */
   double Stiffness = 0.0;
   /** Energy in J that the hand has put in, in addition to the energy in the spring of g. */

@@ -50,8 +50,8 @@ struct ServoState : ToolStates
   ///@{
   /** Results of the last tick that CarriedProxy.h needs. */
   double CarriedTo = 0.0;       ///< data time of the last tick
-  double Stiffness = 0.0;       ///< stiffness k in N/m
-  double SurfaceStrength = 0.0; ///< surface strength T_N W_d in N
+  double Stiffness = 0.0;       ///< stiffness k (N/m)
+  double SurfaceStrength = 0.0; ///< surface strength T_N W_d (N)
   ///@}
 };
 

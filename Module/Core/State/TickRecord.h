@@ -31,8 +31,8 @@ struct TickRecord : MaterialPoint
   double DataTime = 0.0; ///< data time of the tick if the volume moves
   Vector3 Tip;
   Vector3 Proxy;  ///< the proxy after the tick
-  Vector3 Force;  ///< force on the hand in N
-  Vector3 Torque; ///< torque on the hand about the tip in N m, for a tool with a shape
+  Vector3 Force;  ///< force on the hand (N)
+  Vector3 Torque; ///< torque on the hand about the tip (N m), for a tool with a shape
   /// The rotation from the frame of a tool with a shape, whose origin is the proxy, to the device's
   /// axes. NoOrientation for any other tool.
   Quaternion ToolOrientation = NoOrientation;
@@ -46,12 +46,12 @@ struct TickRecord : MaterialPoint
   ///@{
   /** Members for ProxyRelease.h, which PRECISE sets. */
   bool MayLeap = false; ///< whether the force of a leap in this tick is spread over time
-  Vector3 ForceBefore;  ///< the law's force in the last tick in N
-  Vector3 Leap;         ///< change of Force by a leap of the proxy in N
+  Vector3 ForceBefore;  ///< the law's force in the last tick (N)
+  Vector3 Leap;         ///< change of Force by a leap of the proxy (N)
   /** Stiffness in N/m of the stiffer one of the springs before and after the leap. */
   double LeapStiffness = 0.0;
   ///@}
-  double Depth = 0.0;      ///< depth of a needle's insertion in m; 0 if it is not inserted
+  double Depth = 0.0;      ///< depth of a needle's insertion (m); 0 if it is not inserted
   double ShaftForce = 0.0; ///< the most force (N) that the tissue along the needle's shaft holds
   /** Volume (mm^3 in the hand's space) that a burr removed in this tick. */
   double RemovedVolume = 0.0;

@@ -26,7 +26,7 @@ struct DeviceOptions
 {
   std::string FirmwareFile;  ///< image of the firmware for a device that has none loaded
   double HomingTime = 120.0; ///< longest time in s for each step of homing
-  /** N along x and y when a stick's force is at full scale. */
+  /** Force (N) along x and y when a stick's force is at full scale. */
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 };
   /// Folders of plug-ins for vendors' libraries (VendorFolder.h). If empty, those in the
   /// environment variable are used.

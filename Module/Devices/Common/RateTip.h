@@ -18,10 +18,10 @@ namespace VolumeHaptics
 class RateTip
 {
 public:
-  static constexpr double FullSpeed = 0.1; ///< speed of the tip at a full push in m/s
-  /** Angular velocity of the view at a full rotation in rad/s. */
+  static constexpr double FullSpeed = 0.1; ///< speed of the tip at a full push (m/s)
+  /** Angular velocity of the view at a full rotation (rad/s). */
   static constexpr double FullTurn = 1.0;
-  static constexpr double Radius = 0.1; ///< radius of the ball in m
+  static constexpr double Radius = 0.1; ///< radius of the ball (m)
 
   /** Places the tip at the origin, at rest. */
   void Begin(HardwareExchange& exchange) noexcept;

@@ -88,7 +88,7 @@ private:
   FalconHoming Homing;
   FalconHomingState Told = FalconHomingState::Ready; ///< homing state that the condition shows
   FalconPose Pose;
-  double SincePose = 0.0; ///< time since Pose was reached in s
+  double SincePose = 0.0; ///< time since Pose was reached (s)
   int Missed = 0;         ///< number of consecutive packets without an answer
   bool IsStopped = false;
 };

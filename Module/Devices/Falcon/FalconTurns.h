@@ -75,7 +75,7 @@ private:
   Side Turn = Side::Host;
   int Owed = 0;           ///< number of answers that are still due
   int Doubts = 0;         ///< number of further rounds, at most, that drain the line
-  std::int64_t Since = 0; ///< time of the last packet or answer in ns
+  std::int64_t Since = 0; ///< time of the last packet or answer (ns)
 };
 
 } // namespace VolumeHaptics

@@ -62,7 +62,7 @@ struct HaplyArm
   std::string Handedness;                ///< "left" or "right", if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
-  std::optional<Vector3> Force;          ///< force that the service commands in N
+  std::optional<Vector3> Force;          ///< force that the service commands (N)
   std::optional<Quaternion> Orientation; ///< orientation of the arm's body
   std::optional<HaplyTransform> Transform;
   /** Whether the position or the transform contains null, which the service writes for NaN. */

@@ -35,10 +35,10 @@ struct HfabGeometry
 {
   const char* Name;
   bool IsLinkage;
-  std::array<double, 3> Capstan;        ///< diameters at the motors in m
-  std::array<double, 3> Body;           ///< diameters at the joints in m
+  std::array<double, 3> Capstan;        ///< diameters at the motors (m)
+  std::array<double, 3> Body;           ///< diameters at the joints (m)
   std::array<double, 3> Lengths;        ///< lengths of a serial arm in m: base, upper arm, forearm
-  Vector3 Origin;                       ///< origin of the tip's position in m
+  Vector3 Origin;                       ///< origin of the tip's position (m)
   std::array<double, 3> TorqueConstant; ///< in N m/A
   double CountsPerTurn;                 ///< encoder counts per revolution of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
@@ -52,7 +52,7 @@ struct HfabGeometry
 class HfabModel
 {
 public:
-  using Angles = std::array<double, 3>; ///< the angles A, B and C in rad
+  using Angles = std::array<double, 3>; ///< the angles A, B and C (rad)
   using Counts = std::array<int, 6>;    ///< encoder counts after calibration
 
   /**

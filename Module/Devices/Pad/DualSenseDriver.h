@@ -23,7 +23,7 @@ namespace VolumeHaptics
 class DualSenseDriver final : public HidDriver
 {
 public:
-  /** S between changes; the end of vibration is sent at once. */
+  /** Time (s) between changes; the end of vibration is sent at once. */
   static constexpr double SendPeriod = 0.01;
 
   /** @param number index of the device in the list of Find() */

@@ -24,7 +24,7 @@ double Compute(double level, double wanted, double elapsed) noexcept
 
 VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcept
 {
-  if (!(Norm(force) <= LargestForce)) // for NaN, too
+  if (!(Norm(force) <= LargestForce)) // true for NaN, too
   {
     this->Silence();
     return this->Levels;

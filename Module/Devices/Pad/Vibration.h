@@ -58,7 +58,7 @@ public:
   /** Time (s) for which a device that ends vibration by itself vibrates after the last report. */
   static constexpr double ReplayTime = 0.15;
   static constexpr double RenewTime = 0.05;
-  /** S between changes; the end of vibration is sent at once. */
+  /** Time (s) between changes; the end of vibration is sent at once. */
   static constexpr double SendPeriod = 0.01;
   ///@}
 

@@ -104,10 +104,10 @@ private:
   const PidDevice& Device;
   const PidSettings Settings;
   std::array<std::int64_t, 2> Blocks{};
-  std::array<double, 2> Ages{}; ///< time since the last start in s
+  std::array<double, 2> Ages{}; ///< time since the last start (s)
   /** Magnitudes that were sent last. */
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{};
-  double Silence = 0.0; ///< time since a report was sent in s
+  double Silence = 0.0; ///< time since a report was sent (s)
   int Turn = 0;         ///< axis to serve next
 };
 

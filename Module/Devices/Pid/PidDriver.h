@@ -66,7 +66,7 @@ class PidDriver final : public HidDriver
 {
 public:
   static constexpr double Travel = 0.05; ///< position of the tip in m at the end of an axis
-  /** Largest speed of a stick in m/s, which is its whole way in 20 ms. No hand is faster. */
+  /** Largest speed of a stick (m/s), which is its whole way in 20 ms. No hand is faster. */
   static constexpr double FastestStick = 5.0;
 
   /** Which devices an id means: all of them, or those of a vendor and product. */
@@ -138,7 +138,7 @@ private:
   int LastSize = 0;
   int Repeats = 0; ///< number of consecutive packets that equal the previous one
   std::int64_t LastPacketTime = 0;
-  std::int64_t LongestGap = 0; ///< longest gap before a repeated packet in ns
+  std::int64_t LongestGap = 0; ///< longest gap before a repeated packet (ns)
   std::int64_t LastRound = 0;
 };
 

@@ -61,7 +61,7 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
   return table;
 }
 
-constexpr int VendorRoundPause = 1; // longest time between two rounds in ms
+constexpr int VendorRoundPause = 1; // longest time between two rounds (ms)
 constexpr int VendorLostPause = 10; // in ms
 constexpr double Farthest = 10.;    // distance in m above which a position is not valid
 constexpr std::uint32_t AllAxes = 7;

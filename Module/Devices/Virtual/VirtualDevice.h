@@ -28,7 +28,7 @@ struct VirtualDynamics
 
   double Mass = 0.0;           ///< in kg; 0 for no dynamics
   double Damping = 0.0;        ///< in N s/m
-  double HandStiffness = 0.0;  ///< stiffness between the tip and its target in N/m
+  double HandStiffness = 0.0;  ///< stiffness between the tip and its target (N/m)
   double EncoderQuantum = 0.0; ///< quantum in m to which positions are rounded; 0 for no rounding
   int ForceDelay = 0;          ///< delay of the force in ticks, 0 to MaximumDelay
   double HandSpeed = 2.0;      ///< largest speed in m/s without dynamics
@@ -118,7 +118,7 @@ private:
   int QueueHead = 0;
   /** Simulated time in ns: one period for each tick, however late the ticks are. */
   std::int64_t Time = 0;
-  std::int64_t Period = 0; ///< period of the ticks in ns
+  std::int64_t Period = 0; ///< period of the ticks (ns)
   TakenForce Taken{ -1, 0 };
   Vector3 Target;
   /** The last Places that the servo has used; 0 if the stylus was never taken up. */

@@ -32,12 +32,12 @@ struct WoodenHapticsGeometry
   std::array<double, 3> Signs{ 1.0, 1.0, 1.0 };
   double CountsPerTurn = 2000.0;     ///< encoder counts per revolution of a motor
   double TorqueConstant = 0.0259;    ///< in N m/A
-  double Base = 0.080;               ///< Ln, height of the shoulder in m
+  double Base = 0.080;               ///< Ln, height of the shoulder (m)
   double UpperArm = 0.205;           ///< Lb in m
   double Forearm = 0.245;            ///< Lc in m
-  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< from the foot to the origin of the tip's position in m
+  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< from the foot to the origin of the tip's position (m)
   std::array<std::int16_t, 3> RestCounts{ 0, 0, 6000 }; ///< counts in the pose for calibration
-  double MaximumCurrent = 3.0;                          ///< largest current of each motor in A
+  double MaximumCurrent = 3.0;                          ///< largest current of each motor (A)
 };
 
 class WoodenHaptics

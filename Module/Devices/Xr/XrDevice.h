@@ -48,7 +48,7 @@ public:
 private:
   // Members that only the servo uses.
   Vibration Levels;
-  double Elapsed = 0.0; ///< time since the last Write() in s
+  double Elapsed = 0.0; ///< time since the last Write() (s)
 
   std::atomic<double> Largest{ 0.0 }; ///< largest amplitude since the last DrainAmplitude()
   std::atomic<std::int64_t> WrittenAt{ 0 };

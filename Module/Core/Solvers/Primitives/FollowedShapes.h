@@ -56,7 +56,7 @@ struct FollowedShape
 class FollowedShapes
 {
 public:
-  /** Keeps a reference to the model. Ignores the tip and the friction of surfaces. */
+  /** Stores a reference to the model. Ignores the tip and the friction of surfaces. */
   explicit FollowedShapes(const HapticModel& model);
   FollowedShapes(const FollowedShapes&) = delete;
   FollowedShapes& operator=(const FollowedShapes&) = delete;
@@ -97,7 +97,7 @@ private:
   bool FindStart(int mode, Vector3& place);
 
   const HapticModel& Model;
-  const double Voxel; ///< length of a voxel in m
+  const double Voxel; ///< length of a voxel (m)
   LabelMemory Memory;
   const ModeField Modes;
   PrimitiveSet Set;

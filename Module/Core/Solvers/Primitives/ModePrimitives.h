@@ -50,7 +50,7 @@ namespace VolumeHaptics
 class HapticModel;
 
 /**
- * The modes of a volume, in the order in which their primitives are added. Keeps references to the
+ * The modes of a volume, in the order in which their primitives are added. Stores references to the
  * modes.
  */
 class ModeField
@@ -72,7 +72,7 @@ public:
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
   /**
    * Makes a field of a model's modes, in their order. Friction and drag of a surface are those for
-   * a spring of stiffness k (N/m) to a tip (m). Keeps references to the model and the memory.
+   * a spring of stiffness k (N/m) to a tip (m). Stores references to the model and the memory.
    */
   ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 

@@ -36,7 +36,7 @@
 namespace VolumeHaptics
 {
 
-/** The primitives as a function of the place. Keeps only a pointer to the context. */
+/** The primitives as a function of the place. Stores only a pointer to the context. */
 struct PrimitiveField
 {
   /**
@@ -50,7 +50,7 @@ struct PrimitiveField
 struct PrimitiveMotion
 {
   Vector3 Proxy; ///< in m
-  Vector3 Force; ///< force on the hand in N
+  Vector3 Force; ///< force on the hand (N)
   int Steps = 0;
   bool IsUnfinished = false; ///< whether the tick took all its steps without reaching the balance
 };

@@ -56,7 +56,7 @@ namespace VolumeHaptics
 struct PrimitiveBalance
 {
   Vector3 Proxy;             ///< in m
-  Vector3 Force;             ///< force on the hand in N
+  Vector3 Force;             ///< force on the hand (N)
   int Sweeps = 0;            ///< number of sweeps, including the evaluations of the multipliers
   bool IsUnfinished = false; ///< whether the descent used all its sweeps without converging
 };

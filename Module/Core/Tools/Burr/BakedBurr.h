@@ -74,7 +74,7 @@ public:
   const Polyline SpecificEnergyLine; ///< U as in the description
   const SpecificEnergyTable SpecificEnergy;
   const double RimSpeed;  ///< speed v of the rim in world units per second
-  const double Frequency; ///< frequency of the vibration in Hz, at most MostFrequency
+  const double Frequency; ///< frequency of the vibration (Hz), at most MostFrequency
 
   static constexpr double MostFrequency = 250.0;
 };

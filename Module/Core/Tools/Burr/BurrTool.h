@@ -50,7 +50,7 @@ struct BurrHand
 {
   Vector3 Position; ///< position in m
   bool IsSpinning = false;
-  double Step = 0.0; ///< time since the last tick in s; with 0, nothing is removed
+  double Step = 0.0; ///< time since the last tick (s); with 0, nothing is removed
 };
 
 /** Memory of a burr between ticks. A larger tool needs more of it. */
@@ -64,8 +64,8 @@ struct BurrMemory
 struct BurrRecord
 {
   ShellRecord Shell;
-  Vector3 Force;              ///< force on the hand with the vibration, in N
-  double Energy = 0.0;        ///< energy spent on removal in J
+  Vector3 Force;              ///< force on the hand with the vibration (N)
+  double Energy = 0.0;        ///< energy spent on removal (J)
   double RemovedVolume = 0.0; ///< in mm^3
   std::size_t Work = 0; ///< work of the removal; less than MostBurrWork plus the work of one brick
   bool IsUnfinished = false; ///< whether the head has moved farther than tissue could be removed

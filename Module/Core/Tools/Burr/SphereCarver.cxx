@@ -71,9 +71,9 @@ struct SphereCarver::Sphere
    * Whether there is a sphere around From, so that samples that are nearer to From do not change.
    */
   bool HasFrom;
-  Vector3 Way;   ///< from From to Centre in m
-  double Middle; ///< distance from Centre to the middle between From and Centre, along Way, in m^2
-  double BrickRadius; ///< distance from a brick's middle to its farthest corner in m
+  Vector3 Way;   ///< from From to Centre (m)
+  double Middle; ///< distance from Centre to the middle between From and Centre, along Way (m^2)
+  double BrickRadius; ///< distance from a brick's middle to its farthest corner (m)
   CarvedBox Box;      ///< the resident samples in reach
   CarvedBox Bricks;   ///< all samples in reach, resident or not
 };

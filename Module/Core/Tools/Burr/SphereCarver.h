@@ -61,7 +61,7 @@ struct CarvingPart
 struct CarvingCost
 {
   double Energy = 0.0;     ///< in J
-  double Volume = 0.0;     ///< volume of solid tissue in mm^3
+  double Volume = 0.0;     ///< volume of solid tissue (mm^3)
   std::size_t Work = 0;    ///< measure of time; 1 for a row of samples that does not change
   std::size_t Changes = 0; ///< number of rows of samples that change
   /** Index of the brick with which the next part begins; 0 if the sphere is complete. */
@@ -131,10 +131,10 @@ private:
 
   VolumeView View; ///< the volume; Data points to its first sample
   Affine3 ToIndex;
-  Vector3 Step[3]; ///< index step along each axis in m
+  Vector3 Step[3]; ///< index step along each axis (m)
   double Voxel = 0.0;
-  double Longest = 0.0; ///< longest side of a voxel in m
-  double Volume = 0.0;  ///< volume of a voxel in mm^3
+  double Longest = 0.0; ///< longest side of a voxel (m)
+  double Volume = 0.0;  ///< volume of a voxel (mm^3)
   /** Distance of the farthest change from the sphere's surface, in widths of the ramp. */
   double Reach = 1.0;
   double Air = 0.0; ///< value of a sample without tissue

@@ -21,7 +21,7 @@ constexpr double BreakFraction = 1e-3;
  * still holds.
  */
 constexpr double MostPushed = 2.0;
-constexpr double SmallestLag = 1e-9; // smallest lag in m
+constexpr double SmallestLag = 1e-9; // smallest lag (m)
 /** Least fraction of its strength at which a surface gives way. */
 constexpr double WholeFraction = 0.99;
 /** Length (m) of the hand's motion over which its direction is averaged. */
@@ -79,9 +79,9 @@ void Begin(ServoState& state, const Vector3& entry, const Vector3& axis, const V
 struct HeldAt
 {
   Vector3 Normal;        ///< unit vector into the structure; 0 if no surface holds
-  double Push = 0.0;     ///< push of the spring against the surface in N
+  double Push = 0.0;     ///< push of the spring against the surface (N)
   NeedleTissue Behind;   ///< the tissue of the surface; only read if there is a push
-  double Strength = 0.0; ///< T W_d in N
+  double Strength = 0.0; ///< T W_d (N)
   bool IsWhole() const noexcept
   {
     // With a label behind it, the surface holds with the label's whole strength, whatever W_d is.

@@ -23,7 +23,7 @@ inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
 /** The tissue at a place. */
 struct NeedleTissue
 {
-  double Cutting = 0.0; ///< cutting force R in N
+  double Cutting = 0.0; ///< cutting force R (N)
   double Shaft = 0.0;   ///< friction tau in N per metre
   double Value = 0.0;   ///< value of the scalars
   std::int64_t Label = NoLabel;

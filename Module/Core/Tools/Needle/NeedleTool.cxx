@@ -299,11 +299,11 @@ private:
   const double Stiffness;
   const double LateralStrength;
   const Vector3 Axis;
-  const double KernelLength; ///< length of the kernel along the axis in m
+  const double KernelLength; ///< length of the kernel along the axis (m)
   double Step = 0.0;
   NeedleTissue Here;     ///< tissue at the tip
   double Strength = 0.0; ///< strength (N) of the boundary or surface that holds the tip
-  double Moved = 0.0;    ///< length moved forward in m
+  double Moved = 0.0;    ///< length moved forward (m)
   bool IsStopped = false;
   bool IsUnfinished = false;
 };

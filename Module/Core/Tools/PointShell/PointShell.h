@@ -30,10 +30,10 @@ struct ShellSettings
 {
   double Level = 0.0;               ///< V_c, the level of contact
   bool IsBelow = false;             ///< whether values below the level are solid
-  double ContactArea = 2.5e-5;      ///< area to which materials refer, in m^2
-  double CouplingStiffness = 500.0; ///< stiffness between hand and tool in N/m
-  double TurningStiffness = 0.5;    ///< stiffness against rotation between hand and tool in N m/rad
-  double Scale = 1.0;               ///< length of the shell's unit in m
+  double ContactArea = 2.5e-5;      ///< area to which materials refer (m^2)
+  double CouplingStiffness = 500.0; ///< stiffness between hand and tool (N/m)
+  double TurningStiffness = 0.5;    ///< stiffness against rotation between hand and tool (N m/rad)
+  double Scale = 1.0;               ///< length of the shell's unit (m)
 };
 
 /** A block of 64 neighbouring points. The last block may have fewer. */

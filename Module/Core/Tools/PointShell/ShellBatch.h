@@ -24,8 +24,8 @@ namespace VolumeHaptics
  */
 struct ShellContact
 {
-  Vector3 Offset;   ///< vector from the foot to the point, along the device's axes, in m
-  double Depth;     ///< length of Offset in m
+  Vector3 Offset;   ///< vector from the foot to the point, along the device's axes (m)
+  double Depth;     ///< length of Offset (m)
   double Energy;    ///< in J
   double Stretch;   ///< u in m
   double Stiffness; ///< stiffness (N/m^3) with which the contact was computed
@@ -77,7 +77,7 @@ struct ShellBatch
   double Was[Most];       ///< ShellContact::Depth of Before
   double Place[3][Most];  ///< index of the known foot
   double Index[3][Most];  ///< index of the point
-  double Arm[3][Most];    ///< vector from the tool's origin along the device's axes in m
+  double Arm[3][Most];    ///< vector from the tool's origin along the device's axes (m)
   ///@}
   ///@{
   /** Results, which may be NaN. */
@@ -86,8 +86,8 @@ struct ShellBatch
   double Cell[3][Most];     ///< derivatives in the cell of Place, per index step
   double Normal[3][Most];   ///< n, a unit vector along the device's axes into the solid side
   double Magnitude[Most];   ///< magnitude of the gradient per world unit
-  double Beyond[Most];      ///< distance of Place beyond the level in m
-  double Depth[Most];       ///< depth of the point in m
+  double Beyond[Most];      ///< distance of Place beyond the level (m)
+  double Depth[Most];       ///< depth of the point (m)
   double Foot[3][Most];     ///< index of the foot
   double Behind[3][Most];   ///< index of the place a kernel length behind the foot
   ///@}
@@ -111,7 +111,7 @@ struct ShellPushes
   static constexpr std::size_t Most = 128;
 
   std::size_t Count = 0;
-  double Wrench[6][Most]; ///< wrench of 1 N along the normal n: n, and arm x n in m
+  double Wrench[6][Most]; ///< wrench of 1 N along the normal n: n, and arm x n (m)
   double Force[Most];     ///< in N
   double Stiffness[Most]; ///< in N/m
 };
@@ -131,7 +131,7 @@ struct ShellLaw
   double SquareMeters;     ///< area (m^2) of a unit of ShellBatch::Area
   double InverseRadius;    ///< 1 divided by the kernel's radius (voxels)
   double Fraction;         ///< fraction of their energies that the earlier contacts keep
-  double FarthestFollowed; ///< limit of ShellBatch::Beyond in m
+  double FarthestFollowed; ///< limit of ShellBatch::Beyond (m)
   bool IsStart;            ///< whether contacts begin without energy, whatever their depth
 };
 

@@ -72,8 +72,8 @@ struct ShellClearance
   std::vector<char> IsClear;
   ///@{
   /**
-   * Voxels per unit of value around each block, computed as if no tissue were removed
-   * (ShellMarking).
+   * Least number of voxels over which the value around each block changes by 1, as if no tissue
+   * were removed (ShellMarking).
    */
   std::vector<double> PerValue;
   std::vector<std::uint64_t> Marks;
@@ -97,7 +97,7 @@ struct ShellContacts
 };
 
 /**
- * Computes the contacts at a pose from those at a pose nearby. Keeps references to all its
+ * Computes the contacts at a pose from those at a pose nearby. Stores references to all its
  * arguments.
  */
 class ShellContactFinder
@@ -139,8 +139,8 @@ private:
   const PointShell& Shell;
   const ShellSettings& Settings;
   const ShellReader Reader;
-  const double Voxel; ///< smallest spacing in m
-  const double Scale; ///< length of the shell's unit in m
+  const double Voxel; ///< smallest spacing (m)
+  const double Scale; ///< length of the shell's unit (m)
   const ShellFrame Frame;
   /** Converts slopes along the axes to the slope per voxel: xx, yy, zz, xy, yz, zx. */
   double Steepness[6];

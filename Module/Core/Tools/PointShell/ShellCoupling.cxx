@@ -53,8 +53,8 @@ struct Coupling
   struct Pull
   {
     double Energy;
-    Vector3 Force;  ///< force on the hand in N
-    Vector3 Torque; ///< torque on the hand in N m
+    Vector3 Force;  ///< force on the hand (N)
+    Vector3 Torque; ///< torque on the hand (N m)
   };
   Pull At(const ShellPose& tool, const ShellPose& hand) const noexcept
   {

@@ -79,10 +79,10 @@ struct ShellRecord
 {
   ShellPose Hand;
   ShellPose Tool;
-  Vector3 Force;              ///< force on the hand in N
-  Vector3 Torque;             ///< torque on the hand about the tool's origin in N m
-  double Stiffness = 0.0;     ///< stiffness of the coupling in N/m
-  double Energy = 0.0;        ///< energy in the contacts in J
+  Vector3 Force;              ///< force on the hand (N)
+  Vector3 Torque;             ///< torque on the hand about the tool's origin (N m)
+  double Stiffness = 0.0;     ///< stiffness of the coupling (N/m)
+  double Energy = 0.0;        ///< energy in the contacts (J)
   std::uint32_t Contacts = 0; ///< number of pressed points
   std::uint32_t Yielding = 0; ///< number of points at the limit of their material
   std::uint32_t Looks = 0;    ///< number of poses at which the volume was read at all points

@@ -20,7 +20,9 @@
 namespace VolumeHaptics
 {
 
-/** The volume to read, and the level beyond which it is solid. Keeps only a view of the samples. */
+/**
+ * The volume to read, and the level beyond which it is solid. Stores only a view of the samples.
+ */
 struct ShellReading
 {
   FieldView View;                       ///< the samples, without a kernel
