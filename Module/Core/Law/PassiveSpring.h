@@ -56,7 +56,7 @@ struct PassiveSpring
       this->Reserve -= gained;
       return;
     }
-    // As far as the reserve pays for it, the stretch stays, and beyond that the force.
+    // Keep the stretch as far as the reserve pays for it. Beyond that, keep the force.
     const double paid = before + 2.0 * this->Reserve / (stretch * stretch);
     this->Tension *= paid / stiffness;
     this->Reserve = 0.0;

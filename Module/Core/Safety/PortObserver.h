@@ -107,8 +107,8 @@ private:
   double EarlierForce = 0.0; ///< force (N), smoothed over RiseTime
   Vector3 Velocity;          ///< velocity of the tip (m/s)
   bool IsContact = false;
-  double Work = 0.0;         ///< see above (J)
-  double Excess = 0.0;       ///< see above (J)
+  double Work = 0.0;         ///< Work (J), as explained above
+  double Excess = 0.0;       ///< Excess (J), as explained above
   double RisingExcess = 0.0; ///< Excess with gains only while the force rises (J)
 };
 

@@ -256,7 +256,7 @@ bool GuardProcess::End(std::string& how)
     {
       result = waitpid(this->Process, &status, 0);
     } while (result < 0 && errno == EINTR);
-    // The program may have set that the system discards the status, or may have read it itself.
+    // The program may have told the system to discard the status, or may have read it itself.
     isWell = result != this->Process || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
     if (!isWell)
     {
