@@ -14,6 +14,8 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <string>
