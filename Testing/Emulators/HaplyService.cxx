@@ -148,6 +148,14 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
+  /// The view of a session that has configured nothing yet.
+  HaplyView MakeView() const
+  {
+    HaplyView view;
+    view.Preset = this->Shape.Preset;
+    view.Basis = this->Shape.Basis;
+    return view;
+  }
   std::string MakeMessage(bool hasConfig, const HaplyView& view, std::size_t number = 0)
   {
     return this->Arms.MakeMessage(
@@ -173,7 +181,7 @@ struct HaplyService::Server
       const std::lock_guard<std::mutex> lock(this->Mutex);
       session = this->Sessions.size();
       this->Sessions.emplace_back();
-      inventory = this->MakeMessage(true, { false, this->Shape.Basis });
+      inventory = this->MakeMessage(true, this->MakeView());
     }
     try
     {
@@ -189,14 +197,15 @@ struct HaplyService::Server
   }
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
-    HaplyView view{ false, this->Shape.Basis };
+    HaplyView view = this->MakeView();
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);
       const std::string text = beast::buffers_to_string(buffer.data());
       std::unique_lock<std::mutex> lock(this->Mutex);
       this->Receive(text, session, view);
-      std::string state = this->MakeMessage(false, view, this->Sessions[session].Forces.size());
+      std::string state =
+        this->MakeMessage(view.IsWhole, view, this->Sessions[session].Forces.size());
       const HaplyFault fault = this->Arms.Fault;
       lock.unlock();
       if (fault == HaplyFault::Slow)
@@ -233,10 +242,16 @@ struct HaplyService::Server
       ++session.Refused;
       return;
     }
-    const Json::json_pointer preset(arm + "/configure/preset");
+    // An object, even for one name: a bare string is not taken.
+    const Json::json_pointer preset(arm + "/configure/preset/preset");
     const Json::json_pointer basis("/session/configure/basis/permutation");
-    view.IsCentred = view.IsCentred ||
-      (this->Arms.IsNew() && message.contains(preset) && message[preset] == "arm_front_centered");
+    if (this->Arms.IsNew() && this->Shape.TakesPresets && message.contains(preset) &&
+      message[preset].is_string())
+    {
+      view.Preset = message[preset].get<std::string>();
+    }
+    view.IsWhole = this->Arms.IsNew() && this->Shape.TellsConfig &&
+      message.contains(Json::json_pointer("/session/force_render_full_state"));
     if (this->Arms.IsNew() && message.contains(basis))
     {
       view.Basis = message[basis].get<std::string>();
@@ -266,7 +281,7 @@ struct HaplyService::Server
     else if (target == this->Prefix() + "/devices" && this->Shape.HasDeviceList)
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      body = this->MakeMessage(true, {});
+      body = this->MakeMessage(true, this->MakeView());
     }
     if (hasHttp && !body.empty())
     {

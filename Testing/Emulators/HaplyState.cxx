@@ -191,10 +191,16 @@ HaplyState::Members HaplyState::MakeArm(
   Members arm;
   if (hasConfig)
   {
-    arm.emplace_back("config",
-      write.Object({ { "type", "\"" + this->Shape.Type + "\"" }, { "port", "\"COM12\"" },
-        { "device_info", "{\"major_version\":7,\"minor_version\":4,\"id\":\"049D\"}" },
-        { "handedness", "\"right\"" } }));
+    Members config{ { "type", "\"" + this->Shape.Type + "\"" }, { "port", "\"COM12\"" },
+      { "device_info", "{\"major_version\":7,\"minor_version\":4,\"id\":\"049D\"}" },
+      { "handedness", "\"right\"" } };
+    if (this->IsNew())
+    {
+      config.insert(config.end(),
+        { { "preset", "\"" + view.Preset + "\"" },
+          { "basis", R"({"permutation":")" + view.Basis + "\"}" } });
+    }
+    arm.emplace_back("config", write.Object(config));
   }
   arm.emplace_back("state", write.Object(state));
   // Always tell flags, or omit all false ones: the documentation states no default for a missing
@@ -222,9 +228,10 @@ std::string HaplyState::MakeMessage(bool hasConfig, const HaplyView& view,
   this->Step();
   const Writer write(this->Shape);
   Triple tip = this->Hand.Tip;
+  const bool isCentred = this->IsNew() && view.Preset == "arm_front_centered";
   for (int a = 0; a < 3; ++a)
   {
-    tip[a] += this->Offset[a] + (view.IsCentred ? 0.0 : BaseToMiddle[a]);
+    tip[a] += this->Offset[a] + (isCentred ? 0.0 : BaseToMiddle[a]);
   }
   tip[0] += static_cast<double>(number) * this->Shape.NumberScale;
   std::vector<std::pair<std::string, Members>> arms{ { Other,

@@ -38,6 +38,10 @@ struct HaplyShape
   std::string Basis = "XYZ";
   /** Sets a position's x (m) to this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
+  /** The preset of a session that names none. */
+  std::string Preset = "defaults";
+  bool TakesPresets = true; ///< else a session keeps the preset that it has
+  bool TellsConfig = true;  ///< a full state, which a session asks for, has the configuration
   std::string VersionNotes; ///< JSON sent with the version
 };
 
@@ -57,7 +61,8 @@ enum class HaplyFault
 /// The axes of a session's vectors.
 struct HaplyView
 {
-  bool IsCentred = false; ///< else relative to the arm's base
+  std::string Preset = "defaults"; ///< sets the origin: the arm's base, or the workspace's centre
+  bool IsWhole = false;            ///< the next state has the configuration, too
   /// "YZX": the session's x is Haply's y, its y Haply's z, and its z Haply's x; a minus before a
   /// letter reverses that axis.
   std::string Basis = "XYZ";

@@ -31,7 +31,15 @@ constexpr int MostStates = 1000; // limit of the queued states, which are some s
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
 constexpr const char* AskForReady = "is not ready: look at its light and its power.";
+constexpr const char* AskForOrigin =
+  "does not tell where its origin is: update Haply's Inverse service, and start it again.";
 constexpr const char* AfterLoss = " Home() and Arm() again.";
+
+/** Returns whether a preset has the arm in front, and so Haply's own axes. */
+bool IsForward(const std::string& preset)
+{
+  return preset == HaplyCentredPreset || preset == "defaults" || preset == "arm_front";
+}
 
 } // namespace
 
@@ -116,6 +124,8 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
   this->CopyFlags(*arm);
   this->Settled = this->EmptyWaits = 0;
   this->Transform = {};
+  this->Preset.clear();
+  this->Untold = 0;
   this->Note.clear();
   this->Request = nullptr;
   this->ToldAt = this->SentAt = ServoClock::Now();
@@ -239,7 +249,8 @@ void HaplyDriver::Send(const Vector3& force)
   const Vector3 limited = ClampNorm(force, this->GetLimits().MaximumForce);
   ++this->Awaited;
   this->SentAt = ServoClock::Now();
-  this->States.Send(WriteHaplyForce(this->Address, FromDevice(limited)), SendTime);
+  const bool asksForAll = this->Address.Version.IsNew() && !this->IsReady;
+  this->States.Send(WriteHaplyForce(this->Address, FromDevice(limited), asksForAll), SendTime);
 }
 
 void HaplyDriver::ReceiveStates(HardwareExchange& exchange)
@@ -303,13 +314,23 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   {
     return;
   }
-  const Vector3 origin = this->Address.Version.IsNew() ? Vector3{} : Centre;
+  const bool isNewPreset = !arm.Preset.empty() && arm.Preset != this->Preset;
+  this->Preset = isNewPreset ? arm.Preset : this->Preset;
+  if (!this->KnowsOrigin())
+  {
+    ++this->Untold;
+    this->EmptyWaits = 0;
+    this->ToldAt = ServoClock::Now();
+    return this->UpdateStatus(exchange, arm);
+  }
+  this->Untold = 0;
+  const Vector3 origin = this->Preset == HaplyCentredPreset ? Vector3{} : Centre;
   const Vector3 tip = ToDevice(*arm.Position - origin);
   const double farthest =
     FarthestStep + this->GetLimits().MaximumSpeed * ServoClock::SecondsSince(this->ToldAt);
   const bool hasStepped = this->HasTip && Norm(tip - this->Tip) > farthest;
   const HaplyTransform transform = arm.Transform.value_or(this->Transform);
-  const bool isMoved = !transform.IsNear(this->Transform);
+  const bool isMoved = isNewPreset || !transform.IsNear(this->Transform);
   this->Settled = hasStepped || isMoved ? 0 : std::min(this->Settled + 1, SettledStates);
   this->Tip = tip;
   this->HasTip = true;
@@ -333,6 +354,11 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   this->CopyGrips(sample);
   exchange.Report(sample);
   this->UpdateStatus(exchange, arm);
+}
+
+bool HaplyDriver::KnowsOrigin() const noexcept
+{
+  return !this->Address.Version.IsNew() || !this->Preset.empty();
 }
 
 void HaplyDriver::CopyGrips(DeviceSample& sample) const
@@ -368,7 +394,10 @@ void HaplyDriver::UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm)
       std::string(isCalibrated ? "is not ready any more." : "has lost its calibration.") +
         AfterLoss);
   }
-  const char* const request = !isCalibrated ? AskForCalibration : !isReady ? AskForReady : nullptr;
+  const char* const request = !isCalibrated ? AskForCalibration
+    : !isReady                              ? AskForReady
+    : this->Untold > SettledStates          ? AskForOrigin
+                                            : nullptr;
   if (request != nullptr && request != this->Request)
   {
     this->Report(exchange, DeviceStage::Homing, request);
@@ -376,6 +405,12 @@ void HaplyDriver::UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm)
   this->Request = request;
   if (request == nullptr && this->Settled == SettledStates && !this->IsReady)
   {
+    if (this->Address.Version.IsNew() && !IsForward(this->Preset))
+    {
+      return this->Lose(exchange,
+        "has the preset " + this->Preset + ", whose axes are not known here. Choose " +
+          HaplyCentredPreset + " in Haply's Hub." + AfterLoss);
+    }
     this->IsReady = true;
     this->Report(exchange, DeviceStage::Ready, "");
   }

@@ -21,8 +21,10 @@
  * 06. Stiffness and speed are those of WoodenHaptics, a device of the same size. Not verified on a
  * device.
  *
- * With a service of version 3.5 or later, the session's origin is the middle of the workspace. With
- * an earlier one it is a fixed place in front of the arm's base.
+ * A service of 3.5 or later is asked to put the session's origin into the middle of the workspace,
+ * and reports which preset it has taken: messages request that until the arm is ready. Presets with
+ * the origin at the arm's base, and services before 3.5, have the middle at a fixed place; presets
+ * with other axes are refused.
  */
 #ifndef HaplyDriver_h
 #define HaplyDriver_h
@@ -54,7 +56,7 @@ public:
    * the origin, which causes such a step.
    */
   static constexpr int SettledStates = 50;
-  /** Origin along Haply's axes (m) for services without presets. */
+  /** The middle of the workspace in Haply's axes (m) if the origin is the arm's base. */
   static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
 
   /**
@@ -85,6 +87,8 @@ private:
   void Send(const Vector3& force);
   void ReceiveStates(HardwareExchange& exchange);
   void ReceiveState(HardwareExchange& exchange, const HaplyArm& arm);
+  /** Returns whether the service reports where the origin is, or has it at the arm's base. */
+  bool KnowsOrigin() const noexcept;
   void CopyGrips(DeviceSample& sample) const;
   void ReceiveEvents(HardwareExchange& exchange);
   /** Copies the flags of the arm. A flag that the message omits keeps its value. */
@@ -132,6 +136,8 @@ private:
   Vector3 Tip;     ///< last position along the device's axes
   bool HasTip = false;
   HaplyTransform Transform;      ///< transform that was received last
+  std::string Preset;            ///< preset that was received last in this session
+  int Untold = 0;                ///< number of states before the first one with a preset
   std::string Note;              ///< last warning of the service
   const char* Request = nullptr; ///< last request to the hand
 };

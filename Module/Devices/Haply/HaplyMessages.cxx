@@ -30,8 +30,8 @@ constexpr double TransformTolerance = 1e-5;
 
 /** Name of the session in Haply's Hub, in the form that the documentation recommends. */
 constexpr const char* Profile = "org.vtk.volumehaptics:touch";
-/** Name of the preset that moves the origin to the middle of the workspace. */
-constexpr const char* Preset = "arm_front_centered";
+/** The session's request for a full state. */
+constexpr const char* FullState = "force_render_full_state";
 
 const Json Nothing;
 
@@ -125,6 +125,9 @@ HaplyArm ReadArm(const Json& device, const char* family)
   arm.Type = Text(config, "type");
   arm.Type = arm.Type.empty() ? family : arm.Type;
   arm.Handedness = Text(config, "handedness");
+  // A name; an object with the name where it is set.
+  arm.Preset = Text(config, "preset");
+  arm.Preset = arm.Preset.empty() ? Text(At(config, "preset"), "preset") : arm.Preset;
   arm.Position = Told<Vector3>(state, "cursor_position");
   arm.Velocity = Told<Vector3>(state, "cursor_velocity");
   arm.Force = Told<Vector3>(state, "current_cursor_force");
@@ -237,6 +240,8 @@ std::string Dump(const Json& message)
 
 } // namespace
 
+const char* const HaplyCentredPreset = "arm_front_centered";
+
 bool HaplyTransform::IsScaled() const noexcept
 {
   return !(Norm(this->Scale - Vector3{ 1.0, 1.0, 1.0 }) < TransformTolerance);
@@ -327,9 +332,13 @@ const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version)
   return NoVersion;
 }
 
-std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force)
+std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force, bool asksForAll)
 {
-  const Json message = { { address.Family, Json::array({ MakeForce(address, force) }) } };
+  Json message = { { address.Family, Json::array({ MakeForce(address, force) }) } };
+  if (asksForAll)
+  {
+    message["session"][FullState] = Json::object();
+  }
   return Dump(message);
 }
 
@@ -340,10 +349,13 @@ std::string WriteHaplyGreeting(const HaplyAddress& address)
     return WriteHaplyForce(address, {});
   }
   Json arm = MakeForce(address, {});
-  arm["configure"] = { { "preset", Preset } };
+  arm["configure"] = { { "preset", { { "preset", HaplyCentredPreset } } } };
   Json message = { { address.Family, Json::array({ arm }) } };
-  message["session"] = { { "configure",
-    { { "profile", { { "name", Profile } } }, { "basis", { { "permutation", "XYZ" } } } } } };
+  message["session"] = {
+    { "configure",
+      { { "profile", { { "name", Profile } } }, { "basis", { { "permutation", "XYZ" } } } } },
+    { FullState, Json::object() }
+  };
   return Dump(message);
 }
 

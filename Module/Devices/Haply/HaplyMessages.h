@@ -5,8 +5,9 @@
  * The messages of Haply's Inverse service, without a connection.
  *
  * Written from Haply's public documentation (docs.haply.co/inverseSDK, version 3.5: "WebSocket
- * Protocol", "Simulation Channel", "Control Commands", "Common Types", "Basis Permutation", "Events
- * & Monitoring", "HTTP", tutorials 00 to 06; and "Haply Inverse Service" of 3.0 and 3.1).
+ * Protocol", "Simulation Channel", "Device Configuration", "Mount & Workspace", "Control Commands",
+ * "Common Types", "Basis Permutation", "Events & Monitoring", "HTTP", tutorials 00 to 06; and "Haply
+ * Inverse Service" of 3.0 and 3.1).
  *
  * The service answers each message with one message. Fields come in any order. A field that has its
  * default may be missing: a number is then 0, the w of an orientation 1, a button not pressed. A
@@ -60,6 +61,7 @@ struct HaplyArm
   std::string Id;
   std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if reported
   std::string Handedness;                ///< "left" or "right", if reported
+  std::string Preset;                    ///< the name of its preset, if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
   std::optional<Vector3> Force;          ///< force that the service commands (N)
@@ -138,12 +140,19 @@ struct HaplyAddress
   std::string Id;
 };
 
-/** Writes the message that sets a force (N, along Haply's axes) and requests a state. */
-std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
+/** The preset that the greeting sets: the origin is the middle of the workspace. */
+extern const char* const HaplyCentredPreset;
+
+/**
+ * Writes the message that sets a force (N, in Haply's axes) and requests a state; a full one, which
+ * has the configuration, too, on demand.
+ */
+std::string WriteHaplyForce(
+  const HaplyAddress& address, const Vector3& force, bool asksForAll = false);
 /**
  * Writes the first message, which has no force. For version 3.5 and later, it also sets the
  * session's profile, Haply's own axes and the arm's origin, because the user may have changed axes
- * and origin in Haply's Hub.
+ * and origin in Haply's Hub. It also requests a full state, which reports the preset in use.
  */
 std::string WriteHaplyGreeting(const HaplyAddress& address);
 

@@ -288,7 +288,9 @@ TEST(HaplyMessages, ForcesAreWrittenAsEachVersionTakesThem)
   EXPECT_NE(
     greeting.find(R"("session":{"configure":{"basis":{"permutation":"XYZ"},)"), std::string::npos)
     << greeting;
-  EXPECT_NE(greeting.find(R"("configure":{"preset":"arm_front_centered"})"), std::string::npos);
+  EXPECT_NE(
+    greeting.find(R"("configure":{"preset":{"preset":"arm_front_centered"}})"), std::string::npos)
+    << greeting;
   EXPECT_NE(greeting.find(R"("vector":{"x":0.0,"y":0.0,"z":0.0})"), std::string::npos);
   const HaplyAddress old{ { 3, 1 }, "inverse3", "049D" };
   EXPECT_EQ(WriteHaplyGreeting(old), WriteHaplyForce(old, {}));

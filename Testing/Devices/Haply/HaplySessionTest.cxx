@@ -221,3 +221,36 @@ TEST_F(HaplySessions, TwoClientsEachHaveAnArm)
   EXPECT_EQ(sessions[1].Arm, HaplyService::Other);
   EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "still";
 }
+
+TEST_F(HaplySessions, APresetThatIsNotTakenLeavesTheOriginAtTheBase)
+{
+  for (const char* const preset : { "defaults", "arm_front" })
+  {
+    HaplyShape shape;
+    shape.TakesPresets = false;
+    shape.Preset = preset;
+    ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape)) << preset;
+  }
+}
+
+TEST_F(HaplySessions, APresetOfUnknownAxesIsRefusedWithItsCure)
+{
+  HaplyShape shape;
+  shape.TakesPresets = false;
+  shape.Preset = "led_front_centered";
+  this->Serve(shape);
+  ASSERT_TRUE(this->Bench.Open("haply")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("has the preset led_front_centered")) << this->Bench.Text();
+  EXPECT_TRUE(Has(this->Bench.Text(), "Choose arm_front_centered")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+}
+
+TEST_F(HaplySessions, AnOriginThatIsNotToldKeepsTheArmFromBeingReady)
+{
+  HaplyShape shape;
+  shape.TellsConfig = false;
+  this->Serve(shape);
+  ASSERT_TRUE(this->Bench.Open("haply")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("does not tell where its origin is")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+}
