@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The plug-in forcedimension: omega, delta, sigma and the Novint Falcon through Force Dimension's
-// SDK (libdrd, which contains libdhd). Other devices of the SDK get at most 8 N.
+// The plug-in forcedimension: omega, delta, sigma, lambda and the Novint Falcon through Force
+// Dimension's SDK (libdrd, which contains libdhd). Other devices of the SDK get at most 8 N, unless
+// the SDK has a limit for them.
 //
 // The SDK's axes are x towards the user, y to the right and z up, in metres and newtons. This
 // library's x, y and z are the SDK's y, z and x. This was not verified on a device. The SDK's
@@ -48,8 +49,27 @@ std::string Explain(const char* what, const char* cure)
 
 constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
 
-// Returns limits from the data sheets: N, N m, m. The stiffness is below the stated one, so that it
-// suits 1 kHz.
+// Numbers that dhdGetSystemType() returns. Their names in the SDK changed: 3.17 deprecates those of
+// 3.14.
+enum DeviceType
+{
+  Omega3 = 33,
+  Omega6Right,
+  Omega7Right,
+  Omega6Left,
+  Omega7Left,
+  Delta3 = 63,
+  Delta6,
+  Sigma7Right = 104,
+  Sigma7Left,
+  Lambda7Right = 108,
+  Lambda7Left,
+  Lambda3 = 203,
+  Sigma3 = 206
+};
+
+// Returns a type's limits from the data sheets, or from CHAI3D where its limits are lower: N, N m,
+// m. The stiffness is below the stated one, so that it suits 1 kHz.
 VolumeHapticsVendorLimits LimitsOf(int type)
 {
   VolumeHapticsVendorLimits limits{};
@@ -60,29 +80,49 @@ VolumeHapticsVendorLimits LimitsOf(int type)
   limits.ForceAxes = 7;
   switch (type)
   {
-    case DHD_DEVICE_OMEGA3:
-    case DHD_DEVICE_OMEGA33:
-    case DHD_DEVICE_OMEGA33_LEFT:
-    case DHD_DEVICE_OMEGA331:
-    case DHD_DEVICE_OMEGA331_LEFT:
+    case Omega3:
+    case Omega6Right:
+    case Omega6Left:
+    case Omega7Right:
+    case Omega7Left:
       limits.MaximumForce = 12.0;
       limits.WorkspaceRadius = 0.055;
       break;
-    case DHD_DEVICE_DELTA3:
-    case DHD_DEVICE_DELTA6:
+    case Delta3:
+    case Delta6:
       limits.MaximumForce = 20.0;
-      limits.MaximumTorque = type == DHD_DEVICE_DELTA6 ? 0.2 : 0.0;
+      limits.MaximumTorque = type == Delta6 ? 0.2 : 0.0;
       limits.WorkspaceRadius = 0.13;
       break;
-    case DHD_DEVICE_SIGMA331:
-    case DHD_DEVICE_SIGMA331_LEFT:
-      limits.MaximumForce = 20.0;
-      limits.MaximumTorque = 0.4;
+    case Sigma3:
+    case Sigma7Right:
+    case Sigma7Left:
+      limits.MaximumForce = 12.0;
+      limits.MaximumTorque = type == Sigma3 ? 0.0 : 0.2;
       limits.WorkspaceRadius = 0.065;
+      break;
+    case Lambda3:
+    case Lambda7Right:
+    case Lambda7Left:
+      limits.MaximumForce = 12.0;
+      limits.MaximumTorque = type == Lambda3 ? 0.0 : 0.2;
+      limits.WorkspaceRadius = 0.1125;
       break;
     default:
       break;
   }
+  return limits;
+}
+
+// Returns an open device's limits: those of its type, or those that the SDK has in use. Negative
+// answers of the SDK mean that it has no limit.
+VolumeHapticsVendorLimits LimitsOf(char id)
+{
+  VolumeHapticsVendorLimits limits = LimitsOf(dhdGetSystemType(id));
+  const double force = dhdGetMaxForce(id);
+  const double torque = dhdGetMaxTorque(id);
+  limits.MaximumForce = force > 0.0 ? force : limits.MaximumForce;
+  limits.MaximumTorque = limits.MaximumTorque > 0.0 && torque > 0.0 ? torque : limits.MaximumTorque;
   return limits;
 }
 
@@ -123,7 +163,7 @@ void* Open(int number)
   auto* const device = new Device;
   device->Id = static_cast<char>(id);
   device->HasWrist = dhdHasWrist(device->Id);
-  device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
+  device->MaximumTorque = LimitsOf(device->Id).MaximumTorque;
   if (dhdHasActiveGripper(device->Id))
   {
     dhdEmulateButton(DHD_ON, device->Id); // makes the closed gripper button 0
@@ -139,7 +179,7 @@ void* Open(int number)
 
 int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
 {
-  *limits = LimitsOf(dhdGetSystemType(static_cast<Device*>(handle)->Id));
+  *limits = LimitsOf(static_cast<Device*>(handle)->Id);
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 

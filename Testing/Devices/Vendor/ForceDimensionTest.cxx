@@ -215,6 +215,39 @@ TEST_F(ForceDimension, AForceThatCantBeSwitchedOnIsAnErrorWithACure)
   EXPECT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
 }
 
+TEST_F(ForceDimension, LimitsAreThoseOfTheTypeUnlessTheLibraryHasOthers)
+{
+  // CHAI3D, CDeltaDevices.cpp: sigma.7 and lambda.7.
+  struct Row
+  {
+    int Type;
+    double Force, Torque, Radius;
+  };
+  for (const Row& row : { Row{ 33, 12.0, 0.0, 0.055 }, Row{ 37, 12.0, 0.0, 0.055 },
+         Row{ 63, 20.0, 0.0, 0.13 }, Row{ 104, 12.0, 0.2, 0.065 }, Row{ 105, 12.0, 0.2, 0.065 },
+         Row{ 206, 12.0, 0.0, 0.065 }, Row{ 108, 12.0, 0.2, 0.1125 }, Row{ 109, 12.0, 0.2, 0.1125 },
+         Row{ 203, 12.0, 0.0, 0.1125 }, Row{ 60, 8.0, 0.0, 0.04 }, Row{ 91, 8.0, 0.0, 0.04 } })
+  {
+    this->With([&](FakeForceDimension& fake) { fake.Type = row.Type; });
+    DeviceBench bench;
+    ASSERT_TRUE(bench.Open("vendor:forcedimension")) << bench.Error;
+    const DeviceLimits limits = bench.Device->GetLimits();
+    EXPECT_EQ(limits.MaximumForce, row.Force) << row.Type;
+    EXPECT_EQ(limits.MaximumTorque, row.Torque) << row.Type;
+    EXPECT_EQ(limits.WorkspaceRadius, row.Radius) << row.Type;
+  }
+  this->With(
+    [](FakeForceDimension& fake)
+    {
+      fake.Type = 104;
+      fake.MaxForce = 5.0;
+      fake.MaxTorque = 0.1;
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 5.0);
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumTorque, 0.1);
+}
+
 TEST_F(ForceDimension, TorqueGoesToDevicesThatGiveIt)
 {
   this->With([](FakeForceDimension& fake) { fake.Type = 104; }); // a sigma.7
@@ -225,10 +258,10 @@ TEST_F(ForceDimension, TorqueGoesToDevicesThatGiveIt)
     {
       DeviceSample sample;
       this->Bench.Device->Read(0.001, sample);
-      this->Bench.Device->Send({ { 1.0, 2.0, 3.0 }, { 0.1, 0.2, 0.3 } });
+      this->Bench.Device->Send({ { 1.0, 2.0, 3.0 }, { 0.05, 0.1, 0.15 } });
       return this->With(
         [](const FakeForceDimension& fake) {
-          return fake.Force == Triple{ 3.0, 1.0, 2.0 } && fake.Torque == Triple{ 0.3, 0.1, 0.2 };
+          return fake.Force == Triple{ 3.0, 1.0, 2.0 } && fake.Torque == Triple{ 0.15, 0.05, 0.1 };
         });
     }));
 }

@@ -186,6 +186,18 @@ extern "C"
     return fake ? fake->Type : -1;
   }
 
+  double dhdGetMaxForce(char ID)
+  {
+    const Opened fake(ID);
+    return fake ? fake->MaxForce : -1.0;
+  }
+
+  double dhdGetMaxTorque(char ID)
+  {
+    const Opened fake(ID);
+    return fake ? fake->MaxTorque : -1.0;
+  }
+
   int dhdGetStatus(int status[DHD_MAX_STATUS], char ID)
   {
     const Opened fake(ID);

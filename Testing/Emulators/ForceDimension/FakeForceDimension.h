@@ -11,6 +11,10 @@
  * programs for the SDK assume: sawForceDimensionSDK (jhu-saw), mtsForceDimensionDevice::Startup(),
  * and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after drdAutoInit(). Until then this library
  * accepts no force; drdStop(false) switches the force off, too.
+ *
+ * Numbers of device types are those of forcedimension_core, test/test_constants.py.
+ * dhdGetMaxForce() and dhdGetMaxTorque() return the limit in use, or a negative number if the limit
+ * is disabled (documentation of the SDK, as forcedimension_core quotes it).
  */
 #ifndef FakeForceDimension_h
 #define FakeForceDimension_h
@@ -30,6 +34,10 @@ struct FakeForceDimension
   std::mutex Mutex;
   int Count = 1;
   int Type = 34; ///< an omega.6
+  ///@{
+  double MaxForce = -1.0;  ///< N; a limit that was set in the SDK; negative: none
+  double MaxTorque = -1.0; ///< N m; the same
+  ///@}
   bool HasWrist = true;
   bool HasGripper = false;
   bool IsGripperClosed = false;

@@ -4,7 +4,8 @@
 /**
  * A stand-in for Force Dimension's header of this name: the functions that the plug-in uses, with
  * the signatures, constants and units of the SDK's public documentation
- * (downloads.forcedimension.com/sdk/doc, Haptic SDK 3.14).
+ * (downloads.forcedimension.com/sdk/doc, Haptic SDK 3.14). Names of device types are left out,
+ * because SDK 3.17 has others than 3.14 and deprecates those; the numbers are the same.
  */
 #ifndef FakeDhdc_h
 #define FakeDhdc_h
@@ -13,16 +14,6 @@ using ushort = unsigned short;
 using uchar = unsigned char;
 using uint = unsigned int;
 
-#define DHD_DEVICE_DELTA3 63
-#define DHD_DEVICE_DELTA6 64
-#define DHD_DEVICE_OMEGA3 33
-#define DHD_DEVICE_OMEGA33 34
-#define DHD_DEVICE_OMEGA33_LEFT 36
-#define DHD_DEVICE_OMEGA331 35
-#define DHD_DEVICE_OMEGA331_LEFT 37
-#define DHD_DEVICE_FALCON 60
-#define DHD_DEVICE_SIGMA331 104
-#define DHD_DEVICE_SIGMA331_LEFT 105
 #define DHD_ON 1
 #define DHD_OFF 0
 #define DHD_TIMEGUARD 1
@@ -38,6 +29,8 @@ extern "C"
   int dhdGetDeviceCount();
   int dhdGetSerialNumber(ushort* sn, char ID = -1);
   int dhdGetSystemType(char ID = -1);
+  double dhdGetMaxForce(char ID = -1);
+  double dhdGetMaxTorque(char ID = -1);
   int dhdGetStatus(int status[DHD_MAX_STATUS], char ID = -1);
   int dhdEnableForce(uchar val, char ID = -1);
   bool dhdHasWrist(char ID = -1);
