@@ -10,9 +10,13 @@
 // towards the user, in millimetres, newtons and millinewton metres. This was not verified on a
 // device.
 //
-// The vendor's setup program names the devices. vendor:openhaptics is "Default Device";
-// $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by commas, as vendor:openhaptics:1 and
-// so on. One of them can be open at a time.
+// The library reports a peak force and a continuous force, 3.3 N and 0.88 N on a Touch. The largest
+// force here is twice the continuous one. A force above the continuous one is given for 2.5 s;
+// within another 2.5 s the callback lowers its limit to the continuous force.
+//
+// The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
+// Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
+// commas, as vendor:openhaptics:1 and so on. One of them can be open at a time.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -23,6 +27,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -36,6 +41,9 @@ constexpr std::int64_t LongestForce = 50'000'000; // ns that a force lasts witho
 // ns without a callback after which the scheduler counts as stopped
 constexpr std::int64_t LongestSilence = 100'000'000;
 constexpr HDulong SchedulerRate = 1000; // Hz
+// s after which a force above the continuous one has faded to it, and after which it may be as
+// large again
+constexpr double FadeTime = 5.0;
 
 std::int64_t Now()
 {
@@ -69,12 +77,16 @@ struct Device
   HHD Handle = 0;
   HDSchedulerHandle Callback = 0;
   double MaximumTorque = 0.0;
+  double MaximumForce = 0.0;    // N
+  double ContinuousForce = 0.0; // N, which the motors give for ever
   Latest<Report> Reports;
   Latest<Order> Orders;
   std::atomic<bool> Forgives{ false }; // whether the user wants another try after a fault
   // Used by the callback only.
   bool IsCalibrated = false;
   unsigned Error = HD_SUCCESS;
+  double Spent = 0.0; // the part of FadeTime for which the force was above the continuous one
+  std::int64_t Ticked = 0;
   std::int64_t Opened = 0;
   std::string Text;
 };
@@ -124,12 +136,40 @@ void Calibrate(Device& device, Report& report)
   const HDenum state = hdCheckCalibration();
   if (state == HD_CALIBRATION_NEEDS_UPDATE)
   {
-    HDint style = 0;
-    hdGetIntegerv(HD_CALIBRATION_STYLE, &style);
-    hdUpdateCalibration(static_cast<HDenum>(style));
+    // A device may support several ways. The order is that of the vendor's example.
+    HDint styles = 0;
+    hdGetIntegerv(HD_CALIBRATION_STYLE, &styles);
+    for (const HDenum style :
+      { HD_CALIBRATION_AUTO, HD_CALIBRATION_INKWELL, HD_CALIBRATION_ENCODER_RESET })
+    {
+      if ((styles & static_cast<HDint>(style)) != 0)
+      {
+        hdUpdateCalibration(style);
+        break;
+      }
+    }
   }
   device.IsCalibrated = state == HD_CALIBRATION_OK;
   report.Calibration = state;
+}
+
+// Limits a force to the maximum, and after some time above the continuous force to the latter. The
+// limit moves slowly, so that nothing jumps.
+void LimitForce(Device& device, std::int64_t now, double force[3])
+{
+  const double norm = std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+  const double step = std::min(0.1, 1e-9 * static_cast<double>(now - device.Ticked)) / FadeTime;
+  device.Ticked = now;
+  // The requested force counts: one that is held down to the continuous force goes on to be.
+  const bool isAbove = norm > device.ContinuousForce;
+  device.Spent = std::clamp(device.Spent + (isAbove ? step : -step), 0.0, 1.0);
+  // Without limit for the first half.
+  const double faded = std::max(0.0, 2.0 * device.Spent - 1.0);
+  const double most = device.MaximumForce - faded * (device.MaximumForce - device.ContinuousForce);
+  for (int axis = 0; norm > most && axis < 3; ++axis)
+  {
+    force[axis] *= most / norm;
+  }
 }
 
 HDCallbackCode HDCALLBACK OnTick(void* data)
@@ -161,6 +201,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
     force[axis] = order.Force[axis];
     torque[axis] = 1000.0 * order.Torque[axis]; // mN m
   }
+  LimitForce(device, report.Time, force);
   hdSetDoublev(HD_CURRENT_FORCE, force);
   if (device.MaximumTorque > 0.0)
   {
@@ -211,9 +252,24 @@ void* Open(int number)
     return nullptr;
   }
   const std::string name = Names()[static_cast<size_t>(number)];
-  ForgetFaults(); // faults of an earlier try
-  const HHD handle = hdInitDevice(number == 0 ? HD_DEFAULT_DEVICE : name.c_str());
-  const HDErrorInfo error = hdGetError();
+  // Some installations have no default, but its name of today or before.
+  std::vector<HDstring> tries{ name.c_str() };
+  if (number == 0)
+  {
+    tries = { HD_DEFAULT_DEVICE, "Default Device", "Default PHANToM" };
+  }
+  HHD handle = 0;
+  HDErrorInfo error{};
+  for (const HDstring one : tries)
+  {
+    ForgetFaults(); // faults of an earlier try
+    handle = hdInitDevice(one);
+    error = hdGetError();
+    if (!HD_DEVICE_ERROR(error))
+    {
+      break;
+    }
+  }
   if (HD_DEVICE_ERROR(error))
   {
     OpenError() = "can't be opened (" + std::string(hdGetErrorString(error.errorCode)) +
@@ -230,6 +286,17 @@ void* Open(int number)
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
   // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
   device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
+  hdGetDoublev(HD_NOMINAL_MAX_FORCE, &device->MaximumForce);
+  hdGetDoublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &device->ContinuousForce);
+  if (device->ContinuousForce > 0.0)
+  {
+    // The default force, half of the maximum, is then one that the motors give for ever.
+    device->MaximumForce = std::min(device->MaximumForce, 2.0 * device->ContinuousForce);
+  }
+  else
+  {
+    device->ContinuousForce = device->MaximumForce;
+  }
   ForgetFaults(); // a device that does not know the parameter gives no torque
   hdEnable(HD_FORCE_OUTPUT);
   hdSetSchedulerRate(SchedulerRate);
@@ -256,7 +323,7 @@ int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
   double stiffness = 0.0; // N/mm
   double damping = 0.0;   // N s/mm
   double box[6] = {};     // mm, smallest and largest x, y, z
-  hdGetDoublev(HD_NOMINAL_MAX_FORCE, &limits->MaximumForce);
+  limits->MaximumForce = device.MaximumForce;
   hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
   hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
   hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);

@@ -95,7 +95,7 @@ TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
   EXPECT_EQ(found[0].Identity, "") << "only an open device tells its serial number";
   ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
   const DeviceLimits limits = this->Bench.Device->GetLimits();
-  EXPECT_EQ(limits.MaximumForce, 3.3);
+  EXPECT_EQ(limits.MaximumForce, 2.0 * 0.88) << "so that the default, half of it, is continuous";
   EXPECT_EQ(limits.MaximumStiffness, 1000.0) << "a newton per millimetre";
   EXPECT_NEAR(limits.MaximumDamping, 3.0, 1e-12);
   EXPECT_NEAR(limits.WorkspaceRadius, 0.035, 1e-12) << "half of the box's least extent";
@@ -151,7 +151,73 @@ TEST_F(OpenHaptics, IsCalibratedByItselfOrByTheInkwell)
   this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE; });
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesBeforeZero; }), 0);
-  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }), "update");
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }),
+    "update in the inkwell");
+}
+
+TEST_F(OpenHaptics, OneOfSeveralWaysOfCalibrationIsChosen)
+{
+  struct Row
+  {
+    int Styles;
+    const char* Call;
+  };
+  for (const Row& row : { Row{ 7, "update automatically" }, Row{ 6, "update automatically" },
+         Row{ 5, "update in the inkwell" }, Row{ 1, "update by a reset" } })
+  {
+    this->With(
+      [&](FakeOpenHaptics& fake)
+      {
+        fake.Styles = row.Styles;
+        fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE;
+      });
+    DeviceBench bench;
+    ASSERT_TRUE(bench.Open("vendor:openhaptics")) << bench.Error;
+    EXPECT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
+    EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }), row.Call);
+  }
+}
+
+TEST_F(OpenHaptics, MoreThanTheContinuousForceFadesToIt)
+{
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  const auto push = [&](double newtons)
+  {
+    DeviceSample sample;
+    this->Bench.Device->Read(0.001, sample);
+    this->Bench.Device->Write({ 0.0, newtons, 0.0 });
+    return this->Force()[1];
+  };
+  EXPECT_TRUE(Eventually([&] { return push(1.7) == 1.7; })) << "at first";
+  EXPECT_TRUE(Eventually([&] { return std::abs(push(1.7) - 0.88) < 1e-9; })) << this->Force()[1];
+  // A weaker force has no limit, and lets the motors cool.
+  EXPECT_TRUE(Eventually([&] { return push(0.5) == 0.5; }));
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
+  while (std::chrono::steady_clock::now() < end)
+  {
+    push(0.5);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(Eventually([&] { return push(1.7) == 1.7; })) << "rested";
+}
+
+TEST_F(OpenHaptics, ALibraryWithoutAContinuousForceHasItsPeak)
+{
+  this->With([](FakeOpenHaptics& fake) { fake.ContinuousForce = 0.0; });
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 3.3);
+}
+
+TEST_F(OpenHaptics, TheDefaultIsFoundByItsNames)
+{
+  for (const char* const name : { "Default Device", "Default PHANToM" })
+  {
+    this->With([&](FakeOpenHaptics& fake) { fake.Name = name; });
+    DeviceBench bench;
+    ASSERT_TRUE(bench.Open("vendor:openhaptics")) << bench.Error;
+    EXPECT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
+  }
 }
 
 TEST_F(OpenHaptics, TorqueIsInMillinewtonMetresAndOnlyWhereItIsGiven)
@@ -164,10 +230,10 @@ TEST_F(OpenHaptics, TorqueIsInMillinewtonMetresAndOnlyWhereItIsGiven)
     {
       DeviceSample sample;
       this->Bench.Device->Read(0.001, sample);
-      this->Bench.Device->Send({ { 1.0, 2.0, 0.5 }, { 0.1, 0.0, 0.0 } });
+      this->Bench.Device->Send({ { 0.5, 0.6, 0.25 }, { 0.1, 0.0, 0.0 } });
       return this->With(
         [](const FakeOpenHaptics& fake) {
-          return fake.Force == Triple{ 1.0, 2.0, 0.5 } && fake.Torque == Triple{ 100.0, 0.0, 0.0 };
+          return fake.Force == Triple{ 0.5, 0.6, 0.25 } && fake.Torque == Triple{ 100.0, 0.0, 0.0 };
         });
     }));
 }

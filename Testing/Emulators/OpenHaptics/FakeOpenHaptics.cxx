@@ -81,7 +81,8 @@ extern "C"
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
     Fake().Calls.push_back(std::string("init ") + (name ? name : "default"));
-    if (!Fake().IsPluggedIn || isOpen)
+    const bool isNamed = Fake().Name.empty() || (name != nullptr && Fake().Name == name);
+    if (!Fake().IsPluggedIn || isOpen || !isNamed)
     {
       Push(HD_COMM_ERROR);
       return 0;
@@ -167,6 +168,9 @@ extern "C"
       case HD_NOMINAL_MAX_FORCE:
         *values = 3.3;
         break;
+      case HD_NOMINAL_MAX_CONTINUOUS_FORCE:
+        *values = Fake().ContinuousForce;
+        break;
       case HD_NOMINAL_MAX_STIFFNESS:
         *values = 1.0; // N/mm
         break;
@@ -186,7 +190,7 @@ extern "C"
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
     *values = name == HD_CURRENT_BUTTONS ? Fake().Buttons
       : name == HD_OUTPUT_DOF            ? Fake().OutputDof
-                                         : 4;
+                                         : Fake().Styles;
   }
 
   void hdSetDoublev(HDenum name, const HDdouble* values)
@@ -231,10 +235,19 @@ extern "C"
     return Fake().Calibration;
   }
 
-  void hdUpdateCalibration(HDenum)
+  void hdUpdateCalibration(HDenum style)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    Fake().Calls.emplace_back("update");
+    const char* const name = style == HD_CALIBRATION_AUTO ? "update automatically"
+      : style == HD_CALIBRATION_INKWELL                   ? "update in the inkwell"
+      : style == HD_CALIBRATION_ENCODER_RESET             ? "update by a reset"
+                                                          : nullptr;
+    if (name == nullptr || (Fake().Styles & static_cast<int>(style)) == 0)
+    {
+      Push(HD_INVALID_ENUM);
+      return;
+    }
+    Fake().Calls.emplace_back(name);
     Fake().Calibration = HD_CALIBRATION_OK;
   }
 

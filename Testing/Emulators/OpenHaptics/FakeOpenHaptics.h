@@ -7,6 +7,13 @@
  * Guide): callbacks run on the scheduler's thread; forces are set between hdBeginFrame and
  * hdEndFrame, else that is an error; hdGetError pops faults from a stack; millimetres,
  * newtons, millinewton metres; matrices have their columns first.
+ *
+ * HD_CALIBRATION_STYLE is a mask of the ways that a device supports, of which
+ * hdUpdateCalibration() takes one; 3D Systems' example prefers automatic calibration to the inkwell
+ * and the inkwell to a reset of the encoders (Geomagic_Touch_ROS_Drivers, HHD_Auto_Calibration(),
+ * copies it). Nominal forces of a Touch are 3.3 N and, continuously, 0.88 N, as its library prints
+ * them in published programs. A device may answer to its own name only ("Default Device", or
+ * "Default PHANToM" before; pyOpenHaptics issue 10).
  */
 #ifndef FakeOpenHaptics_h
 #define FakeOpenHaptics_h
@@ -28,8 +35,11 @@ struct FakeOpenHaptics
   bool IsPluggedIn = true;
   bool StandsStill = false; ///< the scheduler does not run its callbacks
   int OutputDof = 3;
-  unsigned Calibration = 301;   ///< HD_CALIBRATION_OK
-  std::vector<unsigned> Faults; ///< the stack of faults
+  unsigned Calibration = 301;    ///< HD_CALIBRATION_OK
+  int Styles = 5;                ///< bits of the ways to calibrate it: a Touch's
+  std::string Name;              ///< the device's only name; empty: the default, too
+  double ContinuousForce = 0.88; ///< N; 0: not known to the library
+  std::vector<unsigned> Faults;  ///< the stack of faults
   int Buttons = 0;
   bool TellsNonsense = false;
   /// The stylus: three columns of a rotation.
