@@ -57,6 +57,8 @@ public:
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
   bool TellsSerial = true; ///< whether it has a serial number
+  bool IsBluetooth =
+    false; ///< its bus is 0005 instead of USB's 0003, and it has no USB device above
 };
 
 } // namespace emulated

@@ -81,7 +81,8 @@ FifoNode::Device Describe(const HidModel& model, int number)
   char usb[64];
   char hid[160];
   std::snprintf(usb, sizeof(usb), "/devices/usb1/1-%d", number + 1);
-  std::snprintf(hid, sizeof(hid), "%s/1-%d:1.0/0003:%04X:%04X.%04X", usb, number + 1,
+  const int bus = model.IsBluetooth ? 5 : 3;
+  std::snprintf(hid, sizeof(hid), "%s/1-%d:1.0/%04X:%04X:%04X.%04X", usb, number + 1, bus,
     model.GetVendor(), model.GetProduct(), number + 1);
   const std::string hidPath = std::string("/sys") + hid;
   std::string descriptor;
@@ -96,13 +97,14 @@ FifoNode::Device Describe(const HidModel& model, int number)
   char text[2000];
   std::snprintf(text, sizeof(text),
     "P: %s/hidraw/hidraw%d\nN: hidraw%d\nE: DEVNAME=/dev/hidraw%d\nE: SUBSYSTEM=hidraw\n"
-    "E: MAJOR=244\nE: MINOR=%d\nL: device=../../../0003:%04X:%04X.%04X\nA: dev=244:%d\\n\n\n",
-    hid, number, number, number, number, model.GetVendor(), model.GetProduct(), number + 1, number);
+    "E: MAJOR=244\nE: MINOR=%d\nL: device=../../../%04X:%04X:%04X.%04X\nA: dev=244:%d\\n\n\n",
+    hid, number, number, number, number, bus, model.GetVendor(), model.GetProduct(), number + 1,
+    number);
   std::string all = text;
   std::snprintf(text, sizeof(text),
-    "P: %s\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID=0003:%08X:%08X\nE: HID_NAME=%s\n"
+    "P: %s\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID=%04X:%08X:%08X\nE: HID_NAME=%s\n"
     "E: HID_PHYS=usb/input0\nE: HID_UNIQ=%s\nH: report_descriptor=",
-    hid, model.GetVendor(), model.GetProduct(), name.c_str(), serial.c_str());
+    hid, bus, model.GetVendor(), model.GetProduct(), name.c_str(), serial.c_str());
   all += text + descriptor;
   std::snprintf(text, sizeof(text),
     "\n\nP: %s/1-%d:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nE: DRIVER=usbhid\n"

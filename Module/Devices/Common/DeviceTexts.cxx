@@ -27,16 +27,27 @@ int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string
   return std::atoi(digits.c_str());
 }
 
-std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product)
+std::string PermissionCure(
+  const char* subsystem, std::uint16_t vendor, std::uint16_t product, bool isBluetooth)
 {
   const bool isUsb = std::string(subsystem) == "usb";
   char rule[200];
-  std::snprintf(rule, sizeof(rule),
-    "SUBSYSTEM==\"%s\", %s{idVendor}==\"%04x\", %s{idProduct}==\"%04x\", TAG+=\"uaccess\"",
-    subsystem, isUsb ? "ATTR" : "ATTRS", vendor, isUsb ? "ATTR" : "ATTRS", product);
+  if (isBluetooth)
+  {
+    std::snprintf(rule, sizeof(rule),
+      "SUBSYSTEM==\"%s\", KERNELS==\"0005:%04X:%04X.*\", TAG+=\"uaccess\"", subsystem, vendor,
+      product);
+  }
+  else
+  {
+    std::snprintf(rule, sizeof(rule),
+      "SUBSYSTEM==\"%s\", %s{idVendor}==\"%04x\", %s{idProduct}==\"%04x\", TAG+=\"uaccess\"",
+      subsystem, isUsb ? "ATTR" : "ATTRS", vendor, isUsb ? "ATTR" : "ATTRS", product);
+  }
   return std::string("no permission. Put this line into a file of /etc/udev/rules.d named ") +
     "70-volume-haptics.rules (one of that name is installed with this library): " + rule +
-    " - then run \"sudo udevadm control --reload\" and plug the device in again.";
+    " - then run \"sudo udevadm control --reload\" and plug the device in again" +
+    (isBluetooth ? ", or connect it again." : ".");
 }
 
 } // namespace VolumeHaptics

@@ -21,9 +21,10 @@ namespace VolumeHaptics
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
  * Returns the cure if this user may not open a device, which is a udev rule. `subsystem` is "usb"
- * or "hidraw".
+ * or "hidraw". By Bluetooth, no USB device has the numbers, so the rule names the kernel's device.
  */
-std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
+std::string PermissionCure(
+  const char* subsystem, std::uint16_t vendor, std::uint16_t product, bool isBluetooth = false);
 ///@}
 
 } // namespace VolumeHaptics

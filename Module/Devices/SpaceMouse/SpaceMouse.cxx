@@ -19,9 +19,9 @@ constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t Older[] = { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627,
   0xC628, 0xC629, 0xC62B, 0xC640 };
 // SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact,
-// Module, Pro Wireless and Wireless by Bluetooth, and the universal receiver.
+// Module, Pro Wireless and Wireless by Bluetooth, USB, and the universal receiver.
 constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC636, 0xC638,
-  0xC63A, 0xC652 };
+  0xC63A, 0xC641, 0xC652 };
 constexpr std::uint16_t WithAxisUp[] = { 0xC603, 0xC606, 0xC640 };
 
 /** A key of the Enterprise: its number and its bit in Buttons. */

@@ -122,3 +122,18 @@ TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
   EXPECT_TRUE(Has(ErrorOf("pid"), rule));
   setfsuid(static_cast<uid_t>(owner));
 }
+
+/// Users found that ATTRS{idVendor} matches nothing by Bluetooth (preFlight issue 244, spnavcfg
+/// issue 60): there is no USB device above.
+TEST(HidClaim, ByBluetoothTheRuleNamesTheKernelsDevice)
+{
+  OpenFfboardModel model;
+  model.IsBluetooth = true;
+  EmulatedHid hid(model);
+  hid.SetPermissions(0);
+  const int owner = setfsuid(65534);
+  const std::string error = ErrorOf("pid");
+  setfsuid(static_cast<uid_t>(owner));
+  EXPECT_TRUE(Has(error, "SUBSYSTEM==\"hidraw\", KERNELS==\"0005:1209:FFB0.*\", TAG+=\"uaccess\""))
+    << error;
+}

@@ -125,19 +125,40 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
 {
   std::ifstream file(VOLUME_HAPTICS_UDEV_RULES);
   const std::string rules{ std::istreambuf_iterator<char>(file), {} };
-  const auto has = [&rules](const char* subsystem, int vendor, int product)
+  const auto has = [&rules](
+                     const char* subsystem, int vendor, int product, bool isBluetooth = false)
   {
-    const std::string cure = PermissionCure(
-      subsystem, static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product));
+    const std::string cure = PermissionCure(subsystem, static_cast<std::uint16_t>(vendor),
+      static_cast<std::uint16_t>(product), isBluetooth);
     const std::size_t begin = cure.find("SUBSYSTEM");
     const std::size_t end = cure.find(" - then", begin);
     return rules.find("\n" + cure.substr(begin, end - begin) + "\n") != std::string::npos;
   };
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
+  EXPECT_TRUE(Contains(rules, "\nSUBSYSTEM==\"usb\", ATTR{idVendor}==\"1451\", TAG+=\"uaccess\"\n"))
+    << "Force Dimension's devices";
   EXPECT_TRUE(has("hidraw", 0x1234, 0x0006));
   EXPECT_TRUE(has("hidraw", 0x16c0, 0x0486));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2));
+  EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6, true));
+  EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2, true));
+  // SpaceMouse Pro Wireless and SpaceMouse Wireless with Bluetooth.
+  EXPECT_TRUE(has("hidraw", 0x256f, 0xc638, true));
+  EXPECT_TRUE(has("hidraw", 0x256f, 0xc63a, true));
+  EXPECT_TRUE(SpaceMouse::IsKnown(0x256f, 0xc641))
+    << "SpaceMouse USB: PySpaceMouse 95cf9cb, devices.toml";
+  // Their makers' or users' rules: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
+  const std::pair<int, std::vector<int>> others[] = { { 0xffff, { 0x2055 } },
+    { 0x16d0, { 0x0d5a, 0x0d5f, 0x0d60, 0x0d61 } }, { 0x1fc9, { 0x804c } }, { 0xf055, { 0x0ffb } },
+    { 0x2a03, { 0x8036, 0x8037 } } };
+  for (const auto& [vendor, products] : others)
+  {
+    for (const int product : products)
+    {
+      EXPECT_TRUE(has("hidraw", vendor, product)) << std::hex << vendor << ":" << product;
+    }
+  }
   // JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first three are boards.
   const std::pair<int, std::vector<int>> wheels[] = { { 0x2341, { 0x8036, 0x8037 } },
     { 0x1b4f, { 0x9206, 0x9204 } }, { 0x1209, { 0xffb0 } },

@@ -50,6 +50,8 @@ std::string Narrow(const wchar_t* wide)
 }
 
 #if defined(__linux__)
+constexpr std::size_t LongestEvent = 4096; // bytes; the kernel's have a few lines
+
 std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
 {
   std::vector<std::uint8_t> bytes;
@@ -144,6 +146,19 @@ bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string&
   return false;
 }
 
+std::string HidDeviceInfo::GetPermissionCure() const
+{
+  bool isBluetooth = false;
+#if defined(__linux__)
+  const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
+  const std::vector<std::uint8_t> bytes =
+    ReadAll("/sys/class/hidraw/" + node + "/device/uevent", LongestEvent);
+  const std::string event(bytes.begin(), bytes.end());
+  isBluetooth = event.find("HID_ID=0005:") != std::string::npos;
+#endif
+  return PermissionCure("hidraw", this->Vendor, this->ProductId, isBluetooth);
+}
+
 std::string HidDeviceInfo::GetState() const
 {
   HidClaim claim;
@@ -153,7 +168,7 @@ std::string HidDeviceInfo::GetState() const
     case HidClaim::Answer::InUse:
       return "in use";
     case HidClaim::Answer::Forbidden:
-      return PermissionCure("hidraw", this->Vendor, this->ProductId);
+      return this->GetPermissionCure();
     case HidClaim::Answer::Missing:
       return "unplugged. Plug it in again.";
     default:

@@ -38,6 +38,8 @@ struct HidDeviceInfo
    * the same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
+  /** Returns the cure if this user may not open the device. */
+  std::string GetPermissionCure() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
   /**

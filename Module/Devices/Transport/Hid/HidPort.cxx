@@ -60,7 +60,7 @@ bool HidPort::Open(const HidDeviceInfo& info, std::string& error)
         " is in use. Close it where it is open, in this program or in another one.";
       return false;
     case HidClaim::Answer::Forbidden:
-      error = info.GetLabel() + ": " + PermissionCure("hidraw", info.Vendor, info.ProductId);
+      error = info.GetLabel() + ": " + info.GetPermissionCure();
       return false;
     case HidClaim::Answer::Missing:
       error = info.GetLabel() + " is not there any more. Plug it in and open it again.";
