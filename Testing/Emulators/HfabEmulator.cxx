@@ -246,6 +246,7 @@ void HfabEmulator::PressButton()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Offset = CountsOf(this->Model, this->Angles);
   this->Counts = {};
+  this->NeedsButton = false;
 }
 
 void HfabEmulator::SetGoal(const Triple& goal)
@@ -403,7 +404,8 @@ void HfabEmulator::ReceiveCurrents(const std::array<int, 3>& milliamperes)
   this->LastMessage = now;
   for (int j = 0; j < 3; ++j)
   {
-    this->Currents[j] = std::abs(milliamperes[j]) <= LargestCurrent ? milliamperes[j] : 0;
+    const bool flows = !this->NeedsButton && std::abs(milliamperes[j]) <= LargestCurrent;
+    this->Currents[j] = flows ? milliamperes[j] : 0;
   }
   // Move the hand for the time since the last message, in steps of a millisecond at most.
   const double time = std::min(0.02, std::chrono::duration<double>(now - this->LastMove).count());
@@ -418,6 +420,11 @@ void HfabEmulator::ReceiveCurrents(const std::array<int, 3>& milliamperes)
   for (int j = 0; j < 3; ++j)
   {
     this->Counts[j] -= this->Offset[j];
+  }
+  if (this->NeedsButton)
+  {
+    this->Counts[0] = static_cast<int>(8000.0 + 4000.0 * std::sin(0.0002 * this->Pretended++));
+    this->Counts[1] = milliamperes[0];
   }
 }
 

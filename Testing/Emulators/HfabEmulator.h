@@ -9,7 +9,9 @@
  * 86ecdba): it reads byte by byte up to a ']'; answers 256, 512, 8, 128 and 1024 mean a rejected
  * message, with the previous counts; an accepted message feeds a watchdog of 100 ms, which else
  * switches the currents off; a current beyond the amplifiers' limit counts as zero, for that motor
- * alone; its button sets all counts to 0, as power-on does.
+ * alone; its button sets all counts to 0, as power-on does. If its switch calibration_needed is
+ * set, it keeps the amplifiers off until its button is pressed, and answers with a slow sine as the
+ * first count and with the first motor's requested current as the second.
  *
  * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of
  * hfab_math.h, positions of hfab_kinematics.cpp, Polhem's linkage by the three angles of
@@ -55,6 +57,8 @@ public:
   /** Puts the arm into its pose for calibration, at once. */
   void PlaceAtHome();
   void PressButton();
+  /** The firmware wants its button to be pressed first, as with calibration_needed. */
+  void NeedButton() { this->NeedsButton = true; }
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
   /** The force (N) on the hand from the present currents. */
@@ -106,6 +110,8 @@ private:
   std::atomic<int> Watchdogs{ 0 };
   std::atomic<int> Errors{ 0 };
   std::atomic<bool> Stop{ false };
+  std::atomic<bool> NeedsButton{ false };
+  int Pretended = 0; ///< number of answers with counts that are none
   std::thread Thread;
 };
 

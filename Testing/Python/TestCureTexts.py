@@ -127,6 +127,7 @@ TRIED = {
     },
     "Devices/Hfab/HfabSessionTest.cxx": {
         "put the arm into its pose for calibration, hold it still, and press Home()": "has to be told where its arm is",
+        "press the button of its controller, and press Home()": "press the button of its controller",
         "or give its port, such as \"hfab:/dev/ttyACM0\".…Several": "No hfab controller is plugged in",
         "Give the port of the controller, and look after its firmware": "none of an hfab controller",
         "drives another arm now. Open() it again": "says that it drives another arm now",

@@ -22,6 +22,9 @@ constexpr int MostRefusals = 5;
 constexpr const char* AskForPose =
   "has to be told where its arm is: put the arm into its pose for calibration, hold it still, and "
   "press Home().";
+constexpr const char* AskForButton = "has to be calibrated by its firmware first: put the arm into "
+                                     "its pose for calibration, press the "
+                                     "button of its controller, and press Home().";
 constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
 
 } // namespace
@@ -186,6 +189,26 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
   return Reply::None;
 }
 
+bool HfabDriver::EchoesCurrents() noexcept
+{
+  // Currents that no hand feels. A count does not follow them by chance.
+  bool echoes = false;
+  for (const int milliamperes : { 1, 2, 1, 0 })
+  {
+    const HfabAnswer& answer = this->Reader.Get();
+    if (this->Ask({ milliamperes, 0, 0 }) == Reply::Answer &&
+      (answer.Error & HfabMessageErrors) == 0)
+    {
+      echoes = true;
+      if (answer.Counts[1] != milliamperes)
+      {
+        return false;
+      }
+    }
+  }
+  return echoes;
+}
+
 void HfabDriver::Rest() noexcept
 {
   const HfabMessage zero = EncodeHfab({});
@@ -225,6 +248,11 @@ void HfabDriver::Serve(HardwareExchange& exchange)
       else if (this->Lost || this->Now == Phase::Ready)
       {
         this->Restart(exchange);
+      }
+      else if (this->EchoesCurrents())
+      {
+        this->Now = Phase::Waiting;
+        this->Report(exchange, DeviceStage::Homing, AskForButton);
       }
       else
       {

@@ -98,6 +98,11 @@ private:
   bool Shake(std::string& error);
   /** Sends currents (mA) and waits for the answer. */
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
+  /**
+   * Returns whether the firmware waits for its button: instead of counts, it answers with the
+   * requested current (woody_teensy_mini.ino, calibration_needed).
+   */
+  bool EchoesCurrents() noexcept;
   void Restart(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
   bool ReceiveAnswer(HardwareExchange& exchange);

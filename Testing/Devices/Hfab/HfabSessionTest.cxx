@@ -156,6 +156,22 @@ TEST_F(Hfab, IsUncalibratedWheneverItIsOpened)
   EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
 }
 
+TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
+{
+  this->Rig.Arm.NeedButton();
+  DeviceBench& bench = this->Rig.Bench;
+  ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
+  ASSERT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  this->Rig.Arm.PlaceAtHome();
+  bench.Device->Home();
+  ASSERT_TRUE(bench.WaitForText("press the button of its controller")) << bench.Text();
+  EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  this->Rig.Arm.PressButton();
+  bench.Device->Home();
+  ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
+}
+
 TEST_F(Hfab, TheFirmwaresWatchdogIsTheLastResort)
 {
   // A program that sends once and no more.
