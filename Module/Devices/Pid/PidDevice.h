@@ -85,6 +85,10 @@ public:
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasPool() const noexcept { return this->Pool.Known; }
+  /** Returns whether the pool has the number of effects that play at a time. */
+  bool HasPoolSize() const noexcept { return this->Simultaneous.Known; }
+  /** Returns the least number of an effect's block. */
+  std::int64_t GetFirstBlock() const noexcept { return this->LoadBlock.Field.LogicalMinimum; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** Returns 2 if the second axis can be told from the first one, otherwise 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }

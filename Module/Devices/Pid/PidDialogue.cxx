@@ -35,6 +35,9 @@ PidStep PidDialogue::GetStep(HidReport& report) const
     case Stage::SecondReset:
       report = this->Device.Control(PidUsage::DeviceReset);
       return PidStep::Send;
+    case Stage::StopAll:
+      report = this->Device.Control(PidUsage::StopAllEffects);
+      return PidStep::Send;
     case Stage::Enable:
       report = this->Device.Control(PidUsage::EnableActuators);
       return PidStep::Send;
@@ -50,6 +53,9 @@ PidStep PidDialogue::GetStep(HidReport& report) const
     case Stage::BlockLoad:
       report = this->Device.AskBlockLoad();
       return PidStep::Fetch;
+    case Stage::CentreOff:
+      report = this->Device.Operate(this->Device.GetFirstBlock(), PidUsage::EffectStop);
+      return PidStep::Send;
     case Stage::SetEffect:
       report = this->Device.SetEffect(block, this->Axis, this->Settings.Duration);
       return PidStep::Send;
@@ -85,6 +91,12 @@ void PidDialogue::Fetched(const std::uint8_t* payload, std::size_t size)
   if (this->Now == Stage::Pool)
   {
     const int effects = this->Device.ReadPool(payload, size);
+    if (effects < this->Device.GetNumberOfAxes() && this->Device.HasPoolSize() &&
+      ++this->Polls < PidDialogue::MaximumPoolPolls)
+    {
+      return;
+    }
+    this->Polls = 0;
     if (effects > 0 && effects < this->Device.GetNumberOfAxes())
     {
       this->Fail("The device plays fewer effects at a time than it has axes");
@@ -126,6 +138,12 @@ void PidDialogue::Advance()
     return;
   }
   this->Now = static_cast<Stage>(static_cast<int>(this->Now) + 1);
+  // Not the second axis: its block follows that of the first.
+  const bool hasCentre = this->Axis == 0 && this->Blocks[0] == this->Device.GetFirstBlock() + 1;
+  if (this->Now == Stage::CentreOff && !hasCentre)
+  {
+    this->Now = Stage::SetEffect;
+  }
   if (this->Now == Stage::Pool && !this->Device.HasPool())
   {
     this->Now = Stage::Gain;

@@ -4,11 +4,13 @@
  * @file
  * The dialogue between the host and a force-feedback stick or wheel, without a transport.
  *
- * PidDialogue makes the device ready: it resets it twice, enables the actuators, reads the pool and
- * sets full gain. Then, for each axis, it creates a constant effect, waits for its block, sets it
- * with a short duration and without a force, and starts it. Afterwards PidStream makes the reports.
- * An effect ends by itself after its duration unless it is started again, so that the device's
- * force goes to zero if the host stops.
+ * PidDialogue makes the device ready: it resets it twice, stops all effects, enables the actuators,
+ * reads the pool until the device has filled it in, and sets full gain. Then, for each axis, it
+ * creates a constant effect, waits for its block, sets it with a short duration and without a
+ * force, and starts it. If the first effect gets the second block, the first block holds the
+ * device's own spring towards the centre, which is stopped (Linux, hid-pidff.c, uses the same
+ * sign). Afterwards PidStream makes the reports. An effect ends by itself after its duration unless
+ * it is started again, so that the device's force goes to zero if the host stops.
  */
 #ifndef PidDialogue_h
 #define PidDialogue_h
@@ -35,6 +37,8 @@ public:
    */
   static constexpr int MaximumPolls = 60;
   static constexpr double PollPause = 0.005; ///< pause in s before the next request
+  /** Largest number of times that the pool is read until it has room for all axes, as in Linux. */
+  static constexpr int MaximumPoolPolls = 20;
 
   /** Begins the dialogue. The device must outlive it. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
@@ -57,11 +61,13 @@ private:
   {
     FirstReset,
     SecondReset,
+    StopAll,
     Enable,
     Pool,
     Gain,
     Create,
     BlockLoad,
+    CentreOff,
     SetEffect,
     NoForce,
     Start,
