@@ -201,7 +201,8 @@ void FalconModel::Load(const std::string& bytes)
   if (!this->IsShaken)
   {
     this->IsShaken = bytes == "\x41";
-    return this->Send(this->IsShaken ? bytes : "?");
+    const char* const lead = this->Takes(FalconFault::LeadingShake) ? "\x13" : "";
+    return this->Send(lead + (this->IsShaken ? bytes : "?"));
   }
   std::string echo = bytes;
   this->Image.insert(this->Image.end(), bytes.begin(), bytes.end());

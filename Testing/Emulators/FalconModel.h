@@ -20,6 +20,8 @@
  * Loader and answers that libnifalcon (commit f7c727a) handles:
  * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading
  *   0x00 as well as without one, and greets up to 100 times.
+ * - nifalcon_load_firmware() in boneyard/c_driver/nifalcon_ftd2xx.c (commit 28347c2) expects 13 41
+ *   as the answer to 41, all later ones 41 alone.
  * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
  *   "completely" closes the device and opens it again: a loader may be stuck until then, or one
  *   load may fail by a wrong echo or none.
@@ -61,6 +63,7 @@ enum class FalconFault
   NoGreeting,   ///< the loader does not answer
   LateGreeting, ///< the answer to a greeting comes just before the host's next request
   LeadingZero,  ///< a 0x00 comes before the answer to a greeting
+  LeadingShake, ///< a 0x13 comes before the answer at the loading rate
   StuckLoader,  ///< no answer until the device is closed and opened again, a count each
   WrongEcho,    ///< a byte of the image comes back changed
   NoEcho,       ///< a block of the image does not come back

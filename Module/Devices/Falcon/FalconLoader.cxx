@@ -129,7 +129,7 @@ void FalconLoader::Enter(Stage stage) noexcept
   this->NextRequest = 0;
   this->Matched = 0;
   this->Reading = false;
-  this->ZeroTaken = false;
+  this->LeadTaken = false;
 }
 
 void FalconLoader::Fail(FalconLoaderFault fault) noexcept
@@ -207,10 +207,13 @@ void FalconLoader::Receive(const std::uint8_t* bytes, std::size_t size) noexcept
   {
     return;
   }
-  // To the converter, a line that was just pulled up may look like a byte.
-  if (this->Now == Stage::Greet && this->Matched == 0 && !this->ZeroTaken && *bytes == 0)
+  // To the converter, a line that was just pulled up may look like a byte. Some loaders answer the
+  // handshake with 13 41.
+  const bool mayLead = this->Matched == 0 && !this->LeadTaken;
+  if (mayLead &&
+    ((this->Now == Stage::Greet && *bytes == 0) || (this->Now == Stage::Shake && *bytes == 0x13)))
   {
-    this->ZeroTaken = true;
+    this->LeadTaken = true;
     return this->Receive(bytes + 1, size - 1);
   }
   const FtdiPayload answer = this->GetAnswer();

@@ -121,7 +121,8 @@ private:
   std::size_t Confirmed = 0;
   int Greetings = 0;
   bool Reading = false;
-  bool ZeroTaken = false; ///< whether the zero that may precede the answer to a greeting has come
+  /** Whether the byte that may precede the answer to a greeting or a handshake has come. */
+  bool LeadTaken = false;
   Stage Now = Stage::Prepare;
   FalconLoaderFault Fault = FalconLoaderFault::None;
 };

@@ -54,6 +54,14 @@ TEST_F(FalconTries, AZeroBeforeTheGreeting)
   this->ExpectLoaded();
 }
 
+TEST_F(FalconTries, AByteBeforeTheAnswerAtTheLoadingRate)
+{
+  this->Falcon.Break(FalconFault::LeadingShake);
+  this->ExpectLoaded();
+  const std::vector<std::string> lines = this->Falcon.DrainTranscript();
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), "c 40 03 4138"), 1) << "tries";
+}
+
 TEST_F(FalconTries, ALateAnswerToTheGreetingIsDropped)
 {
   this->Falcon.Break(FalconFault::LateGreeting, 1);

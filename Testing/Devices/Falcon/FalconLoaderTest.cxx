@@ -89,6 +89,25 @@ TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
   this->ExpectFault(FalconLoaderFault::WrongHandshake);
 }
 
+TEST_F(FalconLoads, AThirteenMayComeBeforeTheHandshake)
+{
+  for (const bool inPieces : { false, true })
+  {
+    this->Loader = { this->Image.data(), this->Image.size() };
+    this->Prepare();
+    this->Greet();
+    this->SpeedUp();
+    this->ExpectWrite("\x41");
+    this->Receive(inPieces ? "\x13" : "\x13\x41");
+    if (inPieces)
+    {
+      this->ExpectDue(1);
+      this->Receive("\x41");
+    }
+    this->ExpectWrite(this->Block(0, 62));
+  }
+}
+
 TEST_F(FalconLoads, AWholeNumberOfBlocks)
 {
   this->Loader = { this->Image.data(), 62 };
