@@ -88,6 +88,7 @@ struct BakedVolume
   const MaterialTable Materials; ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const bool IsDistinctFromNoise;       ///< see HapticMaterial
+  const bool IsSeenByNearest;           ///< see HapticMaterial
   const Affine3 IndexToWorld;
   const double LargestSpacing; ///< in world units
   const HapticSettings Settings;

@@ -41,6 +41,7 @@ struct HapticMaterial
   Polyline ScalarVisibility = ConstantPolyline(1.0); ///< factor 0 or 1 of T_N and R
   /** Factor 0 or 1 of T_N and R, by the gradient magnitude. */
   Polyline GradientVisibility = ConstantPolyline(1.0);
+  bool IsSeenByNearest = false; ///< whether the picture shows the nearest sample everywhere
   /**
    * Whether Distinctness is the ramp of MakeNoiseRamp. The larger the spacing along an axis, the
    * less noise the gradient along it has. So W_d is looked up for the rise over a voxel along the

@@ -121,6 +121,9 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
+  // Other volumes are shown by nearest samples only because that is VTK's default.
+  material.IsSeenByNearest =
+    property->GetScalarsAreLabels() && volume->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   // Don't get a missing function: this would create one, and mappers would then draw with it.
   if (volume->HasGradientOpacity(component))
   {

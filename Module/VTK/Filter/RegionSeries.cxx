@@ -18,7 +18,8 @@ bool IsSameMaterial(const HapticMaterial& a, const HapticMaterial& b)
   return std::all_of(std::begin(PropertyFunctions), std::end(PropertyFunctions),
            [&](const PropertyFunction& f) { return IsSameLine(a.*f.Baked, b.*f.Baked); }) &&
     IsSameLine(a.ScalarVisibility, b.ScalarVisibility) &&
-    IsSameLine(a.GradientVisibility, b.GradientVisibility);
+    IsSameLine(a.GradientVisibility, b.GradientVisibility) &&
+    a.IsSeenByNearest == b.IsSeenByNearest;
 }
 
 template <typename Settings>

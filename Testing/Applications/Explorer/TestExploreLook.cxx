@@ -5,7 +5,7 @@
 // is the skin, whose middle is where the formula has it. Half of the opacity in front of the eye is
 // that of 1 - exp(-sum), by the definition of vtkVolumeProperty. So it is with grey values: a sheet
 // in front of the body that reaches only the value at which the picture begins is hardly seen, and
-// not felt.
+// not felt. Where the body is what is dark, the picture shows the dark.
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -73,16 +73,22 @@ void HoldEverywhere(vtkHapticProperty* property)
 
 /// Where the proxy is when the hand first feels 0.1 N, and where half of the opacity is. Without a
 /// preset, all edges hold.
-void FeelAndLook(const Row& valueAt, const char* preset, double& felt, double& seen)
+void FeelAndLook(
+  const Row& valueAt, const char* preset, double& felt, double& seen, bool isDark = false)
 {
   const vtkSmartPointer<vtkImageData> image = MakeImage(valueAt);
-  const Explore::Analysis values = Explore::AnalyseVolume(image, false, false);
+  Explore::Analysis values = Explore::AnalyseVolume(image, false, false);
+  values.IsDark = isDark;
   vtkNew<vtkVolumeProperty> look;
   Explore::SetVolumeLook(values, look);
   vtkNew<vtkVolumeHapticsFilter> filter;
   preset ? static_cast<void>(filter->GetProperty()->ApplyPreset(preset))
          : HoldEverywhere(filter->GetProperty());
   filter->GetProperty()->SetVisibilityFrom(look);
+  if (isDark)
+  {
+    filter->GetProperty()->SetSurfaceSideToLower();
+  }
   vtkNew<vtkPolyData> path;
   vtkNew<vtkPoints> tips;
   for (double x = 3.0; x < SKIN_AT + 5.0; x += 0.1)
@@ -141,5 +147,10 @@ int TestExploreLook(int, char*[])
     Expect(std::abs(felt - first) < 1.2 && std::abs(seen - felt) < 1.0,
       "grey values: what is seen first is not what is felt first");
   }
+  double felt = 0.0, seen = 0.0;
+  FeelAndLook([](double x) { return 200.0 - GreyAt(x, 20.0); }, nullptr, felt, seen, true);
+  std::cout << "a dark body: felt at " << felt << " mm, seen at " << seen << " mm\n";
+  Expect(std::abs(felt - SKIN_AT) < 1.5 && std::abs(seen - felt) < 1.0,
+    "a dark body is not what is felt and seen first");
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

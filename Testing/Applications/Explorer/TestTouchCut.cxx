@@ -103,7 +103,7 @@ struct CutHead : TouchedHead
   /// The proxy of a hand that presses in there.
   std::array<double, 3> Touches(int x, int y)
   {
-    this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 3); });
+    this->TouchAt(x, y, [&] { this->TouchedHead::Press(x, y, 4); });
     std::array<double, 3> proxy;
     std::copy_n(this->Touch.Device->GetState()->GetProxyPosition(), 3, proxy.data());
     return proxy;

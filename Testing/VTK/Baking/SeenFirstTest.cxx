@@ -8,6 +8,8 @@
 
 #include "Rigs/ApiRig.h"
 
+#include <vtkVolumeProperty.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,6 +84,38 @@ TEST(SeenFirst, AirBesideALabelDoesNotDrag)
     EXPECT_LT(PassBy("Labels", ball, distance), Felt) << distance << " mm from the label";
   }
   EXPECT_GT(PassBy("Labels", ball, -2.0), 0.2) << "the label itself is felt";
+}
+
+TEST(SeenFirst, ThinLabelsAreFeltAtTheVoxelsThatAreShown)
+{
+  const auto thread = MakeVolume(41, 41, 41, VTK_UNSIGNED_CHAR,
+    [](int i, int j, int) { return (i == 20 || i == 21) && (j == 20 || j == 21) ? 7.0 : 0.0; });
+  const auto sheet =
+    MakeVolume(41, 41, 41, VTK_UNSIGNED_CHAR, [](int, int j, int) { return j == 20 ? 7.0 : 0.0; });
+  vtkNew<vtkVolumeProperty> look;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(0.499, 0.0);
+  opacity->AddPoint(0.501, 1.0);
+  look->SetScalarOpacity(opacity);
+  look->SetInterpolationTypeToNearest();
+  for (vtkImageData* const labels : { thread.GetPointer(), sheet.GetPointer() })
+  {
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    filter->SetInputData(labels);
+    EXPECT_TRUE(filter->GetProperty()->ApplyPreset("Labels"));
+    filter->GetProperty()->SetVisibilityFrom(look);
+    filter->SetPathData(MakePath(Line({ 20.5, 14.0, 20.3 }, { 20.5, 20.3, 20.3 }, 126)));
+    filter->Update();
+    vtkPolyData* const trace = filter->GetOutput();
+    vtkIdType tick = 0;
+    while (tick < 126 && ForceAt(trace, tick) < Felt)
+    {
+      ++tick;
+    }
+    EXPECT_NEAR(trace->GetPoint(tick)[1], 19.5, 0.01) << "the face of the voxels";
+    EXPECT_GT(ForceAt(trace, 126), 0.25) << "it holds";
+  }
 }
 
 TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)

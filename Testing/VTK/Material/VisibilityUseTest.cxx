@@ -11,6 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace apitest;
@@ -120,20 +121,92 @@ TEST_F(VisibilityUse, AWideEdgeIsFeltWhereItIsSeen)
   this->Filter->SetSolverToPrecise();
   this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 20 }, 140)));
   vtkPolyData* const output = this->Run(141);
-  constexpr double seen = 14.0 + 2.0 * 1.5548;
+  // Between the samples at 17 and 18, which are 46.66 and 48.86, the picture is linear.
+  const double below = 25.0 * std::erfc(-3.0 / std::sqrt(8.0));
+  const double above = 25.0 * std::erfc(-4.0 / std::sqrt(8.0));
+  const double seen = 17.0 + (47.0 - below) / (above - below);
   vtkIdType tick = 0;
   while (tick < 140 && std::abs(Get(output, "Force", tick, 2)) < 0.1)
   {
     ++tick;
   }
-  EXPECT_GT(output->GetPoint(tick)[2], seen - 1.55);
-  EXPECT_LT(output->GetPoint(tick)[2], seen + 0.5);
+  EXPECT_NEAR(output->GetPoint(tick)[2], seen, 0.01);
   EXPECT_GT(std::abs(Get(output, "Force", 140, 2)), 1.0) << "it holds";
+}
+
+TEST_F(VisibilityUse, WhatIsBesideSomethingSeenIsNotFelt)
+{
+  // The same edge. A hand that comes from the side passes 0.5 mm in front of what is seen.
+  this->Image = MakeImage(34, VTK_DOUBLE,
+    [](const Point& p) { return 25.0 * std::erfc((14.0 - p[2]) / std::sqrt(8.0)); });
+  this->Filter->SetInputDataObject(0, this->Image);
+  SetConstant(this->Property->GetViscosity(), 0.2);
+  this->Filter->SetSolverToPrecise();
+  const auto strongest = [&](double z)
+  {
+    this->Filter->SetPathData(MakePath(Line({ 6, 16, z }, { 26, 16, z + 0.4 }, 200)));
+    vtkPolyData* const output = this->Run(201);
+    double most = 0.0;
+    for (vtkIdType tick = 0; tick < 201; ++tick)
+    {
+      most = std::max(most, std::abs(Get(output, "Force", tick, 0)));
+    }
+    return most;
+  };
+  constexpr double seen = 14.0 + 2.0 * 1.5548;
+  EXPECT_GT(strongest(seen - 0.9), 0.1) << "without a look, all of the edge is felt";
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(47.0, 0.0);
+  this->Opacity->AddPoint(47.5, 1.0);
+  this->Property->SetVisibilityFrom(this->Volume);
+  EXPECT_EQ(strongest(seen - 0.9), 0.0);
+}
+
+TEST_F(VisibilityUse, NothingIsFeltBesideTheVolume)
+{
+  this->Image = MakeImage(20, VTK_DOUBLE, [](const Point&) { return 1000.0; });
+  this->Filter->SetInputDataObject(0, this->Image);
+  SetConstant(this->Property->GetViscosity(), 0.2);
+  this->Filter->SetSolverToPrecise();
+  this->Filter->SetPathData(MakePath(Line({ 2, 10, -3 }, { 18, 10, -3 }, 160)));
+  EXPECT_NEAR(Get(this->Run(161), "Force", 100, 0), -0.2, 1e-6) << "values go on beyond the border";
+  this->Property->SetVisibilityFrom(this->Volume);
+  EXPECT_EQ(Get(this->Run(161), "Force", 100, 0), 0.0) << "the picture does not";
+  this->Filter->SetPathData(MakePath(Line({ 2, 10, 3 }, { 18, 10, 3 }, 160)));
+  EXPECT_NEAR(Get(this->Run(161), "Force", 100, 0), -0.2, 1e-6);
+}
+
+TEST_F(VisibilityUse, LabelsThatAreShownByNearestSamplesAreFeltByThem)
+{
+  // From 0 to 90 between z = 14 and 15, seen from 1 on: at 14.1 the blend of both samples is seen,
+  // the nearest one is not.
+  this->Image = MakeImage(30, VTK_DOUBLE, [](const Point& p) { return p[2] < 14.5 ? 0.0 : 90.0; });
+  this->Filter->SetInputDataObject(0, this->Image);
+  SetConstant(this->Property->GetViscosity(), 0.2);
+  SetConstant(this->Property->GetSurfaceStrength(), 0.0);
+  this->Property->ScalarsAreLabelsOn();
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0.5, 0.0);
+  this->Opacity->AddPoint(1.0, 1.0);
+  this->Property->SetVisibilityFrom(this->Volume);
+  this->Filter->SetSolverToPrecise();
+  const auto drag = [&](double z)
+  {
+    this->Filter->SetPathData(MakePath(Line({ 6, 16, z }, { 26, 16, z }, 200)));
+    return Get(this->Run(201), "Viscosity", 150);
+  };
+  // R belongs to what lies behind the proxy, and that is hidden on this side.
+  this->Property->SetSurfaceSideToLower();
+  this->Volume->SetInterpolationTypeToLinear();
+  EXPECT_GT(drag(14.1), 0.1);
+  this->Volume->SetInterpolationTypeToNearest();
+  EXPECT_EQ(drag(14.1), 0.0);
+  EXPECT_GT(drag(14.6), 0.1);
 }
 
 TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
 {
-  // Of 60, seen from 50 on: within 0.8 mm x sqrt(2 ln(60 / 50)) = 0.48 mm of its middle.
+  // Of 60, seen from 50 on.
   this->Image = MakeImage(34, VTK_DOUBLE,
     [](const Point& p) { return 60.0 * std::exp(-0.5 * std::pow((p[2] - 16.0) / 0.8, 2.0)); });
   this->Filter->SetInputDataObject(0, this->Image);
@@ -142,8 +215,10 @@ TEST_F(VisibilityUse, AThinSheetThatIsSeenHolds)
   this->Opacity->AddPoint(51.0, 1.0);
   this->Filter->SetSolverToPrecise();
   this->Filter->SetPathData(MakePath(Line({ 16, 16, 6 }, { 16, 16, 18 }, 120)));
-  const double before = Get(this->Run(121), "Force", 115, 2);
-  EXPECT_LT(before, -0.5);
+  EXPECT_LT(Get(this->Run(121), "Force", 115, 2), -0.5);
   this->Property->SetVisibilityFrom(this->Volume);
-  EXPECT_NEAR(Get(this->Run(121), "Force", 115, 2), before, 1e-9);
+  // The picture is linear between the samples at 15 and 16.
+  const double below = 60.0 * std::exp(-0.5 / (0.8 * 0.8));
+  const double seen = 15.0 + (50.0 - below) / (60.0 - below);
+  EXPECT_NEAR(Get(this->Run(121), "Force", 115, 2), -500.0 * 1e-3 * (17.5 - seen), 1e-3);
 }

@@ -159,6 +159,24 @@ double ComputeFeltMiddle(vtkPiecewiseFunction* strength, double low, double high
   return middle;
 }
 
+/// Returns the same for a boundary of a dark body, whose strength ends within the boundary.
+double ComputeDarkMiddle(vtkPiecewiseFunction* strength, double low, double high)
+{
+  const double middle = 0.5 * (low + high);
+  for (int i = 1; i < strength->GetSize(); ++i)
+  {
+    double from[4];
+    double to[4];
+    strength->GetNodeValue(i - 1, from);
+    strength->GetNodeValue(i, to);
+    if (from[1] > 0.0 && to[1] == 0.0 && to[0] > low && to[0] <= high)
+    {
+      return std::min(middle, to[0]);
+    }
+  }
+  return middle;
+}
+
 /// Proposes functions from the image. Returns the reason if that is not possible; empty if it is.
 std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
@@ -189,6 +207,11 @@ std::vector<Tissue> MakeTissueTable(const Analysis& analysis)
   if (analysis.Kind == VolumeKind::Field || analysis.Kind == VolumeKind::Labels)
   {
     return {};
+  }
+  if (analysis.IsDark)
+  {
+    return { { "body", -ENDLESS, analysis.OuterThreshold },
+      { "background", analysis.OuterThreshold, ENDLESS } };
   }
   return { { "background", -ENDLESS, analysis.OuterThreshold },
     { "body, darker", analysis.OuterThreshold, analysis.DeepThreshold },
@@ -264,16 +287,19 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
   vtkDataArray* const low = column("Low");
   vtkDataArray* const high = column("High");
   vtkDataArray* const area = column("Share");
+  analysis.IsDark = property->GetSurfaceSide() == vtkHapticProperty::LOWER;
   double largest = 0.0;
   for (vtkIdType i = 0; i < boundaries->GetNumberOfRows(); ++i)
   {
     const double from = low->GetComponent(i, 0);
-    const bool isOutside = property->GetSurfaceStrength()->GetValue(from) == 0.0;
+    const double to = high->GetComponent(i, 0);
+    vtkPiecewiseFunction* const strength = property->GetSurfaceStrength();
+    const bool isOutside = strength->GetValue(analysis.IsDark ? to : from) == 0.0;
     if (isOutside && area->GetComponent(i, 0) > largest)
     {
       largest = area->GetComponent(i, 0);
-      analysis.OuterThreshold =
-        ComputeFeltMiddle(property->GetSurfaceStrength(), from, high->GetComponent(i, 0));
+      analysis.OuterThreshold = analysis.IsDark ? ComputeDarkMiddle(strength, from, to)
+                                                : ComputeFeltMiddle(strength, from, to);
     }
   }
   if (largest > 0.0)

@@ -46,24 +46,35 @@ const Colour COLOURS[2][5] = {
     { 0.98, 0.91, 0.36 } },
 };
 
-/// Sets the opacities of the body's outer part, and of its dense parts.
+/// Sets the opacities of the body's outer part, and of its dense parts. For a dark body, all values
+/// are taken with the other sign.
 void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
-  const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
+  const bool isDark = analysis.IsDark;
+  const double sign = isDark ? -1.0 : 1.0;
+  const double low = isDark ? -analysis.High : analysis.Low;
+  const double high = isDark ? -analysis.Low : analysis.High;
+  const double least = isDark ? -analysis.Range[1] : analysis.Range[0];
+  const double outer = sign * analysis.OuterThreshold;
+  const double deep = isDark ? 0.5 * (outer + high) : analysis.DeepThreshold;
+  const double edge = 0.15 * (outer - low);
   const double step = 0.3 * edge;
-  const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
-  const LookStop stops[] = {
-    { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
+  LookStop stops[] = {
+    { std::min(least, outer - 2.0 * edge), 0.00, of[0] },
     // The ramp is short, because what is visible has to be felt: thin parts whose values reach only
     // the ramp's lower half must be nearly invisible.
     { outer + 0.6 * step, 0.00, of[0] },
     { outer + step, body, of[1] },
     { deep, body, of[2] },
     { deep + edge, dense, of[3] },
-    { std::max(analysis.High, deep + 2.0 * edge), most, of[4] },
+    { std::max(high, deep + 2.0 * edge), most, of[4] },
   };
+  for (LookStop& stop : stops)
+  {
+    stop.Value *= sign;
+  }
   Apply(stops, property);
 }
 
@@ -83,7 +94,8 @@ void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
   // rise per voxel at a surface that is two voxels wide
-  const double edge = analysis.OuterThreshold - air;
+  const double edge =
+    analysis.IsDark ? analysis.High - analysis.OuterThreshold : analysis.OuterThreshold - air;
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.1 * edge, 0.05);
   opacity->AddPoint(0.3 * edge, 1.0);

@@ -23,21 +23,10 @@ constexpr double EdgeTolerance = 1e-3;
 constexpr double EdgeWidth = 0.5;
 /** The initial growth (N) of the strength, per EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
-/** The channel of MaterialTable with the visibility. */
-constexpr int VisibilityChannel = 4;
+/** Voxels that a wall cuts are not as far in front of it (LabelWall::Value). */
+constexpr double BeforeStairs = -0.5;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
-
-///@{
-/**
- * The distances (voxels along the normal) of a proxy from what is seen, up to which an edge holds
- * with all of its strength, and from which on it does not hold.
- */
-constexpr double SeenNear = 1.0;
-constexpr double SeenFar = 1.5;
-///@}
-constexpr double SeenStep = 0.5; ///< voxels
-constexpr int SeenHalvings = 4;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
@@ -146,6 +135,7 @@ PrecisePoint PreciseSurroundings::Look(
   join(values, material);
   const double rise = slope.Magnitude * this->Model.WorldUnitsPerMeter;
   PrecisePoint point{ material, sample.Value, isDescending ? -rise : rise, walk.Far, walk.Lasts };
+  this->Hide(index, false, point);
   if (baked.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
   {
     this->Align(index, slope, isDescending, join, point);
@@ -172,6 +162,11 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   {
     surface.Reach = Vector3{}; // there is no wall, so the labels around the proxy count
   }
+  if (this->Hides && surface.IsWall && !isDescending && this->IsThinAndSeen(index, surface))
+  {
+    surface.Depth = 0.0;
+    surface.Reach = Vector3{};
+  }
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
   // Look up first: the sampling of the values then hides the lookup's latency.
   const DistinctnessTable::Values distinct = Law::ComputeDistinctness(this->Model, surface);
@@ -188,6 +183,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   point.Slope = isDescending ? -rise : rise;
   point.Far = walk.Far;
   point.FarLasts = walk.Lasts;
+  this->Hide(index, surface.IsWall, point);
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
@@ -261,14 +257,14 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   const double even = FarSide::ComputeEvenFraction(point.Far);
   const double value = this->Field.Value(index);
   double edge = point.SurfaceStrength;
-  if (even < 1.0)
+  // An edge from hidden to seen values holds from where it is seen. Its walk may end at seen values
+  // between two edges.
+  const bool isOfPicture = this->Hides &&
+    (!this->IsSeen(sides.Behind) || !this->IsSeen(this->Field.Values(index, slope.Reach).Behind));
+  if (even < 1.0 && !isOfPicture)
   {
     edge = GradedStrength(
       sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
-  }
-  if (edge > 0.0 && !this->IsSeen(value))
-  {
-    edge *= this->ComputeSeenFraction(index, slope);
   }
   // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
   double ramp = point.SurfaceStrength;
@@ -278,10 +274,6 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     join(this->Field.Values(index, slope.Reach), material);
     ramp = material.SurfaceStrength;
   }
-  if (even > 0.0)
-  {
-    ramp *= this->Model.Baked->Materials(value)[VisibilityChannel];
-  }
   point.SurfaceStrength = edge + even * (ramp - edge);
 }
 
@@ -290,28 +282,43 @@ bool PreciseSurroundings::IsSeen(double value) const noexcept
   return this->Model.Baked->Materials(value)[VisibilityChannel] > 0.0;
 }
 
-double PreciseSurroundings::ComputeSeenFraction(
-  const Vector3& index, const Law::Slope& slope) const noexcept
+bool PreciseSurroundings::IsShown(const Vector3& index) const noexcept
 {
-  const Vector3 voxel = this->Model.InverseRadius * slope.Reach;
-  const auto sees = [&](double voxels)
+  if (!this->Field.IsInside(index))
   {
-    const ValuePair values = this->Field.Values(index, voxels * voxel);
-    return this->IsSeen(values.Ahead) || this->IsSeen(values.Behind);
+    return false;
+  }
+  return this->IsSeen(this->Field.Value(this->Model.Baked->IsSeenByNearest
+      ? Vector3{ std::round(index.X), std::round(index.Y), std::round(index.Z) }
+      : index));
+}
+
+bool PreciseSurroundings::IsThinAndSeen(const Vector3& index, const Surface& surface) const noexcept
+{
+  if (surface.IsOneSided || !(surface.Depth < 0.0) || !this->IsShown(index))
+  {
+    return false;
+  }
+  if (surface.Depth < BeforeStairs)
+  {
+    return true;
+  }
+  const auto isBehindWall = [&](double fraction)
+  {
+    const Vector3 ahead = this->Model.IndexToLabel(index + fraction * surface.Reach);
+    return this->Model.Baked->Walls->Compute(ahead).Value > 0.0;
   };
-  double hidden = 0.0;
-  double seen = SeenStep;
-  while (seen <= SeenFar && !sees(seen))
+  return !isBehindWall(1.0 / 3.0) && !isBehindWall(2.0 / 3.0) && !isBehindWall(1.0);
+}
+
+void PreciseSurroundings::Hide(
+  const Vector3& index, bool isWall, PrecisePoint& point) const noexcept
+{
+  if (this->Hides && point.SurfaceStrength + point.Viscosity > 0.0 && !this->IsShown(index))
   {
-    hidden = seen;
-    seen += SeenStep;
+    point.Viscosity = 0.0;
+    point.SurfaceStrength = isWall ? point.SurfaceStrength : 0.0;
   }
-  for (int i = 0; i < SeenHalvings && seen > SeenNear && seen <= SeenFar; ++i)
-  {
-    const double middle = 0.5 * (hidden + seen);
-    (sees(middle) ? seen : hidden) = middle;
-  }
-  return std::clamp((SeenFar - seen) / (SeenFar - SeenNear), 0.0, 1.0);
 }
 
 double PreciseSurroundings::ComputeRise(const Law::Slope& slope) const noexcept

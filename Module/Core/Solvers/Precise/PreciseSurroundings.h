@@ -74,6 +74,7 @@ public:
     , IsPlain(model.Baked->IsPlain() && !model.Baked->IsMoving())
     , HasWalks(model.Baked->Settings.Placement != MaterialPlacement::Kernel)
     , LeavesMedium(HasWalks && model.Baked->Settings.Side == SurfaceSide::Both)
+    , Hides(HasWalks && model.Baked->Materials.GetRange(VisibilityChannel).Low <= 0.0)
     , Labels(labels)
   {
   }
@@ -152,6 +153,7 @@ public:
     const Departure& start, const Motion& motion, double fraction, const Vector3& tip) noexcept;
 
 private:
+  static constexpr int VisibilityChannel = 4; ///< channel of MaterialTable
   /** Largest distance (voxels) of a proxy from its level. */
   static constexpr double FarthestLevel = 0.25;
 
@@ -202,11 +204,18 @@ private:
     const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
   /** Returns whether a value is visible. */
   bool IsSeen(double value) const noexcept;
+  /** Returns whether the picture shows the volume at an index. */
+  bool IsShown(const Vector3& index) const noexcept;
   /**
-   * Returns the fraction of an edge's strength that holds a proxy at a hidden value. If an edge is
-   * wide and some of its values are hidden, the hand must meet it where the eye does.
+   * Returns whether the label at an index is visible, but too thin for a wall. The hand meets it at
+   * the faces of its voxels, which the picture shows.
    */
-  double ComputeSeenFraction(const Vector3& index, const Law::Slope& slope) const noexcept;
+  bool IsThinAndSeen(const Vector3& index, const Surface& surface) const noexcept;
+  /**
+   * Takes drag and strength from a proxy that is at a hidden value or outside the volume. Walls
+   * hold from in front of what is visible, so they keep their strength.
+   */
+  void Hide(const Vector3& index, bool isWall, PrecisePoint& point) const noexcept;
   /** Returns the change of V over the kernel radius according to the gradient. */
   double ComputeRise(const Law::Slope& slope) const noexcept;
   /**
@@ -227,6 +236,7 @@ private:
   /** Whether values depend on the proxy's path, as for MaterialPlacement::FarSide. */
   const bool HasWalks;
   const bool LeavesMedium; ///< whether surfaces are felt from both sides
+  const bool Hides;        ///< whether a picture hides some values, which are not felt then
   LabelMemory& Labels;
   int Looks = 0;
 };
