@@ -81,6 +81,10 @@ TRIED = {
     "Applications/Explorer/TestTouchKept.cxx": {
         "the measurements of this window first, then F11": "the measurements of this window first, then F11",
     },
+    "Data/Formats/write_images.py": {
+        "Copy all files of the stack into one folder": "is missing", "Write all slices alike": "pages of several sizes or types",
+        ", which has …. Check that its copy is complete": "names page",
+    },
     "Python/TestLabels.py": {
         "write the volume that is meant into a file of its own": "into a file of its own",
         "There is no file name. Cure: set FileName": "set FileName",

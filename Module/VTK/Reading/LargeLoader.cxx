@@ -121,13 +121,17 @@ Volume LoadLargeVolume(const std::string& path)
   OpenItself(path, volume.Large);
   volume.Format = FormatOf(path);
   AddFileNotes(volume.Large, volume);
-  const bool isNrrd = volume.Format == "NRRD";
-  if (isNrrd || volume.Format == "MetaImage")
+  if (volume.Format == "NRRD")
   {
-    volume.Axes = isNrrd ? ReadNrrdAxes(path) : ReadMetaImageAxes(path);
+    const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
+    volume.Axes = FindNrrdAxes(header);
+    const std::string turn = DescribeNrrdTurn(header);
+    volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);
   }
-  const std::string turn = isNrrd ? DescribeNrrdTurn(path) : std::string();
-  volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);
+  else if (volume.Format == "MetaImage")
+  {
+    volume.Axes = ReadMetaImageAxes(path);
+  }
   if (!volume.Large->GetCoarseImage())
   {
     MakeCoarse(path, volume.Large);

@@ -105,6 +105,33 @@ bool IsNifti(const std::string& lower)
   return false;
 }
 
+/// Returns the file that exists beside one of NIfTI's two, with one of these endings; empty if
+/// there is none.
+std::string FindBeside(const std::string& path, std::initializer_list<const char*> endings)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  const std::string base = path.substr(0, path.size() - (EndsWith(lower, ".gz") ? 7 : 4));
+  for (const char* const ending : endings)
+  {
+    if (vtksys::SystemTools::FileExists(base + ending, true))
+    {
+      return base + ending;
+    }
+  }
+  return {};
+}
+
+/// Returns the reason why the header of a NIfTI file, or the one beside its samples, can't be true;
+/// empty if it can.
+std::string DetectFalseNifti(const std::string& path)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  const bool areSamples = EndsWith(lower, ".img") || EndsWith(lower, ".img.gz");
+  const std::string header =
+    areSamples ? FindBeside(path, { ".hdr", ".hdr.gz", ".HDR", ".HDR.GZ" }) : path;
+  return header.empty() ? std::string() : Explore::DetectFalseNiftiHeader(header);
+}
+
 /// Whether a file begins like gzip's files, whatever its name says.
 bool IsPacked(const std::string& path)
 {
@@ -125,15 +152,9 @@ std::string FindSamples(const std::string& path)
   else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
   {
     // NIfTI and Analyze in two files.
-    const std::string base = path.substr(0, path.size() - (EndsWith(lower, ".gz") ? 7 : 4));
-    for (const char* const ending : { ".img", ".img.gz", ".IMG", ".IMG.GZ" })
-    {
-      if (vtksys::SystemTools::FileExists(base + ending, true))
-      {
-        return base + ending;
-      }
-    }
-    return base + ".img";
+    const std::string samples = FindBeside(path, { ".img", ".img.gz", ".IMG", ".IMG.GZ" });
+    const std::size_t ending = EndsWith(lower, ".gz") ? 7 : 4;
+    return samples.empty() ? path.substr(0, path.size() - ending) + ".img" : samples;
   }
   if (data == "LIST" || data.find('%') != std::string::npos)
   {
@@ -322,15 +343,16 @@ Volume ReadMetaImage(const std::string& path)
 /// from the wrong end.
 Volume ReadNrrd(const std::string& path)
 {
-  if (VolumeHaptics::ReadNrrdHeader(path).Fields.empty())
+  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
+  if (header.Fields.empty())
   {
     throw InputError(path, "is not a NRRD file, whatever its name says",
       "check what the file really is; export it again as NRRD, and check that the copy is "
       "complete");
   }
   Volume volume = ReadAsRegions(path, "NRRD", "do what stands there");
-  volume.Axes = Explore::ReadNrrdAxes(path);
-  const std::string note = Explore::DescribeNrrdTurn(path);
+  volume.Axes = Explore::FindNrrdAxes(header);
+  const std::string note = Explore::DescribeNrrdTurn(header);
   volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
   return volume;
 }
@@ -375,6 +397,13 @@ void ApplyNiftiScale(double slope, double intercept, Volume& volume)
 
 Volume ReadNifti(const std::string& path, bool timesAreComponents)
 {
+  const std::string fault = DetectFalseNifti(path);
+  if (!fault.empty())
+  {
+    throw InputError(path, "is not a NIfTI file, whatever its name says (" + fault + ")",
+      "check what the file really is; export it again as NIfTI, and check that the copy is "
+      "complete");
+  }
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetTimeAsVector(timesAreComponents);
   Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
@@ -545,7 +574,8 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
 {
   vtkNew<vtkNIFTIImageReader> reader;
   const MessageCapture capture; // the volume's reader reports the fault
-  if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !reader->CanReadFile(path.c_str()))
+  if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !DetectFalseNifti(path).empty() ||
+    !reader->CanReadFile(path.c_str()))
   {
     return {};
   }

@@ -57,9 +57,8 @@ std::array<int, 3> BestPermutation(const double axes[9])
 
 namespace Explore
 {
-WorldAxes ReadNrrdAxes(const std::string& path)
+WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header)
 {
-  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
   return VolumeHaptics::FindNrrdSpace(header).IsPatient ? WorldAxes::Patient
     : header.GetField("space").empty()                  ? WorldAxes::Unknown
                                                         : WorldAxes::Other;
@@ -108,9 +107,8 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
   SetFrame(image, axes, image->GetOrigin());
 }
 
-std::string DescribeNrrdTurn(const std::string& path)
+std::string DescribeNrrdTurn(const VolumeHaptics::NrrdHeader& header)
 {
-  const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
   const bool isTurned = VolumeHaptics::FindNrrdSpace(header).Signs[1] < 0.0;
   return isTurned && VolumeHaptics::FindNrrdSteps(header)
     ? "orientation turned from " + header.GetField("space") + " to left-posterior-superior"

@@ -3,6 +3,8 @@
 #ifndef Explore_VolumeOrientation_h
 #define Explore_VolumeOrientation_h
 
+#include "VTK/Base/NrrdHeader.h"
+
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -19,9 +21,9 @@ enum class WorldAxes
   Other
 };
 
-/// Read the axes from the `space` of a NRRD file, and from the `AnatomicalOrientation` of a
-/// MetaImage.
-WorldAxes ReadNrrdAxes(const std::string& path);
+/// Return the axes that the `space` of a NRRD header, and the `AnatomicalOrientation` of a
+/// MetaImage, tell.
+WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
 /// Sets the axes of an image. Column c of `axes` (row-major 3x3, columns of any length) is the
@@ -32,8 +34,8 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 /// convention, row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// Returns a note if a NRRD file's space is turned into left-posterior-superior; else empty.
-std::string DescribeNrrdTurn(const std::string& path);
+/// Returns a note if a NRRD header's space is turned into left-posterior-superior; else empty.
+std::string DescribeNrrdTurn(const VolumeHaptics::NrrdHeader& header);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), if
 /// it has one, and converts the result to left-posterior-superior.

@@ -6,7 +6,9 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <zlib.h>
 
@@ -105,5 +107,59 @@ std::string DetectMissingEnd(const std::string& file)
     }
   }
   return {};
+}
+
+std::string DetectFalseNiftiHeader(const std::string& header)
+{
+  constexpr unsigned sizes[] = { 348, 540 }; // NIfTI 1 and Analyze, NIfTI 2
+  unsigned char bytes[sizes[1]] = {};
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(header.c_str(), "rb"), gzclose);
+  const int count = file ? gzread(file.get(), bytes, sizes[1]) : 0;
+  const auto read = [&bytes](unsigned at, unsigned size, bool isSwapped)
+  {
+    std::uint64_t number = 0;
+    for (unsigned i = 0; i < size; ++i)
+    {
+      number |= std::uint64_t{ bytes[at + (isSwapped ? size - 1 - i : i)] } << (8 * i);
+    }
+    return static_cast<std::int64_t>(number);
+  };
+  for (const unsigned size : sizes)
+  {
+    for (const bool isSwapped : { false, true })
+    {
+      if (read(0, 4, isSwapped) != size)
+      {
+        continue;
+      }
+      const unsigned first = size == sizes[0] ? 40 : 16, step = size == sizes[0] ? 2 : 8;
+      const std::int64_t axes = read(first, step, isSwapped);
+      if (count < static_cast<int>(size))
+      {
+        return "its header is cut off";
+      }
+      double voxels = axes >= 1 && axes <= 7 ? 1.0 : 0.0;
+      for (unsigned i = 1; voxels > 0.0 && i <= axes; ++i)
+      {
+        const std::int64_t along = read(first + i * step, step, isSwapped);
+        const std::int64_t least = i <= 3 ? 1 : 0, most = step == 2 ? 32767 : 2147483647;
+        const bool isTrue = along >= least && along <= most;
+        voxels *= isTrue ? std::max(1.0, static_cast<double>(along)) : 0.0;
+      }
+      if (!(voxels > 0.0 && voxels < 1e15))
+      {
+        return "its header is damaged: its axes have no sizes that can be";
+      }
+      const std::int64_t type = read(size == sizes[0] ? 70 : 12, 2, isSwapped);
+      // From 8-bit integers to colours with opacity, as nifti1.h numbers them.
+      constexpr std::int64_t types[] = { 2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1792,
+        2304 };
+      const bool isKnown = std::find(std::begin(types), std::end(types), type) != std::end(types);
+      return isKnown
+        ? std::string()
+        : "its samples have the type " + std::to_string(type) + ", which is not known here";
+    }
+  }
+  return "it does not begin like one";
 }
 } // namespace Explore

@@ -14,6 +14,10 @@ namespace Explore
 /// memory.
 double CountUnpacked(const std::string& file, std::size_t offset);
 
+/// Returns the reason why the header of a NIfTI or Analyze file, perhaps packed, can't be true;
+/// empty if it can. VTK's readers look for an unknown type in memory beyond their list of types.
+std::string DetectFalseNiftiHeader(const std::string& header);
+
 /// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete;
 /// empty if it is complete. VTK's readers fill missing appended samples with whatever was in
 /// memory.

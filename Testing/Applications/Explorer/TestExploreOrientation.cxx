@@ -87,7 +87,8 @@ int TestExploreOrientation(int argc, char* argv[])
       { "space: 3D-right-handed", Explore::WorldAxes::Other },
       { "type: short", Explore::WorldAxes::Unknown } })
   {
-    Expect(Explore::ReadNrrdAxes(WriteText("axes.nhdr", "NRRD0004\n" + line + "\n")) == axes, line);
+    const std::string header = WriteText("axes.nhdr", "NRRD0004\n" + line + "\n");
+    Expect(Explore::FindNrrdAxes(VolumeHaptics::ReadNrrdHeader(header)) == axes, line);
   }
   for (const char* space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })

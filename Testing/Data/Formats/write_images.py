@@ -4,6 +4,7 @@
 
 import json
 
+import h5py
 import nrrd
 import numpy as np
 import SimpleITK
@@ -250,6 +251,62 @@ tiff_case("float64", GRID.sample(float), 1.0, 0.0, **CUBES)
 tiff_case("uint32", UNSIGNED.astype(np.uint32), **CUBES)
 
 
+@case("tiff-imagej-calibrated", steps=(1.5, 1.6, 1.7), told=("values are -1010 plus 0.5 times",), tolerance=0.51,
+      source="ij.measure.Calibration: the function cf = 0 is c0 + c1 x")
+def tiff_calibrated(folder):
+    options = dict(IMAGEJ, metadata={**IMAGEJ["metadata"], "cf": 0, "c0": -1010.0, "c1": 0.5, "vunit": "HU"})
+    return tiff(folder, "stack.tif", (2 * (GRID.sample(np.int32) + 1010)).astype(np.uint16), **options)
+
+
+@case("tiff-imagej-signed", steps=(1.5, 1.6, 1.7), told=("values are -32768 plus 1 times",),
+      source="ImageJ stores signed 16 bits as others, with c0 = -32768")
+def tiff_signed(folder):
+    options = dict(IMAGEJ, metadata={**IMAGEJ["metadata"], "cf": 0, "c0": -32768.0, "c1": 1.0})
+    return tiff(folder, "stack.tif", (GRID.sample(np.int32) + 32768).astype(np.uint16), **options)
+
+
+def ome_files(folder, lost=False, is_odd=False, is_short=False):
+    """As Bio-Formats writes a stack: a file of two slices each, and OME-XML that names all of them, also by their slices."""
+    folder.mkdir(parents=True, exist_ok=True)
+    size, step = GRID.size, GRID.spacing
+    names = [f"part{k}.ome.tif" for k in range(0, size[2], 2)]
+    planes = "".join(f'<TiffData FirstC="0" FirstT="0" FirstZ="{2 * i + j}" IFD="{j}" PlaneCount="1">'
+                     f'<UUID FileName="{name}">urn:uuid:{i}</UUID></TiffData>' for i, name in enumerate(names) for j in range(2))
+    xml = ('<?xml version="1.0" encoding="UTF-8"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">'
+           '<Image ID="Image:0"><Pixels ID="Pixels:0" DimensionOrder="XYZCT" Type="uint16" SizeC="1" SizeT="1" '
+           f'SizeX="{size[0]}" SizeY="{size[1]}" SizeZ="{size[2]}" PhysicalSizeX="{step[0]}" PhysicalSizeXUnit="mm" '
+           f'PhysicalSizeY="{step[1]}" PhysicalSizeYUnit="mm" PhysicalSizeZ="{step[2]}" PhysicalSizeZUnit="mm">'
+           f"<Channel ID=\"Channel:0:0\" SamplesPerPixel=\"1\"/>{planes}</Pixels></Image></OME>")
+    for i, name in enumerate(names):
+        pages = (GRAY8 if is_odd and i == 4 else UNSIGNED)[:, :, 2 * i:2 * i + (1 if is_short and i == 4 else 2)].transpose(2, 1, 0)
+        tifffile.imwrite(folder / name, pages, photometric="minisblack",
+                         description=xml, metadata=None)
+    if lost:
+        (folder / names[3]).unlink()
+    return folder / names[1]
+
+
+@case("tiff-ome-in-files", offset=1000.0, steps=(1.5, 1.6, 1.7), told=("slices are in 21 files",), options=("--preset", "histogram"),
+      source="the OME-TIFF specification: TiffData names a file by its UUID")
+def tiff_ome_files(folder):
+    return ome_files(folder)
+
+
+@case("tiff-ome-in-files-one-lost", refused="part6.ome.tif.*is missing")
+def tiff_ome_lost(folder):
+    return ome_files(folder, lost=True)
+
+
+@case("tiff-ome-in-files-of-two-types", refused="pages of several sizes or types")
+def tiff_ome_odd(folder):
+    return ome_files(folder, is_odd=True)
+
+
+@case("tiff-ome-in-files-one-short", refused="names page 1 of part8.ome.tif, which has 1")
+def tiff_ome_short(folder):
+    return ome_files(folder, is_short=True)
+
+
 @case("tiff-folder", offset=1000.0, steps=(1.0, 1.0, 1.0), options=("--preset", "histogram"), told=("voxel",))
 def tiff_folder(folder):
     folder.mkdir(parents=True, exist_ok=True)
@@ -306,6 +363,31 @@ def zarr_case(name, version, source="OME-NGFF", told=(), **options):
     @case(f"zarr-{name}", source=source, told=told)
     def write(folder):
         return ngff(folder, version, **options)
+
+
+# VTKHDF
+
+
+def vtkhdf_case(name, grid=GRID, **options):
+    @case(f"vtkhdf-{name}", source="the VTKHDF file format, version 1")
+    def write(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        with h5py.File(folder / "head.vtkhdf", "w") as file:
+            root = file.create_group("VTKHDF")
+            root.attrs["Version"] = [1, 0]
+            root.attrs["Type"] = np.bytes_("ImageData")
+            root.attrs["WholeExtent"] = [end for size in grid.size for end in (0, size - 1)]
+            root.attrs["Origin"], root.attrs["Spacing"] = grid.origin, grid.spacing
+            root.attrs["Direction"] = grid.axes.ravel()
+            points = root.create_group("PointData")
+            points.create_dataset("CT", data=grid.sample().transpose(2, 1, 0), **options)
+            points.attrs["Scalars"] = np.bytes_("CT")
+        return folder / "head.vtkhdf"
+
+
+vtkhdf_case("plain")
+vtkhdf_case("oblique", Grid(axes=turned(20.0)))
+vtkhdf_case("chunks", chunks=(16, 16, 16), compression="gzip")
 
 
 zarr_case("0.4", "0.4")

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <stdexcept>
 
 namespace VolumeHaptics
@@ -25,64 +26,88 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/**
- * Whether a name may be that of Zarr data. Accepts any folder, because Zarr groups may have any
- * name.
- */
-bool IsZarrName(const std::string& name)
+///@{
+/** Open formats that are always read in boxes. */
+LargeFile OpenVtkHdfFile(const std::string& name, bool)
 {
-  return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||
-    vtksys::SystemTools::FileIsDirectory(name);
+  return OpenVtkHdf(name);
 }
-
-bool IsHeaderName(const std::string& name)
+LargeFile OpenTiffFile(const std::string& name, bool)
 {
-  return HasEnding(name, ".mhd") || HasEnding(name, ".mha") || HasEnding(name, ".nhdr") ||
-    HasEnding(name, ".nrrd");
+  return OpenTiff(name);
+}
+LargeFile OpenZarrFolder(const std::string& name, bool)
+{
+  return OpenZarr(name);
+}
+///@}
+
+/** A format: the ending of its files or folders, and what opens it. */
+struct KnownFormat
+{
+  const char* Ending;
+  const char* Name;
+  LargeFile (*Open)(const std::string& name, bool mayBeWhole);
+};
+
+constexpr KnownFormat FORMATS[] = {
+  { ".vtkhdf", "VTKHDF", OpenVtkHdfFile },
+  { ".hdf", "VTKHDF", OpenVtkHdfFile },
+  { ".mhd", "MetaImage", OpenRawHeader },
+  { ".mha", "MetaImage", OpenRawHeader },
+  { ".nrrd", "NRRD", OpenRawHeader },
+  { ".nhdr", "NRRD", OpenRawHeader },
+  { ".tif", "TIFF", OpenTiffFile },
+  { ".tiff", "TIFF", OpenTiffFile },
+  { ".zarr", "Zarr", OpenZarrFolder },
+  { ".zarr/", "Zarr", OpenZarrFolder },
+};
+constexpr const KnownFormat& TIFF_FOLDER = FORMATS[6];
+constexpr const KnownFormat& ZARR = FORMATS[8];
+
+/** Returns the format of a file by its ending, or of a folder by its files; null if unknown. */
+const KnownFormat* FindFormat(const std::string& name)
+{
+  using Files = vtksys::SystemTools;
+  const auto holds = [&name](const char* file) { return Files::PathExists(name + "/" + file); };
+  const auto found = std::find_if(std::begin(FORMATS), std::end(FORMATS),
+    [&name](const KnownFormat& format) { return HasEnding(name, format.Ending); });
+  if (found != std::end(FORMATS) && (found->Open == ZARR.Open || !Files::FileIsDirectory(name)))
+  {
+    return found;
+  }
+  if (!Files::FileIsDirectory(name))
+  {
+    return nullptr;
+  }
+  return holds(".zarray") || holds(".zgroup") || holds("zarr.json") ? &ZARR
+    : IsTiffFolder(name)                                            ? &TIFF_FOLDER
+                                                                    : nullptr;
 }
 
 } // namespace
 
-bool IsLargeFileName(const std::string& name)
-{
-  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name) ||
-    IsHeaderName(name) || IsTiffName(name);
-}
-
 std::string GetFormatName(const std::string& name)
 {
-  using Files = vtksys::SystemTools;
-  const bool isFolder = Files::FileIsDirectory(name);
-  const auto holds = [&name](const char* file) { return Files::PathExists(name + "/" + file); };
-  if (HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||
-    (isFolder && (holds(".zarray") || holds(".zgroup") || holds("zarr.json"))))
-  {
-    return "Zarr";
-  }
-  if (isFolder)
-  {
-    return IsTiffFolder(name) ? "TIFF" : "";
-  }
-  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") ? "VTKHDF"
-    : HasEnding(name, ".mhd") || HasEnding(name, ".mha")       ? "MetaImage"
-    : HasEnding(name, ".nrrd") || HasEnding(name, ".nhdr")     ? "NRRD"
-    : IsTiffName(name)                                         ? "TIFF"
-                                                               : "";
+  const KnownFormat* const format = FindFormat(name);
+  return format ? format->Name : "";
 }
 
 LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
 {
-  if (!IsLargeFileName(name))
+  const KnownFormat* const format = FindFormat(name);
+  if (format)
   {
-    throw std::runtime_error(
-      "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr, .nrrd, .tif or .tiff file or "
-      "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
-      "and spacing.");
+    return format->Open(name, mayBeWhole);
   }
-  return IsTiffName(name) ? OpenTiff(name)
-    : IsZarrName(name)    ? OpenZarr(name)
-    : IsHeaderName(name)  ? OpenRawHeader(name, mayBeWhole)
-                          : OpenVtkHdf(name);
+  if (vtksys::SystemTools::FileIsDirectory(name))
+  {
+    return IsTiffName(name) ? OpenTiff(name) : OpenZarr(name); // Zarr groups have any name
+  }
+  throw std::runtime_error(
+    "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr, .nrrd, .tif or .tiff file or "
+    "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
+    "and spacing.");
 }
 
 int ChooseScalarType(bool isInteger, bool isSigned, std::size_t size)

@@ -33,9 +33,6 @@ struct LargeFile
   std::vector<LargeFile> Coarser; ///< coarser levels of the same volume, the finest first
 };
 
-/** Whether OpenLargeFile() knows the ending of a file's name. */
-bool IsLargeFileName(const std::string& name);
-
 /**
  * Opens a file, by the ending of its name. If mayBeWhole, also opens a file whose samples can't be
  * read in boxes, and reads it as a whole. Throws std::runtime_error, with the cure.

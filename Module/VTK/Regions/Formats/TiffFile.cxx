@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/TiffFile.h"
 
+#include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/LengthUnit.h"
@@ -10,6 +11,7 @@
 #include "VTK/Regions/Formats/RawVolumeFile.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
@@ -77,11 +79,15 @@ struct TiffText
   std::size_t Slices = 0;                ///< 0: not given
   std::size_t Channels = 1;
   std::size_t Times = 1;
-  std::size_t Step = 1;      ///< number of pages from one slice to the next
-  double PerUnit = 0.0;      ///< mm for each unit of ImageJ's resolution
-  bool IsCalibrated = false; ///< whether ImageJ shows other values than those stored
-  std::size_t Whole = 0;     ///< number of images after the first one that have no directory of
-                             ///< their own
+  std::size_t Step = 1; ///< number of pages from one slice to the next
+  double PerUnit = 0.0; ///< mm for each unit of ImageJ's resolution
+  /** ImageJ shows the values Line[0] + Line[1] times those stored. */
+  double Line[2] = { 0.0, 1.0 };
+  bool IsCurved = false; ///< whether ImageJ's values follow another function
+  std::size_t Whole = 0; ///< number of images after the first one that have no directory of
+                         ///< their own
+  /** The pages of the first channel and time, if they are in several files: names and numbers. */
+  std::vector<std::pair<std::string, std::size_t>> Planes;
 };
 
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -267,10 +273,14 @@ TiffText ReadImageJ(const std::string& description)
       const double spacing = std::abs(NumberOr(value.c_str(), 0.0));
       text.Spacing[2] = spacing > 0.0 ? spacing : 1.0;
     }
+    else if (key == "cf")
+    {
+      text.IsCurved = NumberOr(value.c_str(), 0.0) != 0.0; // 0 is a straight line
+    }
     else if (key == "c0" || key == "c1")
     {
-      text.IsCalibrated =
-        text.IsCalibrated || NumberOr(value.c_str(), 0.0) != (key == "c1" ? 1.0 : 0.0);
+      double& number = text.Line[key == "c1" ? 1 : 0];
+      number = NumberOr(value.c_str(), number);
     }
     else if (key == "unit")
     {
@@ -287,8 +297,39 @@ TiffText ReadImageJ(const std::string& description)
   return text;
 }
 
+/**
+ * Reads where the pages of the first channel and time are, if OME-XML names further files than the
+ * one that has it. A page that it does not name follows the one before.
+ */
+void ReadPlanes(vtkXMLDataElement* pixels, const std::string& file, TiffText& text)
+{
+  std::vector<std::pair<std::string, std::size_t>> planes(text.Slices);
+  bool areElsewhere = false;
+  for (int i = 0; i < pixels->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* const data = pixels->GetNestedElement(i);
+    vtkXMLDataElement* const id = data->FindNestedElementWithName("UUID");
+    const char* const name = id ? id->GetAttribute("FileName") : nullptr;
+    const auto numberOf = [data](const char* what, std::size_t other)
+    { return data->GetAttribute(what) ? CountOr(data->GetAttribute(what), 0) : other; };
+    if (std::string(data->GetName()) != "TiffData" || numberOf("FirstC", 0) > 0 ||
+      numberOf("FirstT", 0) > 0)
+    {
+      continue;
+    }
+    const std::size_t first = numberOf("FirstZ", 0), page = numberOf("IFD", 0);
+    const std::size_t count = numberOf("PlaneCount", data->GetAttribute("IFD") ? 1 : text.Slices);
+    for (std::size_t k = 0; k < count && first + k < planes.size(); ++k)
+    {
+      planes[first + k] = { name ? name : file, page + k * text.Step };
+      areElsewhere = areElsewhere || planes[first + k].first != file;
+    }
+  }
+  text.Planes = areElsewhere ? planes : text.Planes;
+}
+
 /** Reads OME-XML: the element Pixels of the first image. Its units are micrometres by default. */
-TiffText ReadOme(const std::string& description)
+TiffText ReadOme(const std::string& description, const std::string& file)
 {
   TiffText text;
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
@@ -318,14 +359,20 @@ TiffText ReadOme(const std::string& description)
       break;
     }
   }
+  constexpr std::size_t most = 1 << 20; // planes
+  if (text.Slices <= most)
+  {
+    ReadPlanes(pixels, file, text);
+  }
   return text;
 }
 
-TiffText ReadText(const std::string& description)
+/** Reads the description of a file. */
+TiffText ReadText(const std::string& description, const std::string& file)
 {
   return description.rfind("ImageJ=", 0) == 0 ? ReadImageJ(description)
     : description.find("<OME") != std::string::npos
-    ? ReadOme(description.substr(description.find('<')))
+    ? ReadOme(description.substr(description.find('<')), file)
     : TiffText();
 }
 
@@ -465,6 +512,102 @@ void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>&
       std::to_string(stack.Pages.size() - slices) + " further TIFF pages are left out");
   }
   stack.Pages = std::move(kept);
+}
+
+/** Collects the pages of a stack from several files, beside the one that names them. */
+void CollectPlanes(const std::string& folder, const TiffText& text, TiffStack& stack)
+{
+  stack.Files.clear();
+  std::vector<TiffPage> kept;
+  std::vector<std::vector<TiffPage>> pages; // of each file
+  for (const auto& [name, page] : text.Planes)
+  {
+    const std::string path = folder + "/" + vtksys::SystemTools::GetFilenameName(name);
+    const auto found = std::find(stack.Files.begin(), stack.Files.end(), path);
+    const auto file = static_cast<std::size_t>(found - stack.Files.begin());
+    if (found == stack.Files.end())
+    {
+      if (name.empty() || !vtksys::SystemTools::FileExists(path, true))
+      {
+        throw std::runtime_error("its OME-XML names the file \"" + Printable(name) +
+          "\" for a slice, which is missing. Copy all files of the stack into one folder.");
+      }
+      stack.Files.push_back(path);
+      stack.Pages.clear();
+      AddPages(file, stack);
+      pages.push_back(stack.Pages);
+    }
+    if (page >= pages[file].size())
+    {
+      throw std::runtime_error("its OME-XML names page " + std::to_string(page) + " of " +
+        Printable(name) + ", which has " + std::to_string(pages[file].size()) +
+        ". Check that its copy is complete.");
+    }
+    kept.push_back(pages[file][page]);
+  }
+  for (const TiffPage& page : kept)
+  {
+    const TiffPointer tiff = OpenQuietly(stack.Files[page.File]);
+    if (TIFFSetSubDirectory(tiff.get(), page.Offset) != 1 ||
+      !(ReadLayout(tiff.get()) == stack.Layout))
+    {
+      throw std::runtime_error(
+        "its files have pages of several sizes or types. Write all slices alike.");
+    }
+  }
+  stack.Pages = std::move(kept);
+}
+
+/** Returns the stored samples of a box as values on ImageJ's straight line. */
+template <typename Value>
+BoxReader ApplyLine(const LargeFile& file, const double line[2])
+{
+  const BoxReader stored = file.Read;
+  const int type = file.ScalarType;
+  const double first = line[0], slope = line[1];
+  return [stored, type, first, slope](const int box[6], void* samples)
+  {
+    const vtkIdType count =
+      vtkIdType{ box[1] - box[0] + 1 } * (box[3] - box[2] + 1) * (box[5] - box[4] + 1);
+    const auto array = NewArray(type, 1, count);
+    if (!stored(box, array->GetVoidPointer(0)))
+    {
+      return false;
+    }
+    auto* const values = static_cast<Value*>(samples);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      values[i] = static_cast<Value>(first + slope * array->GetComponent(i, 0));
+    }
+    return true;
+  };
+}
+
+/**
+ * Turns stored samples into the values that ImageJ shows: 16-bit integers with signs, which it
+ * stores as others, stay so.
+ */
+void Calibrate(const TiffText& text, LargeFile& file)
+{
+  const bool isLine = text.Line[0] != 0.0 || text.Line[1] != 1.0;
+  std::ostringstream note;
+  if (text.IsCurved || !std::isfinite(text.Line[0]) || !std::isfinite(text.Line[1]))
+  {
+    note << "ImageJ's calibration of values is not applied: the stored ones are felt";
+  }
+  else if (isLine)
+  {
+    const bool isSigned =
+      text.Line[0] == -32768.0 && text.Line[1] == 1.0 && file.ScalarType == VTK_UNSIGNED_SHORT;
+    file.Read = isSigned ? ApplyLine<short>(file, text.Line) : ApplyLine<float>(file, text.Line);
+    file.ScalarType = isSigned ? VTK_SHORT : VTK_FLOAT;
+    note << "values are " << text.Line[0] << " plus " << text.Line[1]
+         << " times the stored ones, as ImageJ shows them";
+  }
+  if (!note.str().empty())
+  {
+    file.Notes.push_back(note.str());
+  }
 }
 
 LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
@@ -629,12 +772,8 @@ LargeFile OpenTiff(const std::string& name)
   const OpenedFile isThere(stack->Files.front()); // throws if the file is missing
   const TiffPointer tiff = OpenQuietly(stack->Files.front());
   std::vector<std::string> notes;
-  TiffText text = ReadText(Describe(tiff.get()));
+  TiffText text = ReadText(Describe(tiff.get()), vtksys::SystemTools::GetFilenameName(path));
   AddResolution(tiff.get(), text, notes);
-  if (text.IsCalibrated)
-  {
-    notes.emplace_back("ImageJ's calibration of values is not applied: the stored ones are felt");
-  }
   LargeFile file;
   const bool isHeadless =
     !isFolder && text.IsImageJ && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
@@ -644,16 +783,23 @@ LargeFile OpenTiff(const std::string& name)
   }
   else
   {
+    const bool areElsewhere = !isFolder && !text.Planes.empty();
     std::size_t others = 0;
-    for (std::size_t i = 0; i < stack->Files.size(); ++i)
+    for (std::size_t i = 0; i < stack->Files.size() && !areElsewhere; ++i)
     {
       others += AddPages(i, *stack);
+    }
+    if (areElsewhere)
+    {
+      CollectPlanes(GetFolder(path), text, *stack);
+      notes.push_back(
+        "slices are in " + std::to_string(stack->Files.size()) + " files, as the OME-XML says");
     }
     if (others > 0)
     {
       notes.push_back(std::to_string(others) + " TIFF pages of another size or type are left out");
     }
-    if (!isFolder)
+    if (!isFolder && !areElsewhere)
     {
       KeepFirst(text, *stack, notes);
     }
@@ -662,6 +808,7 @@ LargeFile OpenTiff(const std::string& name)
   }
   std::copy_n(text.Spacing, 3, file.Spacing.begin());
   file.Notes = std::move(notes);
+  Calibrate(text, file);
   return file;
 }
 
