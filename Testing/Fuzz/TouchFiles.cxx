@@ -6,6 +6,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticVolumeReader.h"
 #include "vtkImageData.h"
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Searches for bytes that break the tick or what reads the devices' bytes, with Clang's libFuzzer and the
+# Searches for bytes that break the tick, or what reads the devices' bytes or files, with Clang's libFuzzer and the
 # address and undefined-behaviour sanitizers.
 #
 # usage: Testing/Fuzz/fuzz.sh build BUILD_DIR [-O0]   # builds in half the time, and searches at a third of the pace
@@ -18,15 +18,22 @@ esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
 optimisation=${3:--O1} # of a build
-targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels TouchPad)
+readers=(TouchDicom TouchHdf TouchLabelFile TouchMetaImage TouchNifti TouchNrrd TouchTiff TouchVti TouchZarr)
+targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels TouchPad "${readers[@]}")
 
 # All at once. What each found, and that one failed, is told at the end.
 if [ "$step" = search ]; then
   processes=()
   for target in "${targets[@]}"; do
     mkdir -p "$build_dir/corpus-$target"
-    "$build_dir/$target" -max_len=6000 -timeout=10 -max_total_time="$3" \
-      -print_final_stats=1 "$build_dir/corpus-$target" > "$build_dir/$target.log" 2>&1 &
+    program=$build_dir/$target
+    seeds=$build_dir/formats/seeds/$target # of those that read files
+    [ -e "$program" ] || program=$build_dir/readers/bin/$target
+    [ -d "$seeds" ] || seeds=
+    # What promises more than it has must be refused before memory is taken.
+    # VTK's readers leak after some errors.
+    ASAN_OPTIONS=detect_leaks=0 "$program" -max_len=60000 -timeout=10 -max_total_time="$3" -malloc_limit_mb=300 \
+      -print_final_stats=1 "$build_dir/corpus-$target" ${seeds:+"$seeds"} > "$build_dir/$target.log" 2>&1 &
     processes+=($!)
   done
   status=0
@@ -61,11 +68,21 @@ while read -r source; do
 done < <(find "$root"/Module/VTK/Base/HapticFiles.cxx "$root"/Module/VTK/Material/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
   "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
   \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
+"$root/Testing/Data/Formats/formats.sh" "$build_dir" seeds
+# What reads files, by VTK's readers, too.
+cmake -S "$root" -B "$build_dir/readers" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_UNITY_BUILD=ON \
+  -DBUILD_TESTING=OFF -DVolumeHaptics_WRAP_PYTHON=OFF -DVolumeHaptics_BUILD_TOOLS=OFF -DVolumeHaptics_USE_RENDERING=OFF \
+  -DVolumeHaptics_BUILD_FUZZERS=ON "-DVolumeHaptics_COMPILER_CACHE=$(command -v ccache || true)" > "$build_dir/readers.log"
+cmake --build "$build_dir/readers" --target "${readers[@]}" >> "$build_dir/readers.log" || {
+  tail -50 "$build_dir/readers.log"
+  exit 1
+}
 # One after the other, so that a failure is seen.
 for job in $(jobs -p); do
   wait "$job"
 done
-for target in "${targets[@]}"; do
+for target in "${targets[@]:0:7}"; do
   clang++ "${options[@]}" -fsanitize=fuzzer "$optimisation" -DVOLUME_HAPTICS_FUZZ_TARGET="$target" \
     -o "$build_dir/$target" "${objects[@]}" "$build_dir/FieldKernels.o" \
     "$root/Testing/Fuzz/LibFuzzer.cxx" "$root/Testing/Fuzz/$target.cxx"

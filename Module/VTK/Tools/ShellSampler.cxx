@@ -262,7 +262,8 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
     {
       return {};
     }
-    const auto [weight, member] = heaviest.top();
+    const double weight = heaviest.top().first;
+    const std::size_t member = heaviest.top().second;
     heaviest.pop();
     if (weight != weights[member])
     {

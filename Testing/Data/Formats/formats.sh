@@ -5,9 +5,10 @@
 # Writes files as other people have them, by independent libraries from PyPI, and compares what the explorer reads
 # with the phantom's formula.
 #
-# usage: Testing/Data/Formats/formats.sh BUILD_DIR
+# usage: Testing/Data/Formats/formats.sh BUILD_DIR [seeds]
 #
-# BUILD_DIR/formats holds the libraries, and is kept. $VOLUMEHAPTICS_EXPLORE is the explorer.
+# With seeds, only writes small files into BUILD_DIR/formats/seeds, for the fuzzer. BUILD_DIR/formats holds the
+# libraries, and is kept. $VOLUMEHAPTICS_EXPLORE is the explorer.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,6 +20,10 @@ if ! cmp -s "$here/requirements.txt" "$libraries/requirements.txt"; then
   python3 -m venv "$libraries"
   "$libraries/bin/pip" install -q -r "$here/requirements.txt"
   cp "$here/requirements.txt" "$libraries/"
+fi
+if [ "${2:-}" = seeds ]; then
+  rm -rf "$build_dir/seeds"
+  PYTHONDONTWRITEBYTECODE=1 exec "$libraries/bin/python" "$here/seeds.py" "$build_dir/seeds"
 fi
 rm -rf "$build_dir/files"
 PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"

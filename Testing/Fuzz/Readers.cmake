@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# With VolumeHaptics_BUILD_FUZZERS, which fuzz.sh sets: the targets of TouchFiles.h, linked to the module. Only what reads
+# files is instrumented, neither VTK nor the rest of the module, which takes minutes to optimise.
+set(sanitizers "-fsanitize=address,undefined" -fno-sanitize=vptr -fno-sanitize-recover=all)
+set(instrumented -O1 -gline-tables-only -fsanitize=fuzzer-no-link ${sanitizers})
+get_target_property(library VTK::VolumeHaptics ALIASED_TARGET)
+set(module "${PROJECT_SOURCE_DIR}/Module")
+file(GLOB readers "${module}/VTK/Base/Nrrd*.cxx" "${module}/VTK/Base/HapticFiles.cxx" "${module}/VTK/Material/Labels/*.cxx"
+  "${module}/VTK/Reading/vtk*.cxx" "${module}/VTK/Regions/*.cxx" "${module}/VTK/Regions/Formats/*.cxx")
+set_property(SOURCE ${readers} TARGET_DIRECTORY "${library}" APPEND PROPERTY COMPILE_OPTIONS ${instrumented})
+foreach (objects IN ITEMS VolumeHapticsReading VolumeHapticsInputFiles)
+  target_compile_options(${objects} PRIVATE ${instrumented})
+endforeach ()
+add_library(TouchFiles OBJECT "${CMAKE_CURRENT_LIST_DIR}/TouchFiles.cxx")
+target_compile_features(TouchFiles PUBLIC cxx_std_17)
+target_compile_options(TouchFiles PUBLIC ${instrumented})
+target_link_libraries(TouchFiles PUBLIC VTK::VolumeHaptics VTK::CommonExecutionModel)
+foreach (target IN ITEMS TouchDicom TouchHdf TouchLabelFile TouchMetaImage TouchNifti TouchNrrd TouchTiff TouchVti TouchZarr)
+  add_executable(${target} "${CMAKE_CURRENT_LIST_DIR}/LibFuzzer.cxx")
+  target_compile_definitions(${target} PRIVATE VOLUME_HAPTICS_FUZZ_TARGET=${target})
+  target_link_options(${target} PRIVATE -fsanitize=fuzzer ${sanitizers})
+  target_link_libraries(${target} PRIVATE TouchFiles)
+endforeach ()
