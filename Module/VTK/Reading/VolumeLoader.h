@@ -50,8 +50,9 @@ struct Volume
   bool IsGrid = false;       // whether the volume was resampled from cells
   bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
-  // For a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this
-  // is.
+  // What there is to choose from: the series of a DICOM folder, as `1 "Thorax", CT, 133 slices of
+  // 512 x 512`, or the volumes of a NIfTI file. Each begins with its number, and the numbers follow
+  // each other. And which one this is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // whether the values look like label numbers

@@ -263,6 +263,13 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
   volume.Image = ExtractTimeStep(all, std::max(0, chosen - 1) * step);
   Explore::CheckVolume(path, volume);
   Explore::AlignVolume(volume);
+  volume.Series = { "0 all volumes along the fourth axis, as times" };
+  for (int i = 1; i <= count; ++i)
+  {
+    volume.Series.push_back(std::to_string(i) + " of " + std::to_string(count) +
+      " volumes along the fourth axis, such as a channel");
+  }
+  volume.SeriesNumber = chosen;
   if (chosen > 0)
   {
     volume.Notes.push_back("volume " + std::to_string(chosen) + " of " + std::to_string(count) +
@@ -278,9 +285,10 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
     AddTimeStep(volume, path, Explore::AlignToAxes(timeStep), i * times.Spacing);
   }
   Finish(volume);
-  volume.Notes.emplace_back(
-    "the volumes along the fourth axis are taken for times; if they are channels, --series N takes "
-    "one of them");
+  volume.Notes.push_back(
+    "the volumes along the fourth axis are taken for times; if they are channels, --series 1 "
+    "to --series " +
+    std::to_string(count) + " take one of them");
   return volume;
 }
 } // namespace

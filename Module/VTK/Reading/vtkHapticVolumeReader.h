@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * From UpdateInformation() on: the series of a DICOM folder, as
-   * `2 "Thorax", CT, 133 slices of 512 x 512`, and the number of the one that was read.
+   * From UpdateInformation() on: what SetSeries() may choose, each with its number, such as
+   * `2 "Thorax", CT, 133 slices of 512 x 512`, and the number that was read.
    */
   int GetNumberOfSeries();
   const char* GetSeriesName(int index);

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every input of write.py is right at every voxel, or refused with its cause and a cure: see formats.sh."""
 
+import fnmatch
 import json
 import os
 import re
@@ -15,6 +16,12 @@ from phantom import CENTRE, Grid, distance, values
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
+try:
+    import volumehaptics
+    from volumehaptics._touch import Errors
+except ImportError:  # it was not wrapped: only the explorer is tried
+    volumehaptics = None
+
 FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
 EXPLORE = os.environ["VOLUMEHAPTICS_EXPLORE"]
 CASES = json.loads((FILES / "cases.json").read_text())
@@ -24,11 +31,15 @@ BALLS = 4.0 / 3.0 * np.pi * (20.0**3 + 5.0**3 + 7.0**3)  # mm^3, a little more t
 
 
 def read(path):
-    """The image's values (nx, ny, nz), and the affine from index to world."""
+    """The image that was written, its values (nx, ny, nz), and the affine from index to world."""
     reader = vtkXMLImageDataReader()
     reader.SetFileName(str(path))
     reader.Update()
-    image = reader.GetOutput()
+    return reader.GetOutput(), *measure(reader.GetOutput())
+
+
+def measure(image):
+    """The image's values (nx, ny, nz), and the affine from index to world."""
     direction = np.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
     affine = np.eye(4)
     affine[:3, :3] = direction * np.array(image.GetSpacing())
@@ -51,6 +62,28 @@ def phantom_points(case, affine, size):
     return points, volume
 
 
+def compare_with_python(case, image, said):
+    """Python and ParaView read by this class what the explorer writes, to the bit, and say the same."""
+    if volumehaptics is None:
+        return
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(case["path"])
+    if "--series" in case["options"]:
+        reader.SetSeries(int(case["options"][case["options"].index("--series") + 1]))
+    with Errors(reader, reader.GetExecutive()) as errors:
+        reader.Update()
+    if image is None:
+        assert errors[0].strip() == said[said.index(case["path"]):].strip()
+        return
+    assert not errors
+    assert [line for line in said.splitlines() if not line.startswith("Written: ")] == reader.GetNotes().splitlines()
+    other = reader.GetOutput()
+    np.testing.assert_array_equal(measure(other)[0], measure(image)[0])
+    np.testing.assert_array_equal(measure(other)[1], measure(image)[1])
+    assert other.GetScalarType() == image.GetScalarType()
+    assert other.GetFieldData().HasArray("Label") == image.GetFieldData().HasArray("Label")
+
+
 @pytest.mark.parametrize("case", [
     pytest.param(case, id=case["name"], marks=[pytest.mark.xfail(strict=True)] if case["name"] in WRONG else [])
     for case in CASES
@@ -66,9 +99,11 @@ def test_is_right_or_refused(case, tmp_path):
         cause = said.replace(case["path"], "").replace(Path(case["path"]).name, "").replace(case["name"], "")
         assert re.search(case["refused"], cause), said
         assert "Cure:" in said
+        compare_with_python(case, None, said)
         return
     assert run.returncode == 0, said
-    found, affine = read(written)
+    image, found, affine = read(written)
+    compare_with_python(case, image, said)
     points, voxel = phantom_points(case, affine, found.shape)
     for told in case["told"]:
         assert re.search(told, said, re.IGNORECASE), said
@@ -91,6 +126,33 @@ def test_is_right_or_refused(case, tmp_path):
     # All of the phantom is there.
     body = voxel * np.count_nonzero(values(points) > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)
+
+
+ONE_OF_EACH = ("dicom-tilted-20", "dicom-oblique", "dicom-enhanced", "nifti-oblique", "nifti-micron", "nifti-mirrored", "analyze",
+               "nrrd-oblique", "nrrd-ras", "nrrd-space-units-um", "meta-oblique", "meta-4d-compressed", "tiff-folder",
+               "tiff-imagej-micrometres", "zarr-0.5-micrometres", "vtkhdf-oblique")
+
+
+def test_there_is_one_truth_in_every_front_end(tmp_path):
+    """--write-volume, --inspect --json, and touch() of the file and of what was written."""
+    if volumehaptics is None:
+        pytest.skip("the module was not wrapped")
+    chosen = [one for one in CASES if one["name"] in ONE_OF_EACH]
+    assert len(chosen) == len(ONE_OF_EACH)
+    for case in chosen:
+        written = tmp_path / f"{case['name']}.vti"
+        subprocess.run([EXPLORE, case["path"], "--write-volume", str(written)], capture_output=True, check=True)
+        image, _, affine = read(written)
+        facts = volumehaptics.inspect(case["path"])
+        np.testing.assert_allclose(np.reshape(facts["direction"], (3, 3)) * facts["spacing"], affine[:3, :3], rtol=1e-9)
+        np.testing.assert_allclose(facts["origin"], affine[:3, 3], rtol=1e-9)
+        assert tuple(facts["size"]) == image.GetDimensions() and facts["unit"] == "mm"
+        ends = [np.array(image.GetCenter()) + [x, 0.3, 0.2] for x in (-28.0, -12.0)]
+        tip = np.linspace(*ends, 300)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            traces = [volumehaptics.touch(one, tip, "CT contrast") for one in (case["path"], image)]
+        assert np.array_equal(*[vtk_to_numpy(one.GetPointData().GetArray("Force")) for one in traces]), case["name"]
 
 
 @pytest.fixture
@@ -139,6 +201,28 @@ def test_python_takes_a_segmentation_for_labels_by_their_names(touch):
     with pytest.warns(UserWarning):
         assert 25.0 < first_touch(touch(one, tip, "CT contrast")) < 29.0
     assert first_touch(gone) < 24.5  # what lies inside of the knob
+
+
+def test_the_table_of_rows_names_each_case_and_what_there_is():
+    here = Path(__file__).parent
+    names = {case["name"] for case in CASES}
+    left = set(names)
+    rows = [line for line in (here / "rows.md").read_text().splitlines() if line.startswith("| ")]
+    for row in rows:
+        if row.startswith(("| data ", "| --- ")):
+            continue
+        proofs = re.findall("`([^`]+)`", row.split("|")[-2])
+        assert proofs, row
+        for proof in proofs:
+            file, _, test = proof.partition(": ")
+            if test:
+                path = here.parents[2] / file if "/" in file else here / file
+                assert re.search(rf"\b{test}\(", path.read_text()), proof
+                continue
+            found = set(fnmatch.filter(names, proof))
+            assert found, proof
+            left -= found
+    assert not left, "cases that are in no row"
 
 
 def test_there_are_enough():

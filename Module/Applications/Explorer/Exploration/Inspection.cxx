@@ -162,9 +162,28 @@ std::string Quote(const std::string& text)
 std::string Round(double number)
 {
   std::ostringstream text;
-  text.precision(3);
-  text << number;
+  constexpr int digits = 3, all = 15; // of numbers below and above 1000
+  text.precision(std::abs(number) < 1000.0 ? digits : all);
+  text << (std::abs(number) < 1000.0 ? number : std::round(number));
   return text.str();
+}
+
+/// Breaks a text into rows of a sheet, of which the first has the name.
+std::string Wrap(const std::string& name, const std::string& text)
+{
+  constexpr std::size_t width = 40; // letters
+  std::istringstream words(text);
+  std::string rows = name + "\t", word;
+  for (std::size_t used = 0; words >> word; used += word.size() + 1)
+  {
+    if (used > 0 && used + word.size() > width)
+    {
+      rows += "\n \t";
+      used = 0;
+    }
+    rows += (used > 0 ? " " : "") + word;
+  }
+  return rows + "\n";
 }
 } // namespace
 
@@ -359,11 +378,14 @@ std::string Inspection::ToJson() const
 std::string Inspection::ListFacts() const
 {
   std::ostringstream text;
+  const bool isKnown = this->Modality != NameModality(VolumeKind::Other);
   text << "Volume\n"
-       << "format\t" << this->Format << ", " << this->Type << "\n"
+       << "format\t" << this->Format << (isKnown ? ", " + this->Modality : std::string()) << ", "
+       << this->Type << "\n"
        << "voxels\t" << Join(this->Size, 3, " x ") << "\n"
        << "size\t" << Round(this->Spacing[0]) << " x " << Round(this->Spacing[1]) << " x "
        << Round(this->Spacing[2]) << " mm\n"
+       << "axes\t" << this->Axes.substr(0, this->Axes.find(':')) << "\n"
        << "values\t" << Round(this->Range[0]) << " to " << Round(this->Range[1]) << this->Unit
        << "\n"
        << "noise\t" << this->DescribeNoise() << "\n";
@@ -372,6 +394,18 @@ std::string Inspection::ListFacts() const
     text << "felt\tsteps of " << Round(this->SmallestStep) << this->Unit << "\n";
   }
   text << "preset\t" << this->Preset << "\n";
+  // The sheet has no room for more; --inspect tells all.
+  constexpr std::size_t most = 3;
+  text << (this->Notes.empty() ? "" : "Told of the volume\n");
+  for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)
+  {
+    const std::string& note = this->Notes[i];
+    text << Wrap(std::to_string(i + 1), note.substr(0, note.find('\n')));
+  }
+  if (this->Notes.size() > most)
+  {
+    text << "...\t" << this->Notes.size() - most << " more, by --inspect\n";
+  }
   return text.str();
 }
 } // namespace Explore

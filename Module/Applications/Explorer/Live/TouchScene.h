@@ -58,7 +58,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
 struct FileChoice
 {
   std::string Path;
-  int Series = 0;        // number of the series in a DICOM folder
+  int Series = 0;        // see LoadVolumes
   bool AsLabels = false; // whether the values are shown as labels
 };
 

@@ -101,7 +101,7 @@ WindowFiles::~WindowFiles()
 std::string WindowFiles::ListKeys() const
 {
   std::string keys = "Data\nF2\topen a file\n";
-  keys += this->Series.size() > 1 ? "F3\tanother series\n" : "";
+  keys += this->Series.size() > 1 ? "F3\tanother series or volume\n" : "";
   return keys +
     (this->MayBeLabels ? this->Now.AsLabels ? "F4\tshow as values\n" : "F4\tshow as labels\n" : "");
 }
@@ -206,8 +206,8 @@ void WindowFiles::ListFolder(const std::string folder, const std::string marked)
 void WindowFiles::ListSeries()
 {
   this->Folder.clear();
-  this->ShowList("Series of " + Files::GetFilenameName(this->Now.Path), this->Series,
-    std::max(0, this->Now.Series - 1));
+  this->ShowList("Choose from " + Files::GetFilenameName(this->Now.Path), this->Series,
+    this->Now.Series - std::stoi(this->Series.front()));
 }
 
 void WindowFiles::ShowList(
@@ -228,7 +228,7 @@ void WindowFiles::Accept(int line)
   }
   if (this->Folder.empty())
   {
-    this->Choose({ this->Now.Path, line + 1, false });
+    this->Choose({ this->Now.Path, line + std::stoi(this->Series.front()), false });
     return;
   }
   const std::string path = this->Paths[static_cast<std::size_t>(line)];

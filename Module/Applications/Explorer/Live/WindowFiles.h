@@ -17,8 +17,9 @@
 namespace Explore
 {
 /// Lets the user choose in the window what to touch next: F2 chooses a file or folder, F3 another
-/// series of the same DICOM folder, F4 whether the volume is a label map. A file can also be
-/// dropped on the window. The window then closes, and the program opens the next one.
+/// series of the same DICOM folder or another volume of the same NIfTI file, F4 whether the volume
+/// is a label map. A file can also be dropped on the window. The window then closes, and the
+/// program opens the next one.
 class WindowFiles
 {
 public:
@@ -47,7 +48,7 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   const FileChoice Now;
   FileChoice& Chosen;
-  const std::vector<std::string> Series; ///< names of the series; a choice needs at least two
+  const std::vector<std::string> Series; ///< with their numbers; a choice needs at least two
   const bool MayBeLabels;
   ListOverlay List;
   std::string Folder;             ///< listed folder; empty while series are listed
