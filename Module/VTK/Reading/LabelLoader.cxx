@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/LabelLoader.h"
 
+#include "VTK/Material/Labels/SegmentationFile.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/MessageCapture.h"
 
 #include "vtkDataArray.h"
-#include "vtkHapticSegmentationReader.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -33,18 +33,14 @@ bool IsNrrd(const std::string& path)
 /// Reads a NRRD file, which may have segments in layers.
 Volume ReadSegmentation(const std::string& path)
 {
-  vtkNew<vtkHapticSegmentationReader> reader;
-  const Explore::MessageCapture capture;
-  reader->SetFileName(path);
-  reader->Update();
-  if (capture.HasErrors())
-  {
-    throw InputError("--labels " + path, capture.FirstError(), "name another file");
-  }
   Volume volume;
   volume.Image = vtkSmartPointer<vtkImageData>::New();
-  volume.Image->ShallowCopy(reader->GetOutput());
-  volume.LabelTable = reader->GetLabelTable();
+  volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
+  const std::string error = VolumeHaptics::ReadSegmentation(path, volume.Image, volume.LabelTable);
+  if (!error.empty())
+  {
+    throw InputError("--labels " + path, error, "name another file");
+  }
   return volume;
 }
 

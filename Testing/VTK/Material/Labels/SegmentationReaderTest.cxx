@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * vtkHapticSegmentationReader on files that are made after 3D Slicer's documentation "Segmentation
+ * Segmentations in files that are made after 3D Slicer's documentation "Segmentation
  * labelmap file format (.seg.nrrd)" and Teem's definition of NRRD
  * (teem.sourceforge.net/nrrd/format.html). Samples and positions are computed here, voxel by voxel.
  */
 
 #include "LabelFilesRig.h"
 
-#include <vtkExecutive.h>
-#include <vtkHapticSegmentationReader.h>
+#include "VTK/Material/Labels/SegmentationFile.h"
+
+#include <vtkHapticLabelTable.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -80,33 +82,27 @@ const std::string Names = "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_N
 class SegmentationReader : public testing::Test
 {
 protected:
+  std::string ReadFile()
+  {
+    return VolumeHaptics::ReadSegmentation(this->File, this->Image, this->Table);
+  }
   vtkImageData* Read(const std::string& bytes)
   {
     Write(this->File, bytes);
-    this->Reader->Modified();
-    this->Reader->SetFileName(this->File);
-    this->Reader->Update();
-    for (const std::string& error : this->Log.Errors)
-    {
-      ADD_FAILURE() << error;
-    }
-    return this->Reader->GetOutput();
+    EXPECT_EQ(this->ReadFile(), "");
+    return this->Image;
   }
   void Refuse(const std::string& bytes, const std::vector<std::string>& words)
   {
     Write(this->File, bytes);
-    this->Reader->Modified();
-    this->Reader->SetFileName(this->File);
-    this->Reader->Update();
-    ASSERT_EQ(this->Log.Errors.size(), 1u) << bytes.substr(0, 300);
-    EXPECT_NE(this->Log.Errors[0].find(this->File), std::string::npos);
+    const std::string error = this->ReadFile();
+    ASSERT_NE(error, "") << bytes.substr(0, 300);
+    EXPECT_NE(error.find(this->File), std::string::npos);
     for (const std::string& word : words)
     {
-      EXPECT_NE(this->Log.Errors[0].find(word), std::string::npos)
-        << this->Log.Errors[0] << "\nlacks: " << word;
+      EXPECT_NE(error.find(word), std::string::npos) << error << "\nlacks: " << word;
     }
-    this->Log.Errors.clear();
-    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(this->Image->GetNumberOfPoints(), 0);
   }
   static std::vector<long long> LabelsOf(vtkImageData* image)
   {
@@ -119,9 +115,8 @@ protected:
   }
 
   const std::string File = TemporaryPath("Segmentation.seg.nrrd");
-  vtkNew<vtkHapticSegmentationReader> Reader;
-  apitest::MessageLog Log{ this->Reader };
-  apitest::MessageLog ExecutiveLog{ this->Reader->GetExecutive() };
+  vtkNew<vtkImageData> Image;
+  vtkNew<vtkHapticLabelTable> Table;
 };
 
 class SegmentationReaderType
@@ -194,13 +189,12 @@ TEST_F(SegmentationReader, HasNamesAndColors)
 {
   std::vector<long long> values(Voxels, 0);
   values[3] = 4;
-  this->Reader->GetLabelTable()->SetStiffness(4, 300.0);
+  this->Table->SetStiffness(4, 300.0);
   Write(this->File,
     Head(Small, Plain, "Segment0_LabelValue:=4\nSegment0_Name:=liver\nSegment0_Color:=1 0 0.5\n") +
       Pack(values, Small));
-  this->Reader->SetFileName(this->File);
-  this->Reader->UpdateInformation();
-  vtkHapticLabelTable* const table = this->Reader->GetLabelTable();
+  EXPECT_EQ(this->ReadFile(), "");
+  vtkHapticLabelTable* const table = this->Table;
   EXPECT_EQ(table->GetLabelName(4), "liver");
   EXPECT_EQ(table->GetColor(4)[2], 0.5);
   EXPECT_EQ(table->GetStiffness(4), 300.0);
@@ -252,8 +246,8 @@ TEST_F(SegmentationReader, TheLastOfOverlappingSegmentsHolds)
       "\nspace directions:" + directions + "\nspace origin: (0,0,0)\n";
     vtkImageData* const image = this->Read(Head(Small, geometry, Names) + Pack(samples, Small));
     EXPECT_EQ(LabelsOf(image), expected);
-    EXPECT_EQ(this->Reader->GetLabelTable()->GetLabelName(3), "mass");
-    EXPECT_EQ(this->Reader->GetLabelTable()->GetNumberOfLabels(), 3);
+    EXPECT_EQ(this->Table->GetLabelName(3), "mass");
+    EXPECT_EQ(this->Table->GetNumberOfLabels(), 3);
   }
 }
 
@@ -302,16 +296,9 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   this->Refuse(Head(wide, Plain, "") + Pack(std::vector<long long>(Voxels, 1LL << 33), wide),
     { "8589934592", "out of range" });
 
-  this->Reader->SetFileName("");
-  this->Reader->Update();
-  ASSERT_EQ(this->Log.Errors.size(), 1u);
-  EXPECT_NE(this->Log.Errors[0].find("FileName"), std::string::npos);
-  this->Log.Errors.clear();
-  this->Reader->SetFileName("/no/such/file.seg.nrrd");
-  this->Reader->Update();
-  ASSERT_EQ(this->Log.Errors.size(), 1u);
-  EXPECT_NE(this->Log.Errors[0].find("does not exist"), std::string::npos);
-  this->Log.Errors.clear();
+  const std::string missing =
+    VolumeHaptics::ReadSegmentation("/no/such/file.seg.nrrd", this->Image, this->Table);
+  EXPECT_NE(missing.find("does not exist"), std::string::npos) << missing;
   // And after all that, a good one.
   EXPECT_EQ(this->Read(good)->GetNumberOfPoints(), Voxels);
 }
