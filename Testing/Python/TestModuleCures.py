@@ -841,6 +841,7 @@ def devices(folder):
     with told(device, "A recording is under way: Stop() it first"):
         assert not device.GetRecorder().Start(str(folder / "again.vtp"))
     device.GetVirtualHand().SetPosition(5.0, 8.0, 9.0)
+    device.UpdateState()
     tick = device.GetState().GetTick()
     while device.GetState().GetTick() < tick + 50:
         device.UpdateState()
