@@ -14,8 +14,9 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../vtkmodules")
 set(VolumeHaptics_UDEV_DESTINATION volumehaptics/udev)
 
 # The notices of the libraries that CMake/wheel/build.sh puts inside, or that are headers, from Debian's packages of them.
-foreach (package IN ITEMS libblosc1 libboost-dev libhidapi-hidraw0 libudev1 liblz4-1 libsnappy1v5
-    libusb-1.0-0 libzstd1 nlohmann-json3-dev)
+foreach (package IN ITEMS libblosc1 libboost-dev libcharls2 libexpat1 libgdcm3.0 libgdcm3.0t64 libhidapi-hidraw0
+    libjson-c5 liblz4-1 libopenjp2-7 libsnappy1v5 libssl3 libssl3t64 libudev1 libusb-1.0-0 libuuid1 libzstd1
+    nlohmann-json3-dev)
   if (EXISTS "/usr/share/doc/${package}/copyright")
     install(
       FILES       "/usr/share/doc/${package}/copyright"

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the wheel volumehaptics beside VTK's, with libusb and hidapi carried inside.
+# Builds the wheel volumehaptics beside VTK's, with libusb, hidapi and GDCM carried inside.
 #
 # usage: CMake/wheel/build.sh [FOLDER [PYTHON]]
 #
@@ -22,7 +22,7 @@ python=${2:-python3}
 # shellcheck source=../install-packages.sh
 source "$root/CMake/install-packages.sh"
 require_packages ninja-build g++ python3-venv python3-dev pkg-config libusb-1.0-0-dev libhidapi-dev libblosc-dev libzstd-dev zlib1g-dev \
-  libboost-dev nlohmann-json3-dev libgl-dev debian-archive-keyring
+  libgdcm-dev libboost-dev nlohmann-json3-dev libgl-dev debian-archive-keyring
 
 vtk=$(sed -n 's/^dependencies = .*"vtk==\([0-9.]*\)".*/\1/p' "$root/pyproject.toml")
 tools=$folder/tools

@@ -186,6 +186,7 @@ allow(Qt PUBLIC)
 # are stored, as the library does. All read numbers in any locale.
 allow(Applications/DeviceTool PUBLIC ${numbers})
 allow(Applications/Autoload PUBLIC)
+allow(Applications/Dicom VTK/Reading/Dicom/DicomMessage.h)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
 set(chart VTK/Scene/Display/HapticForceChart.h VTK/Scene/Display/HapticForceTable.h)

@@ -239,6 +239,7 @@ OUTSIDE = {
         "make labels of it first, e.g. with plastimatch convert or 3D Slicer", "write it as a DICOM SEG, or as .seg.nrrd",
         "resample it on the grid of its volume, e.g. in 3D Slicer", "export it again from the planning system",
         "a segmentation (SEG) that ends before its pixels…copy or export it again",
+        "a damaged or cut-off DICOM file…copy or export it again",
     ),
     "another program, or the system, is started, ended or set up": (
         "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",
@@ -353,7 +354,7 @@ def test_tests_look_for_what_is_tried():
 
 # An array, a header and a module of VTK, and a function of ParaView's Python; options of other programs; files.
 ELSEWHERE = "vtkGhostType", "vtkRenderingContext2DModule", "vtkRenderingContextOpenGL2", "GetActiveView"
-OTHERS = {"--high": "h5repack", "--raw": "gdcmconv", "--reload": "udevadm", "LD_LIBRARY_PATH": "ld.so"}
+OTHERS = {"--high": "h5repack", "--reload": "udevadm", "LD_LIBRARY_PATH": "ld.so"}
 FILES = ("Data/udev/70-volume-haptics.rules", "Module/Devices/Vendor/VendorPlugin.h", "Examples/Vendor", "Examples/explore.sh",
          "Documentation/devices.md")
 
@@ -381,7 +382,7 @@ def test_names_in_cures_exist():
 
 # Packages of Debian 12 that texts name, with the programs of them that texts name (checked with `dpkg --contents`), and
 # projects of PyPI (checked with `pip index versions`).
-DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libzstd-dev": (), "libgdcm-dev": (), "libgdcm-tools": ("gdcmconv", ), "dcmtk": ("dcmdjpeg", ), "dcm2niix": ("dcm2niix", ),
+DEBIAN = {"libpulse-dev": (), "libblosc-dev": (), "libzstd-dev": (), "libgdcm-dev": (), "dcm2niix": ("dcm2niix", ),
           "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", "h5clear"), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
           "udev": ("udevadm", )}
 PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}

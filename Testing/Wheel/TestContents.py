@@ -31,7 +31,8 @@ def dynamic(path):
 
 def test_has_what_is_promised():
     names = {path.name for path in binaries()}
-    assert {"libvtkVolumeHaptics.so", "volumehaptics-device", "volumehaptics-explore", "volumehaptics-guard"} <= names
+    assert {"libvtkVolumeHaptics.so", "volumehaptics-device", "volumehaptics-explore", "volumehaptics-guard",
+            "volumehaptics-dicom"} <= names
     for name in (
         "__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi",
     ):
@@ -56,9 +57,10 @@ def test_carries_the_libraries_of_devices_and_codecs():
     from volumehaptics import vtkHapticDevice
 
     carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}
-    assert {"libblosc", "libusb", "libhidapi"} <= carried, carried
+    assert {"libblosc", "libusb", "libhidapi", "libgdcmMSFF"} <= carried, carried
     notices = " ".join(path.name for path in PACKAGE.glob("licenses/*.txt"))
-    assert all(library in notices for library in carried), (carried, notices)
+    packages = {re.sub("^libgdcm.*", "libgdcm", library.replace("libcrypto", "libssl")) for library in carried}
+    assert all(package in notices for package in packages), (carried, notices)
     device = vtkHapticDevice()
     device.AddObserver("ErrorEvent", lambda *_: None)
     for name in ("falcon", "wooden", "haply"):

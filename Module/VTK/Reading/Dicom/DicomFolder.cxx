@@ -5,7 +5,6 @@
 #include "VTK/Reading/Dicom/DicomPixels.h"
 #include "VTK/Reading/Dicom/DicomSegmentation.h"
 #include "VTK/Reading/Dicom/DicomSeries.h"
-#include "VTK/Reading/Dicom/DicomUnpacking.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/SliceGeometry.h"
 #include "VTK/Reading/VolumeChecks.h"
@@ -50,13 +49,6 @@ void CheckSlices(
 {
   for (const DicomHeader& slice : slices)
   {
-    if (!slice.IsPlain() && slice.Deflated == 0 && !Explore::CanUnpackDicom())
-    {
-      throw InputError(path,
-        "holds compressed DICOM slices (" + NameOf(slice) + "), which this build can't unpack",
-        "build it with GDCM (package libgdcm-dev), or unpack them, e.g. with gdcmconv --raw "
-        "(package libgdcm-tools) or dcmdjpeg (dcmtk)");
-    }
     if (!slice.IsWhole)
     {
       throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomHeader.h"
 
-#include "VTK/Reading/Dicom/DicomStream.h"
+#include "VTK/Reading/Dicom/DicomProcess.h"
 
 #include "vtkMath.h"
 
@@ -17,28 +17,22 @@
 
 namespace
 {
-using Explore::DEEPEST;
+using Explore::DicomAnswer;
+using Explore::DicomElement;
 using Explore::DicomHeader;
+using Explore::DicomRequest;
 using Explore::DicomSegment;
-using Explore::DicomStream;
-using Explore::ITEM;
-using Explore::ITEM_END;
-using Explore::SEQUENCE_END;
-using Explore::UNKNOWN_LENGTH;
 
 constexpr std::uint32_t PIXELS = 0x7fe00010;
 constexpr std::uint32_t FLOAT_PIXELS = 0x7fe00008;
-constexpr std::uint32_t DOUBLE_PIXELS = 0x7fe00009;
 constexpr std::uint32_t OFFSETS = 0x3004000c; // tag of the offsets of a dose's frames
 constexpr std::uint32_t SEGMENTS = 0x00620002;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
-constexpr std::uint32_t LONGEST_VALUE = 1024; // the longest value that is read
 constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
-constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
 
 /// Positions of the frames in a file with several.
 struct FramePlaces
@@ -82,6 +76,34 @@ constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.5.1.4.1.1.4.2", "a spectrum", NAME_IMAGES },
   { "1.2.840.10008.1.3.10", "the directory of a medium (DICOMDIR)", NAME_IMAGES },
 };
+
+/// Returns the whole number in two or four bytes, from a byte on.
+std::uint32_t ReadNumber(const std::string& bytes, std::size_t first, std::size_t count)
+{
+  std::uint32_t number = 0;
+  for (std::size_t i = std::min(bytes.size(), first + count); i > first; --i)
+  {
+    number = number << 8 | static_cast<unsigned char>(bytes[i - 1]);
+  }
+  return number;
+}
+
+/// Returns the floating-point number of 4 or 8 bytes; 0 for any other size.
+double ReadReal(const std::string& bytes)
+{
+  double real = 0.0;
+  float single = 0.0F;
+  if (bytes.size() == sizeof(real))
+  {
+    std::memcpy(&real, bytes.data(), sizeof(real));
+  }
+  else if (bytes.size() == sizeof(single))
+  {
+    std::memcpy(&single, bytes.data(), sizeof(single));
+    real = single;
+  }
+  return real;
+}
 
 /// Removes the blank or zero that makes lengths even.
 std::string TrimValue(std::string text)
@@ -128,8 +150,7 @@ double ReadTimeOfDay(const std::string& text)
   return isRead ? 3600.0 * hours + 60.0 * minutes + number - 1e4 * hours - 1e2 * minutes : NAN;
 }
 
-void TakeFact(const DicomStream& stream, const Explore::DicomFact& fact, const std::string& value,
-  DicomHeader& header)
+void TakeFact(const Explore::DicomFact& fact, const std::string& value, DicomHeader& header)
 {
   double number = NAN;
   switch (fact.Kind)
@@ -141,10 +162,10 @@ void TakeFact(const DicomStream& stream, const Explore::DicomFact& fact, const s
       number = ReadTimeOfDay(TrimValue(value));
       break;
     case Explore::DicomFact::Real:
-      number = stream.Real(value);
+      number = ReadReal(value);
       break;
     case Explore::DicomFact::Whole:
-      number = static_cast<double>(stream.Number(value, 0, 4));
+      number = static_cast<double>(ReadNumber(value, 0, 4));
       break;
   }
   if (std::isfinite(number))
@@ -153,12 +174,18 @@ void TakeFact(const DicomStream& stream, const Explore::DicomFact& fact, const s
   }
 }
 
-void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
-  DicomHeader& header, double orientation[6])
+void ReadValue(
+  std::uint32_t tag, const std::string& value, DicomHeader& header, double orientation[6])
 {
-  const auto number = [&] { return static_cast<int>(stream.Number(value, 0, 2)); };
+  const auto number = [&] { return static_cast<int>(ReadNumber(value, 0, 2)); };
   switch (tag)
   {
+    case 0x00020002: // before SOPClassUID
+      header.Class = TrimValue(value);
+      break;
+    case 0x00020010:
+      header.TransferSyntax = TrimValue(value);
+      break;
     case 0x00080008:
       header.ImageType = TrimValue(value);
       break;
@@ -273,7 +300,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
       break;
     case 0x00280122:
     case 0x00280123:
-      header.Padding = stream.Real(value);
+      header.Padding = ReadReal(value);
       break;
     case 0x00281052:
       ReadDecimals(value, &header.Intercept, 1);
@@ -284,7 +311,7 @@ void ReadValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
     default:
       if (const Explore::DicomFact* const fact = Explore::FindDicomFact(tag))
       {
-        TakeFact(stream, *fact, value, header);
+        TakeFact(*fact, value, header);
       }
       break;
   }
@@ -300,28 +327,18 @@ std::vector<double> ReadAllDecimals(const std::string& text)
     : std::vector<double>();
 }
 
-/// Whether a tag belongs to a functional group of an item; such groups are sequences of one item.
-bool IsGroup(std::uint32_t tag)
-{
-  // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
-  // number of the frame in time, its segment, echo, diffusion and heart phase.
-  constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
-    0x0062000a, 0x00189114, 0x00189117, 0x00189118 };
-  return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
-}
-
 /// Converts CIELab in whole numbers to red, green and blue: PS3.3, section C.10.7.1.1.
-std::vector<double> ReadColor(const DicomStream& stream, const std::string& value)
+std::vector<double> ReadColor(const std::string& value)
 {
-  const auto part = [&](std::size_t i) { return stream.Number(value, 2 * i, 2) / 65535.0; };
+  const auto part = [&](std::size_t i) { return ReadNumber(value, 2 * i, 2) / 65535.0; };
   const double lab[3] = { 100.0 * part(0), 255.0 * part(1) - 128.0, 255.0 * part(2) - 128.0 };
   std::vector<double> color(3);
   vtkMath::LabToRGB(lab, color.data());
   return color;
 }
 
-void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const std::string& value,
-  std::vector<DicomSegment>& segments)
+void TakeSegment(
+  int number, std::uint32_t tag, const std::string& value, std::vector<DicomSegment>& segments)
 {
   constexpr int most = 65535;
   if (number < 0 || number >= most)
@@ -332,7 +349,7 @@ void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const
   DicomSegment& segment = segments[static_cast<std::size_t>(number)];
   if (tag == 0x00620004)
   {
-    segment.Number = static_cast<int>(stream.Number(value, 0, 2));
+    segment.Number = static_cast<int>(ReadNumber(value, 0, 2));
   }
   else if (tag == 0x00620005)
   {
@@ -340,64 +357,8 @@ void TakeSegment(const DicomStream& stream, int number, std::uint32_t tag, const
   }
   else if (tag == 0x0062000d && value.size() >= 6)
   {
-    segment.Color = ReadColor(stream, value);
+    segment.Color = ReadColor(value);
   }
-}
-
-/// Calls `take` with the value of an element, unless it is longer, and continues after it. Returns
-/// false if the file ends too early.
-template <typename Take>
-bool ReadAndSkip(
-  DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
-{
-  const std::uint64_t begin = stream.Place();
-  if (element.Length <= longest && element.Length <= stream.Left())
-  {
-    take(stream.Read(element.Length));
-    stream.GoTo(begin);
-  }
-  return stream.Skip(element);
-}
-
-/// Calls `take` for each value in a sequence, with the number of its item in the outermost
-/// sequence; groups are entered, other sequences are not. Returns false if the file ends too early.
-template <typename Take>
-bool WalkItems(
-  DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
-{
-  const bool isBounded = sequence.Length != UNKNOWN_LENGTH;
-  const std::uint64_t end = stream.Place() + (isBounded ? sequence.Length : 0);
-  DicomStream::Element element;
-  while ((!isBounded || stream.Place() < end) && stream.Next(element))
-  {
-    if (element.Tag == SEQUENCE_END)
-    {
-      return true;
-    }
-    if (element.Tag == ITEM)
-    {
-      number += depth == 0 ? 1 : 0;
-      continue; // enter it: its elements follow
-    }
-    if (element.Tag == ITEM_END)
-    {
-      continue;
-    }
-    if (IsGroup(element.Tag) && depth < DEEPEST)
-    {
-      if (!WalkItems(stream, element, take, number, depth + 1))
-      {
-        return false;
-      }
-      continue;
-    }
-    const auto takeOfItem = [&](const std::string& value) { take(number, element.Tag, value); };
-    if (!ReadAndSkip(stream, element, LONGEST_VALUE, takeOfItem))
-    {
-      return false;
-    }
-  }
-  return isBounded && stream.Place() >= end;
 }
 
 void OrientSlice(const double orientation[6], DicomHeader& header)
@@ -414,156 +375,112 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
   header.Along = vtkMath::Dot(header.Position, header.Normal);
 }
 
-/// Reads the transfer syntax, which says how the data set is written, from the part before the data
-/// set. Returns false if this is not a DICOM file.
-bool ReadMeta(DicomStream& stream, DicomHeader& header)
+/// The values of a file, as they are put into its headers.
+class ValueReader
 {
-  constexpr std::uint64_t preamble = 128;
-  stream.GoTo(preamble);
-  if (stream.Read(4) != "DICM")
+public:
+  ValueReader(DicomHeader& header, FramePlaces& places)
+    : Header(header)
+    , Places(places)
   {
-    // Files older than the standard begin with the data set, in group 2 or 8.
-    stream.GoTo(0);
-    const std::string first = stream.Read(6);
-    stream.GoTo(0);
-    const auto isLetter = [&](std::size_t i) { return first[i] >= 'A' && first[i] <= 'Z'; };
-    if (first.size() < 6 || (first[0] != 8 && first[0] != 2) || first[1] != 0 || first[3] != 0)
-    {
-      return false;
-    }
-    stream.IsExplicit = isLetter(4) && isLetter(5);
   }
-  std::uint64_t place = stream.Place();
-  DicomStream::Element element;
-  while (stream.Next(element) && element.Tag >> 16 == 2)
-  {
-    if (element.Length > stream.Left())
-    {
-      return false;
-    }
-    const bool isUsed = element.Tag == 0x00020010 || element.Tag == 0x00020002;
-    const std::string value = isUsed ? stream.Read(element.Length) : "";
-    if (!value.empty())
-    {
-      (element.Tag == 0x00020010 ? header.TransferSyntax : header.Class) = TrimValue(value);
-    }
-    stream.GoTo(value.empty() ? stream.Place() + element.Length : stream.Place());
-    place = stream.Place();
-  }
-  stream.GoTo(place);
-  if (!header.TransferSyntax.empty())
-  {
-    stream.IsExplicit = header.TransferSyntax != IMPLICIT_LITTLE;
-    stream.IsBig = header.TransferSyntax == EXPLICIT_BIG;
-  }
-  header.Deflated = header.TransferSyntax == DEFLATED ? stream.Place() : 0;
-  return true;
-}
 
-bool ArePixels(std::uint32_t tag)
-{
-  return tag == PIXELS || tag == FLOAT_PIXELS || tag == DOUBLE_PIXELS;
-}
-
-/// Reads everything up to the pixels. Returns false if there are none.
-bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
-{
-  double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  std::vector<std::array<double, 6>> orientations;
-  const auto takeOfFrame = [&](int number, std::uint32_t tag, const std::string& value)
+  void Read(const DicomElement& element, const std::string& value)
   {
-    if (number < 0 || number >= MOST_FRAMES)
+    switch (element.Sequence)
+    {
+      case SEGMENTS:
+        TakeSegment(element.Item, element.Tag, value, this->Places.Segments);
+        break;
+      case FRAME_GROUPS:
+        this->ReadOfFrame(element, value);
+        break;
+      default: // of the file, or of all frames
+        ReadValue(element.Tag, value, this->Header, this->Orientation);
+        if (element.Tag == OFFSETS)
+        {
+          this->Places.Offsets = ReadAllDecimals(value);
+        }
+        break;
+    }
+  }
+
+  void Orient()
+  {
+    OrientSlice(this->Orientation, this->Header);
+    for (std::size_t i = 0; i < this->Places.Groups.size(); ++i)
+    {
+      OrientSlice(this->Orientations[i].data(), this->Places.Groups[i]);
+    }
+  }
+
+private:
+  void ReadOfFrame(const DicomElement& element, const std::string& value)
+  {
+    if (element.Item < 0 || element.Item >= MOST_FRAMES)
     {
       return;
     }
-    const auto index = static_cast<std::size_t>(number);
-    while (places.Groups.size() <= index)
+    std::vector<DicomHeader>& groups = this->Places.Groups;
+    const auto index = static_cast<std::size_t>(element.Item);
+    while (groups.size() <= index)
     {
-      places.Groups.push_back(header);
-      orientations.emplace_back();
-      std::copy_n(orientation, 6, orientations.back().begin());
-      places.Groups.back().HasPlaces = false;
+      groups.push_back(this->Header);
+      this->Orientations.emplace_back();
+      std::copy_n(this->Orientation, 6, this->Orientations.back().begin());
+      groups.back().HasPlaces = false;
     }
-    places.Groups[index].HasPlaces = places.Groups[index].HasPlaces || tag == 0x00200032;
-    ReadValue(stream, tag, value, places.Groups[index], orientations[index].data());
-  };
-  constexpr std::uint32_t longestOffsets = 65536;
-  DicomStream::Element element;
-  while (stream.Next(element) && !ArePixels(element.Tag))
-  {
-    if (element.Tag == SEGMENTS)
-    {
-      const auto takeOfSegment = [&](int number, std::uint32_t tag, const std::string& value)
-      { TakeSegment(stream, number, tag, value, places.Segments); };
-      if (!WalkItems(stream, element, takeOfSegment, -1, 0))
-      {
-        return false;
-      }
-      continue;
-    }
-    if (element.Tag == SHARED_GROUPS || element.Tag == FRAME_GROUPS)
-    {
-      const bool isShared = element.Tag == SHARED_GROUPS;
-      const auto takeOfAll = [&](int, std::uint32_t tag, const std::string& value)
-      { ReadValue(stream, tag, value, header, orientation); };
-      if (!(isShared ? WalkItems(stream, element, takeOfAll, -1, 0)
-                     : WalkItems(stream, element, takeOfFrame, -1, 0)))
-      {
-        return false;
-      }
-      continue;
-    }
-    const auto takeOfFile = [&](const std::string& value)
-    {
-      ReadValue(stream, element.Tag, value, header, orientation);
-      if (element.Tag == OFFSETS)
-      {
-        places.Offsets = ReadAllDecimals(value);
-      }
-    };
-    const bool areOffsets = element.Tag == OFFSETS;
-    if (!ReadAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
-    {
-      return false;
-    }
+    groups[index].HasPlaces = groups[index].HasPlaces || element.Tag == 0x00200032;
+    ReadValue(element.Tag, value, groups[index], this->Orientations[index].data());
   }
-  header.IsFloat = element.Tag != PIXELS;
-  if (!ArePixels(element.Tag) || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
-    header.Samples <= 0)
-  {
-    return false;
-  }
-  if (header.IsFloat && header.Bits != (element.Tag == FLOAT_PIXELS ? 32 : 64))
-  {
-    return false;
-  }
-  header.Slope = header.DoseScale.value_or(header.Slope);
-  header.IsBig = stream.IsBig;
-  header.Pixels = stream.Place();
-  header.Frames = std::max(header.Frames, 1);
-  header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
-  // The parts of compressed pixels have no common length.
-  header.IsWhole = element.Length == UNKNOWN_LENGTH ? stream.Left() > 16 && stream.SkipItems()
-                                                    : stream.Left() >= header.GetSizeOfAll();
-  OrientSlice(orientation, header);
-  for (std::size_t i = 0; i < places.Groups.size(); ++i)
-  {
-    OrientSlice(orientations[i].data(), places.Groups[i]);
-  }
-  return true;
-}
 
+  DicomHeader& Header;
+  FramePlaces& Places;
+  double Orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  std::vector<std::array<double, 6>> Orientations;
+};
+
+/// Reads everything but the pixels; false if there are none.
 bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& places)
 {
   header = {};
   header.File = path;
-  DicomStream stream(path);
-  if (!ReadMeta(stream, header))
+  DicomAnswer answer;
+  std::string bytes;
+  if (!Explore::AskDicom(DicomRequest::Values, path, 0, answer, bytes))
   {
     return false;
   }
-  // If the part that deflate packed is damaged, say so, rather than something else.
-  return header.Deflated > 0 && !stream.Inflate() ? true : ReadDataSet(stream, header, places);
+  ValueReader reader(header, places);
+  DicomElement element;
+  for (std::size_t at = 0; at + sizeof(element) <= bytes.size(); at += element.Length)
+  {
+    std::memcpy(&element, &bytes[at], sizeof(element));
+    at += sizeof(element);
+    if (element.Length > bytes.size() - at)
+    {
+      return false;
+    }
+    reader.Read(element, bytes.substr(at, element.Length));
+  }
+  header.IsFloat = answer.PixelTag != PIXELS;
+  const int bits = !header.IsFloat ? header.Bits : answer.PixelTag == FLOAT_PIXELS ? 32 : 64;
+  if (answer.PixelTag == 0 || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
+    header.Samples <= 0 || header.Bits != bits)
+  {
+    return false;
+  }
+  header.Slope = header.DoseScale.value_or(header.Slope);
+  header.IsBig = answer.IsBig != 0;
+  header.IsDeflated = answer.IsDeflated != 0;
+  header.Pixels = answer.PixelPlace;
+  header.Frames = std::max(header.Frames, 1);
+  header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
+  // The parts of compressed pixels have no common length.
+  header.IsWhole =
+    answer.AreItems != 0 ? answer.AreItemsWhole != 0 : answer.PixelLength >= header.GetSizeOfAll();
+  reader.Orient();
+  return true;
 }
 } // namespace
 
@@ -617,7 +534,7 @@ DicomObject FindDicomObject(const std::string& path)
 {
   DicomHeader header;
   FramePlaces places;
-  if (ReadHeader(path, header, places) || header.Class.empty())
+  if (ReadHeader(path, header, places))
   {
     return {};
   }
@@ -627,6 +544,15 @@ DicomObject FindDicomObject(const std::string& path)
     {
       return { name, cure };
     }
+  }
+  const bool isUnread = header.Class.empty() && header.TransferSyntax.empty();
+  if (header.Width > 0 || (isUnread && HasDicomMark(path)))
+  {
+    return { "a damaged or cut-off DICOM file", "copy or export it again" };
+  }
+  if (header.Class.empty())
+  {
+    return {};
   }
   return { "a DICOM object" + (header.Modality.empty() ? "" : " (" + header.Modality + ")") +
       " without an image",

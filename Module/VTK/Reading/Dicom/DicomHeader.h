@@ -95,8 +95,8 @@ struct DicomHeader
   double Thickness = 0.0;           // mm; 0: not known
   std::optional<double> Location;   // SliceLocation, mm
   bool HasPosition = false;         // whether the file gives the position
-  std::uint64_t Pixels = 0;         // where the pixels begin in the file, or in what is inflated
-  std::uint64_t Deflated = 0;       // where the part packed by deflate begins; 0: none
+  std::uint64_t Pixels = 0;         // where the pixels begin in the file
+  bool IsDeflated = false;          // whether the whole data set is packed by deflate
   bool IsWhole = false;             // whether the file is long enough for its pixels
   bool HasPlaces = true;            // whether the file has the place of each frame
   // For a segmentation: the frame's segment, and the sample of a voxel that is wholly inside.

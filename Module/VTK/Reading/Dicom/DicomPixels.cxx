@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomPixels.h"
 
-#include "VTK/Reading/Dicom/DicomStream.h"
-#include "VTK/Reading/Dicom/DicomUnpacking.h"
+#include "VTK/Reading/Dicom/DicomProcess.h"
 #include "VTK/Reading/InputError.h"
 
 #include "VTK/Base/ArrayMemory.h"
@@ -231,25 +230,31 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
   }
   this->File.clear();
   this->Unpacked = slice;
-  if (slice.Deflated > 0)
+  DicomAnswer answer;
+  if (slice.IsDeflated)
   {
-    // Read no more than the header promises. The file has as much: see DicomHeader::IsWhole.
-    const std::uint64_t first = slice.Pixels -
-      (slice.Bits == 1 ? 0 : slice.GetSize() * static_cast<std::uint64_t>(slice.Frame));
     const std::uint64_t size = slice.GetSizeOfAll();
-    InflateDicom(slice.File, slice.Deflated, first + size, this->Bytes);
-    if (this->Bytes.size() != first + size)
+    if (!AskDicom(DicomRequest::Stored, slice.File, size, answer, this->Bytes) ||
+      this->Bytes.size() != size)
     {
       throw Unreadable(path, slice, "unpacked");
     }
-    this->Bytes.erase(0, static_cast<std::size_t>(first));
     this->File = slice.File;
     return;
   }
-  if (!UnpackDicom(this->Unpacked, this->Bytes))
+  constexpr std::uint64_t most = 8; // bytes of a sample; GDCM may make more of them than there were
+  const std::uint64_t samples = static_cast<std::uint64_t>(slice.Width) * slice.Height *
+    slice.Samples * static_cast<std::uint64_t>(slice.Frames);
+  if (!AskDicom(DicomRequest::Unpacked, slice.File, most * samples, answer, this->Bytes))
   {
     throw Unreadable(path, slice, "unpacked");
   }
+  this->Unpacked.Bits = static_cast<int>(answer.Bits);
+  this->Unpacked.Stored = static_cast<int>(answer.StoredBits);
+  this->Unpacked.Samples = static_cast<int>(answer.Samples);
+  this->Unpacked.ArePlanes = answer.ArePlanes != 0;
+  this->Unpacked.IsBig = false;
+  this->Unpacked.IsYbr = answer.IsYbr != 0;
   const int bits = this->Unpacked.Bits;
   if ((bits != 8 && bits != 16 && bits != 32) || this->Unpacked.Samples != slice.Samples ||
     this->Bytes.size() != this->Unpacked.GetSize() * static_cast<std::uint64_t>(slice.Frames))
@@ -278,7 +283,7 @@ std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
     slice.Bits = slice.Stored = 8;
     return bytes;
   };
-  if (slice.Deflated > 0)
+  if (slice.IsDeflated)
   {
     this->Unpack(path, slice);
     std::string bytes = slice.Bits == 1

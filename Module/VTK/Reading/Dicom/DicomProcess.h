@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomProcess_h
+#define Explore_DicomProcess_h
+
+#include "VTK/Reading/Dicom/DicomMessage.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Whether a file has the mark of DICOM, behind its preamble.
+bool HasDicomMark(const std::string& path);
+
+/// Asks volumehaptics-dicom, which reads DICOM by GDCM in a process of its own, about a file.
+/// Starts the process if it does not run. False if the file can't be read: then the process may
+/// have ended, and the next call starts another. `bytes` receives what follows the answer. Throws
+/// an InputError if the program is missing and the file has the mark of DICOM.
+bool AskDicom(DicomRequest::Kind what, const std::string& path, std::uint64_t mostBytes,
+  DicomAnswer& answer, std::string& bytes);
+} // namespace Explore
+
+#endif
