@@ -219,7 +219,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits until the callback has run, or until it has stopped.
+// Waits until the callback has reported, but at most LongestSilence.
 void WaitForTick(Device& device)
 {
   for (const std::int64_t end = Now() + LongestSilence; !device.Reports.Update() && Now() < end;)

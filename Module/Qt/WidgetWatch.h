@@ -40,7 +40,7 @@ public:
   bool eventFilter(QObject* watched, QEvent* event) override
   {
     // Watch the window, too, because only the window gets an event when it is minimised. Watch the
-    // new window when the widget moves to another one, such as that of a floating dock, and is
+    // new window when the widget moves to another window, such as that of a floating dock, and is
     // shown again.
     const QEvent::Type type = event->type();
     if (type == QEvent::Hide ||

@@ -48,8 +48,8 @@ public:
   /**
    * Fetch at most one region, if the planner wants it for the device's latest state. `time` is the
    * time at which the volume was updated. If the volume has several times, the region of the next
-   * time is fetched as soon as the servo has reached the last one. While the servo moves between
-   * two times, regions of both are fetched.
+   * time is fetched as soon as the servo has reached the time of the region that was fetched last.
+   * While the servo moves between two times, regions of both are fetched.
    */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticTimeStepLink& timeSteps);

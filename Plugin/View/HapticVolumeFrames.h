@@ -122,7 +122,7 @@ private:
   bool IsQuick = false;
   bool IsTouched = false;
   bool IsArmed = false;
-  /** whether the frame is not shown, so that the window keeps the last one */
+  /** whether the frame is not shown, so that the window keeps the last frame */
   bool KeepsPicture = false;
   Rate InMotion{ 20.0 };
   Rate AtRest{ 2.0 };

@@ -78,8 +78,8 @@ public:
   void SetArmed(bool on);
 
   /**
-   * Sets the interactor. If it has released this style, invokes vtkCommand::DisableEvent
-   * afterwards.
+   * Sets the interactor. If it is null, because the interactor has released this style, then
+   * invokes vtkCommand::DisableEvent.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;

@@ -168,7 +168,7 @@ private:
   const int Axis;
   std::ostream& Errors;
   vtkNew<vtkMatrix4x4> DeviceToWorld;
-  double Shift = 0.0; ///< m
+  double Shift = 0.0; ///< shift (m) of the spring's fixed end along Axis
   Clock::time_point Armed;
   Clock::time_point Last;
 };

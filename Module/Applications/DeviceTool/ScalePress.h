@@ -24,9 +24,8 @@
 class ScalePress
 {
 public:
-  static constexpr double HoldTime = 7.0; ///< s
-  static constexpr double ReadTime = 5.0; ///< s, the end of HoldTime, while the user reads the
-                                          ///< scale
+  static constexpr double HoldTime = 7.0; ///< time (s) for which the level is held
+  static constexpr double ReadTime = 5.0; ///< last part of HoldTime (s), for reading the scale
 
   struct Settings
   {

@@ -257,9 +257,9 @@ bool ReadStored(const DicomRequest& request, const std::string& path, std::strin
   return value != nullptr;
 }
 
-/// Whether the colours of a JPEG stream are luminance and differences, even if the header of the
-/// file says RGB, as GDCM's own writer does. The markers of JFIF and Adobe decide, else the names
-/// of the components, as in decoders. Empty if the stream does not show it.
+/// Returns whether a JPEG stream stores colours as luminance and differences. The file's header may
+/// wrongly say RGB (GDCM's writer does this). Therefore, as decoders do, uses the JFIF or Adobe
+/// marker, or the components' names if there is no marker. Empty if the stream does not show it.
 std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
 {
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes);

@@ -167,7 +167,8 @@ public:
     }
   }
 
-  std::size_t GetMemorySize() const noexcept; ///< bytes
+  /** Returns the memory that this uses (bytes). */
+  std::size_t GetMemorySize() const noexcept;
 
 private:
   static constexpr std::uint32_t BricksOfWord = 64 / MostFollowers;

@@ -76,7 +76,8 @@ public:
   ///@}
   /** Returns the removed volume (mm^3) without the undone strokes. From any thread. */
   double GetVolume() const noexcept { return this->Volume.load(std::memory_order_relaxed); }
-  std::size_t GetMemorySize() const noexcept; ///< bytes
+  /** Returns the memory that this uses (bytes). */
+  std::size_t GetMemorySize() const noexcept;
 
 private:
   enum class Kind : std::uint8_t

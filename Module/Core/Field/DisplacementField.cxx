@@ -98,7 +98,7 @@ MaterialPlace DisplacementField::Compute(const Vector3& index, double fraction) 
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
-  // Computed from the motion, so that both places are the index itself, to the bit, without a
+  // Compute this from the motion, so that both places are the index itself, to the bit, without a
   // motion.
   place.First = index - fraction * motion;
   place.Second = index + (1.0 - fraction) * motion;

@@ -160,7 +160,7 @@ private:
   }
 
   const FieldSampler& First;
-  const FieldSampler* const Second = nullptr; ///< null if the instant is that of one time step
+  const FieldSampler* const Second = nullptr; ///< null if the instant is the time of one time step
   const double Fraction = 0.0;
   const bool AreSamplesBlended = false;
   const DisplacementField* const Motion = nullptr; ///< null if the motion is not known

@@ -61,7 +61,10 @@ struct Cubic
 template <typename T>
 struct Place
 {
-  /** Adds a label. `rise` is the difference of its distance between the next layer and this one. */
+  /**
+   * Adds a label. `distance` is its distance in this layer, and `rise` is its distance in the next
+   * layer minus `distance`.
+   */
   void Add(T label, float distance, float rise)
   {
     if (distance > this->Best)

@@ -44,7 +44,10 @@ public:
    * are made longer.
    */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 28;
-  /** Limit of the pixels in the boxes of all labels. Each pixel costs about 100 ns. */
+  /**
+   * Largest number of pixels, summed over the bounding boxes of all labels. Each pixel costs about
+   * 100 ns.
+   */
   static constexpr std::int64_t MostWork = std::int64_t{ 1 } << 30;
   /** Number of parts that a voxel has in GetFractions(). */
   static constexpr int Parts = 254;

@@ -30,7 +30,7 @@ namespace VolumeHaptics
 struct LabelBlock
 {
   static constexpr int Taps = 8;
-  /** Limit of the labels around a position. Further labels count as the last one. */
+  /** Limit of the labels around a position. Further labels count as the last of these. */
   static constexpr int Most = 32;
 
   int Count; ///< number of labels

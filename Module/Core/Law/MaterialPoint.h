@@ -18,7 +18,7 @@ struct MaterialPoint
   Vector3 Normal;                 ///< unit vector into the structure
   double GradientMagnitude = 0.0; ///< scalar units per world unit
   double SurfaceValue = 0.0;      ///< V(x_s)
-  double MediumValue = 0.0;       ///< V(x_v)
+  double MediumValue = 0.0;       ///< V(x_v): value where the medium's material is read
   double Stiffness = 0.0;         ///< k, N/m
   double Friction = 0.0;          ///< mu
   double Viscosity = 0.0;         ///< R, N

@@ -54,7 +54,7 @@ constexpr double UnitTolerance = 0.01;
 /**
  * Divides a quaternion by its norm. Returns false and does not change it if it is no orientation,
  * that is, if a number is not finite or if the norm differs from 1 by more than the tolerance. If
- * the norm is 1 apart from rounding, the quaternion does not change by a bit, so that a second call
+ * the norm is 1 apart from rounding, the quaternion stays exactly the same, so that a second call
  * changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept

@@ -43,8 +43,8 @@ void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::u
   MixMemory& memory) const noexcept
 {
   const LabelMaterial* const material = this->Table.Find(label);
-  // A cell without a label is not remembered: at the border, some voxels of the cell may have
-  // labels.
+  // Do not remember a cell if there is no label here: at the volume's border, other voxels of the
+  // cell may have labels.
   memory.Baked = label == NoLabel ? 0 : baked;
   memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
   memory.HasMaterial = material != nullptr;

@@ -63,10 +63,10 @@ struct BakedLabels
   ForbiddenPlace ComputeForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
-   * Replaces the functions' values at a position by the materials of the labels there, mixed by the
-   * trilinear weights of the eight voxels around it. Where a label does not set a value, the
-   * functions' value counts with the label's weight. If no label sets a value, it does not change
-   * by a bit. `baked` is the number of the volume with these labels.
+   * Mixes the materials of the labels at a position into the functions' values, by the trilinear
+   * weights of the eight voxels around it. Where a label does not set a value, the functions' value
+   * counts with the label's weight. A value that no label sets stays exactly the same. `baked`
+   * identifies the volume with these labels in `memory`.
    */
   void Mix(const Vector3& labelIndex, std::uint64_t baked, MixMemory& memory,
     MaterialTable::Values& values) const noexcept

@@ -110,8 +110,8 @@ public:
   }
 
   /**
-   * Returns the largest distance (world units) between the tip and a point of the tool that
-   * touches. Returns a negative number if only the method's point touches.
+   * Returns the largest distance (world units) from the tip at which the tool can touch. Returns a
+   * negative number if the tool touches only at the tip, as the method does without a tool.
    */
   virtual double GetReach() const noexcept { return -1.0; }
   /**

@@ -29,7 +29,7 @@ namespace VolumeHaptics
 struct FieldTimeStep
 {
   double Time;     ///< data time, in the units of the data
-  double Interval; ///< data time from this time step to the next one; 0 if there is none
+  double Interval; ///< data time from this time step to the next; 0 if no time step is next
   bool BlendsNext; ///< whether FieldSampler::BlendsSamples() holds for this and the next time step
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
@@ -125,9 +125,9 @@ struct BakedVolume
     return this->IsMoving() ? this->BlendTimeSteps(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * Returns the step between two data times. Both must lie between the same two time steps. Returns
-   * none if the material's motion is known, if a time step is at either time, or if the samples of
-   * the two time steps are not blended.
+   * Returns the field at two data times that lie between the same two time steps, and not at them.
+   * Returns none if they do not, if the material's motion is known, or if the samples of the two
+   * time steps are not blended.
    */
   std::optional<FieldStep> ComputeStep(
     double before, double now, TickMemory& memory) const noexcept;

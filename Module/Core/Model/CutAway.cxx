@@ -209,7 +209,8 @@ CutPlace CutAway::ComputeRegion(const Vector3& index) const noexcept
     place.Normal = aside > farthest ? this->GetNormal(face) : place.Normal;
     farthest = std::max(farthest, aside);
   }
-  // In front of an edge, the normal is the oblique direction of the shortest way to the region.
+  // Outside the faces, the normal is along the shortest way to the region. If this way ends on an
+  // edge, the normal is oblique to the faces.
   if (distance > 0.0)
   {
     const Vector3 shortest = this->ComputeBeyond(index, there).Direction(this->Axes);

@@ -4,19 +4,19 @@
  * @file
  * The part of a volume that is cut away, where nothing is felt.
  *
- * The cut consists of planes, as those of vtkAbstractMapper::SetClippingPlanes, of regions, as
- * those between the planes of vtkVolumeMapper::SetCroppingRegionPlanes (two planes of constant
- * index along each axis, 27 regions), and of voxels that are hidden one by one. The rest is kept.
- * Let s_i be the signed distance to a plane, positive in the part that the plane keeps, and s_0 the
- * signed distance to the faces of the regions. Then
+ * Three things cut a volume: planes (as in vtkAbstractMapper::SetClippingPlanes), cropping regions
+ * (as in vtkVolumeMapper::SetCroppingRegionPlanes: two planes of constant index along each axis, 27
+ * regions), and a list of hidden voxels. The rest is kept. Let s_i be the signed distance to a
+ * plane, positive in the part that the plane keeps, and s_0 the signed distance to the faces of the
+ * regions. Then
  *
  *   depth(x) = min_i s_i(x)
  *
  * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. The
  * axes of the index must be perpendicular to one another in the world. For hidden voxels, let t be
- * the fraction of the eight surrounding voxels that are kept, interpolated linearly. Their faces
- * are where t = 1/2, halfway between a hidden voxel and a kept one. If t is neither 0 nor 1, the
- * depth there is t - 1/2 times the length of a voxel.
+ * the fraction of the eight surrounding voxels that are kept, interpolated linearly. The faces of
+ * hidden voxels are where t = 1/2, halfway between a hidden voxel and a kept one. If t is neither 0
+ * nor 1, the depth there is t - 1/2 times the length of a voxel.
  */
 #ifndef CutAway_h
 #define CutAway_h

@@ -142,7 +142,7 @@ private:
   const GradientKernel Kernel;
   const VolumeView View;
   const LabelTable& Table;
-  const std::uint64_t Number; ///< differs from that of all other objects
+  const std::uint64_t Number; ///< differs from the number of any other object
   Vector3 Last;               ///< largest index along each axis
   const double InverseRadius;
   const LabelSampler Sampler; ///< for the default radius of 3, whose taps fit into a LabelBlock

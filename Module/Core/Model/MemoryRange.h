@@ -15,7 +15,7 @@ namespace VolumeHaptics
 struct MemoryRange
 {
   const void* Begin = nullptr;
-  std::size_t Size = 0; ///< bytes
+  std::size_t Size = 0; ///< size of the range (bytes)
 };
 
 } // namespace VolumeHaptics

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** A boundary: all lines that lead from one material to another one. */
+/** A boundary: all lines that lead from one material to another material. */
 struct Boundary
 {
   /** The values of the materials on both sides. */

@@ -106,8 +106,8 @@ private:
 };
 
 /**
- * Returns the variance (voxels squared) of an estimator's kernel along an axis. It is the amount by
- * which the kernel raises the mean of x^2.
+ * Returns the variance (voxels squared) of an estimator's kernel along an axis: the value to which
+ * the kernel smooths the function x^2, less x^2.
  */
 double MeasureKernelVariance(const GradientKernel& kernel);
 

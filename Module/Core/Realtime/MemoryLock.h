@@ -22,7 +22,8 @@
 namespace VolumeHaptics
 {
 
-std::size_t GetPageSize() noexcept; ///< in bytes
+/** Returns the size (bytes) of a page of memory. */
+std::size_t GetPageSize() noexcept;
 
 /**
  * Starts to read the pages of a range from the disk if they are not in memory, and no other pages.

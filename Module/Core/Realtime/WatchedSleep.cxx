@@ -92,7 +92,7 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   if (this->State.load(std::memory_order_relaxed) == bound &&
     this->State.compare_exchange_strong(bound, Binding::Ending, std::memory_order_acquire))
   {
-    this->GiveBack(); // if this fails, the watcher restores the processors
+    this->GiveBack(); // if this fails, the watcher restores the set of allowed processors
     this->State.store(Binding::None, std::memory_order_release);
   }
 }

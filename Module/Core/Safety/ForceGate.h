@@ -108,7 +108,7 @@ enum class GateReason : std::uint8_t
   /** A fault after the fade: the owner was silent for longer than SafetyLimits::AttentionTime. */
   Unattended,
   Ordered,   ///< not armed yet, disarmed, or fading out after FadeOut
-  NotReady,  ///< the device was not ready; Arm is needed again when it is
+  NotReady,  ///< the device was not ready; call Arm again once it is ready
   LongWork,  ///< held by the owner, for example during long work
   NoSamples, ///< no sample came within SafetyLimits::WatchdogTime
   NoData,    ///< some samples of the volume around the tip are missing (Residency.h)

@@ -118,7 +118,7 @@ private:
   double LeastShare = 1.0; ///< smallest s since the last measurement of the tip
   double MostShare = 1.0;  ///< largest s since the last measurement of the tip
   double LastShare = 1.0;  ///< s of the last tick
-  double Work = 0.0;       ///< work of the hand against W (J)
+  double Work = 0.0;       ///< work (J) of the hand against the wanted force W
   double Unpaid = 0.0;     ///< Work - Paid (J); exactly 0 until some force is held back
   double Return = 0.0;     ///< part of Work (J) that the hand got back when the tip last moved
 };

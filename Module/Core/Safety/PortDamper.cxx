@@ -65,8 +65,8 @@ Vector3 PortDamper::Apply(const Vector3& wall, double most, double cap, double p
   {
     return wall;
   }
-  // The delay begins at the middle of the measurement. The force may reach the hand a tick later,
-  // and lasts until the next one.
+  // The longest delay of the damping force is half the time span over which the velocity is
+  // measured, one tick until the force reaches the hand, and one tick for which the force lasts.
   const double late = 0.5 * this->Span + std::max(this->Between, period) + period;
   const double largest = 0.5 * LightMass / late;
   const double damping = cap > 0.0 ? std::min(cap, largest) : largest;

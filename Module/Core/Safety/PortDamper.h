@@ -37,7 +37,7 @@ class PortDamper
 {
 public:
   static constexpr double LightMass = 0.05; ///< in kg
-  static constexpr double MostGiven = 1e-4; ///< in J
+  static constexpr double MostGiven = 1e-4; ///< energy (J) that the damping may give before it ends
 
   /** Clears everything and ends the damping. */
   void Reset() noexcept;

@@ -57,8 +57,8 @@ class PortObserver
 public:
   static constexpr double LightMass = 0.05;        ///< kg
   static constexpr double HandAcceleration = 12.0; ///< m/s^2
-  static constexpr double RisingBound = 1.2e-3;    ///< J
-  static constexpr double ContactBound = 2.5e-3;   ///< J
+  static constexpr double RisingBound = 1.2e-3;    ///< limit of GetRisingRunAway() (J)
+  static constexpr double ContactBound = 2.5e-3;   ///< limit of GetRunAway() (J)
 
   /** Clears everything. Force and tip are unknown then. */
   void Reset() noexcept;

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Longest time (ns) between two checks of the requests. */
+/** Longest time (ns) until the loop looks for a new model or a request to stop. */
 constexpr std::int64_t IdlePeriod = 10000000;
 
 } // namespace
@@ -36,8 +36,8 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     }
   }
   this->Models.LetGo(ModelExchange::Fitter);
-  // Limited, so that the loop soon notices new models and a request to stop, even if its rate is
-  // low.
+  // The wait is limited, so that the loop soon notices new models and a request to stop, even if
+  // its rate is low.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 

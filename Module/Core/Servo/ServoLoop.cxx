@@ -235,7 +235,7 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   // The proxy begins at the tip, without a force, for one of the following four reasons. Tick() and
   // ResidentServo do the same after a tip that is not finite, and after missing data.
   const bool isContactNew = std::exchange(this->IsContactNew, false);
-  // The loop did not run, but the hand moved on.
+  // The loop stood still for longer than the watchdog's time, while the hand moved on.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
   // The stylus was just taken up, so the proxy must not be at a tip that no hand held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
@@ -281,7 +281,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
-  // Written last, because another thread may use the snapshot from now on.
+  // Write this last, because another thread may use the snapshot from now on.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -410,7 +410,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   {
     this->Timing.RecordTaken({ sample.Time, ServoClock::Now() });
   }
-  // Stored only after the device has received the force.
+  // Store this only after the device has received the force.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {

@@ -354,7 +354,7 @@ private:
   }
   static std::uint64_t OrdersOf(std::uint64_t command) noexcept { return command / OrderStep; }
   ///@}
-  /** Gives an order, which replaces the last one. From any thread. */
+  /** Sends an order, which replaces the last order. From any thread. */
   void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);

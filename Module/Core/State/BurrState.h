@@ -44,8 +44,8 @@ struct BurrState
    */
   double Shorter = 0.0;
   /**
-   * Length (m) by which the sphere at Carved is larger than the head, because tissue still held the
-   * head.
+   * Radius of the sphere at Carved, less the radius of the head (m). It grows as long as tissue
+   * still holds the head.
    */
   double Room = 0.0;
 };

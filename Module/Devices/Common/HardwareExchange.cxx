@@ -170,13 +170,13 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
-    // Counted before the stage is set. When the servo polls, the device may have been ready before,
-    // too.
+    // Count before setting the stage: a thread that reads Ready then also reads the new count, so
+    // that the servo notices if the device was homed between two ticks.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
-  // Written after the stage, so that a caller who reads "ready" and arms finds that the servo
-  // agrees.
+  // Write the condition after the stage: when a caller reads "ready" and calls Arm(), the servo
+  // then sees that the device is ready, too.
   this->Conditions.Write(condition);
 }
 

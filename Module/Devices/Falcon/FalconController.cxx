@@ -121,7 +121,7 @@ void FalconController::UpdateHoming(const FalconReport& report) noexcept
   DeviceSample sample;
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
-  // Reported before the stage becomes Ready, so that no older sample is used.
+  // Report the sample before the stage becomes Ready, so that no older sample is used.
   this->Exchange.Report(sample);
 }
 

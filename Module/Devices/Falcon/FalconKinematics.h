@@ -47,7 +47,7 @@ constexpr int FalconMostSteps = 20;
 /** The position of the grip. It is always finite, but only valid if Reach is Reached. */
 struct FalconPose
 {
-  Vector3 Position; ///< in m
+  Vector3 Position; ///< position p of the tip (m)
   Matrix3 Jacobian; ///< dp/dtheta in m/rad, with one column for each leg
   int Steps = 0;    ///< number of steps of Newton's iteration
   FalconReach Reach = FalconReach::NotConverged;

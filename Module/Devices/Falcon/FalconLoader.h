@@ -23,7 +23,7 @@ namespace VolumeHaptics
 constexpr std::uint16_t FalconGreetingBaud = 0x4138; ///< 9600 baud
 constexpr std::uint16_t FalconLoadingBaud = 0x0015;  ///< about 140 000 baud
 constexpr std::uint16_t FalconRunBaud = 0x0002;
-/** Number of bytes of the image that fit into a packet with the status bytes. */
+/** Number of bytes of the firmware image in a packet: 64 bytes less the two status bytes. */
 constexpr std::size_t FalconBlockSize = 62;
 constexpr int FalconMostGreetings = 100;
 

@@ -89,11 +89,10 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * Encodes a packet for a running device, always with FalconHome. libnifalcon also sets this bit in
- * every packet while its homing mode is on (formatInput() in
- * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h describes the bits of
- * homed encoders with "(If homing mode on)", and no source says what they mean after a packet
- * without FalconHome.
+ * Encodes a packet for a running device. FalconHome is always set, because no source says what the
+ * bits of homed encoders mean after a packet without it: libnifalcon's FalconFirmwareNovintSDK.h
+ * describes these bits with "(If homing mode on)". While its homing mode is on, libnifalcon also
+ * sets FalconHome in every packet (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp).
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 

@@ -61,7 +61,7 @@ void CloseOthers(std::vector<int> kept)
  */
 int OpenSignals()
 {
-  // Called before there are threads. A crash still ends the process.
+  // This is called before there are threads. A crash still ends the process.
   ServoClock::BlockSignals();
   sigset_t term;
   sigemptyset(&term);

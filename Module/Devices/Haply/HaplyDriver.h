@@ -97,8 +97,8 @@ private:
   void CheckSilence(HardwareExchange& exchange);
   void Rest() noexcept;
   /**
-   * Stops all work until homing is requested. In the condition, the device's name stands before the
-   * text.
+   * Reports the device as lost, and stops all work until homing is requested. The reported text
+   * begins with the device's name.
    */
   void Lose(HardwareExchange& exchange, const std::string& text);
   void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;

@@ -6,8 +6,8 @@
  *
  * Written from Haply's public documentation (docs.haply.co/inverseSDK, version 3.5: "WebSocket
  * Protocol", "Simulation Channel", "Device Configuration", "Mount & Workspace", "Control Commands",
- * "Common Types", "Basis Permutation", "Events & Monitoring", "HTTP", tutorials 00 to 06; and "Haply
- * Inverse Service" of 3.0 and 3.1).
+ * "Common Types", "Basis Permutation", "Events & Monitoring", "HTTP", tutorials 00 to 06; and
+ * "Haply Inverse Service" of 3.0 and 3.1).
  *
  * The service answers each message with one message. Fields come in any order. A field that has its
  * default may be missing: a number is then 0, the w of an orientation 1, a button not pressed. A

@@ -100,7 +100,7 @@ struct Linkage
     {
       return;
     }
-    // The direction from b to c is that of -U(l).
+    // The vector from b to c is along -U(l), so l is the vector's angle minus half a turn.
     this->Angle = std::atan2(way.Y, way.X) - std::acos(cosine) - 0.5 * Circle;
     const Point u = U(this->Angle);
     this->Tip = b + L5 * u;

@@ -60,8 +60,8 @@ private:
   };
   double Stick(unsigned code) const noexcept;
   /**
-   * Returns the value of the trigger: of its axes, the one that is pushed furthest, or of its
-   * button.
+   * Returns the value of a trigger: the value of the axis that is pushed furthest, or of its button
+   * if it has no axis.
    */
   double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
 

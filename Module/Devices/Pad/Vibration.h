@@ -46,8 +46,8 @@ struct VibrationLevels
 class Vibration
 {
 public:
-  static constexpr double FastTime = 0.02;  ///< s
-  static constexpr double SlowTime = 0.15;  ///< s
+  static constexpr double FastTime = 0.02;  ///< time constant (s) of the fast low-pass of the force
+  static constexpr double SlowTime = 0.15;  ///< time constant (s) of the slow low-pass of the force
   static constexpr double FullChange = 1.0; ///< change in N that makes a motor turn at full speed
   static constexpr double RiseRate = 100.0; ///< 1/s
   static constexpr double FallRate = 10.0;  ///< 1/s

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reports of a force-feedback stick or wheel after the USB PID 1.0 specification (usage page
- * 0x0F): where fields are in a device's reports, and their values.
+ * The reports of a force-feedback stick or wheel according to the USB PID 1.0 specification (usage
+ * page 0x0F): the places of fields in a device's reports, and their values.
  *
  * Report ids, sizes and ranges differ from device to device, so PidMapper finds everything by its
  * usage. PID does not know newtons: magnitudes are fractions of a full scale that the user sets.

@@ -95,7 +95,7 @@ private:
 class PidStream
 {
 public:
-  static constexpr double SignTime = 0.01; ///< s
+  static constexpr double SignTime = 0.01; ///< silence (s) after which a magnitude is sent again
 
   /** Begins the stream. The device must outlive it, and the dialogue must be ready. */
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
@@ -110,7 +110,7 @@ private:
   const PidDevice& Device;
   const PidSettings Settings;
   std::array<std::int64_t, 2> Blocks{};
-  std::array<double, 2> Ages{}; ///< time since the last start (s)
+  std::array<double, 2> Ages{}; ///< for each axis, time since its effect was last started (s)
   /** Magnitudes that were sent last. */
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{};
   double Silence = 0.0; ///< time since a report was sent (s)

@@ -70,9 +70,12 @@ bool HasSecondAxis(const HidReportDescriptor& descriptor)
 constexpr int RepeatsOfStream = 20;
 /** Longest pause (ns) before a repeated packet that counts. A longer one is chance. */
 constexpr std::int64_t LongestReminder = 250000000;
-/** Number of gaps in a pause after which two repeats are missing. */
+/** Silence, in multiples of LongestGap, after which two repeats are missing: the device is lost. */
 constexpr double MissedGaps = 2.5;
-/** Number of gaps after which the tip may have moved away from its last position. */
+/**
+ * Silence, in multiples of LongestGap, after which a missing report no longer proves that the tip
+ * is still at its last position.
+ */
 constexpr double LateGaps = 1.5;
 
 const char* const TwoAxes =

@@ -103,8 +103,8 @@ private:
     std::string Objection;
 
     /**
-     * Reads the mapping of a device. Returns false and writes the missing parts to `error` if it is
-     * no force-feedback device.
+     * Reads the mapping from a device's report descriptor. If the descriptor lacks parts that a
+     * force-feedback device has, returns false and names them in `error`.
      */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
   };

@@ -24,7 +24,7 @@ constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC6
   0xC63A, 0xC641, 0xC652 };
 constexpr std::uint16_t WithAxisUp[] = { 0xC603, 0xC606, 0xC640 };
 
-/** A key of the Enterprise: its number and its bit in Buttons. */
+/** A key of the SpaceMouse Enterprise: its number in the report, and its bit in Buttons. */
 struct HighKey
 {
   std::size_t Number;

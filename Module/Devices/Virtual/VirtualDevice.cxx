@@ -74,8 +74,8 @@ void VirtualDevice::Update(double period) noexcept
 
 void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 {
-  // Integrates by Runge-Kutta of fourth order. The force is constant, so that the right-hand side
-  // is smooth.
+  // Integrate by the Runge-Kutta method of fourth order. The acceleration is smooth, because the
+  // force is constant during the period.
   constexpr int steps = 8;
   const double h = period / steps;
   const double m = this->Dynamics.Mass;

@@ -32,7 +32,7 @@ constexpr const char* TeensyName = "teensyduino rawhid";
  */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-/** Time (ns) between currents if no packet comes. */
+/** Time (ns) between two packets with motor currents if no packet comes from the board. */
 constexpr std::int64_t SendPeriod = 2000000;
 /** Pause (s) after which the hand was not observed, because the kernel may have dropped packets. */
 constexpr double LateRound = 0.03;

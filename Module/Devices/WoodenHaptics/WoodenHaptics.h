@@ -35,7 +35,7 @@ struct WoodenHapticsGeometry
   double Base = 0.080;               ///< Ln, height of the shoulder (m)
   double UpperArm = 0.205;           ///< Lb in m
   double Forearm = 0.245;            ///< Lc in m
-  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< from the foot to the origin of the tip's position (m)
+  Vector3 Origin{ 0.22, 0.0, 0.08 }; ///< origin of the tip's coordinates, from the foot (m)
   std::array<std::int16_t, 3> RestCounts{ 0, 0, 6000 }; ///< counts in the pose for calibration
   double MaximumCurrent = 3.0;                          ///< largest current of each motor (A)
 };

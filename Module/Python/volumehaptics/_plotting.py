@@ -154,8 +154,8 @@ class Haptics(HostHaptics):
                           "with what is shown now", stacklevel=2)
 
     def _watch(self, plotter: pv.Plotter) -> None:
-        """Closes this object with the plotter. Watches objects below the plotter, because show() replaces the plotter's
-        own hooks."""
+        """Closes this object when the plotter closes. Observes the plotter's interactor and scene instead of the plotter,
+        because show() replaces the plotter's own hooks."""
         itself = weakref.ref(self)
 
         def close(*_: object) -> None:
@@ -189,7 +189,8 @@ class Haptics(HostHaptics):
         self._watch_widget(plotter)
 
     def _check_volumes(self) -> list[str]:
-        """Warns if volumes are shown differently from how they are felt, now or later."""
+        """Returns warnings about volumes that are shown differently from how they are felt. Later ones become Python
+        warnings."""
         with Errors(self.style, event="WarningEvent") as found:
             self.style.CheckShownVolumes()
         self.style.AddObserver("WarningEvent", _warn)

@@ -56,7 +56,7 @@ def _number(words: Any, word: str, otherwise: float) -> float:
 
 
 class Area(AreaAdapter):
-    """The object that trame-rca calls for the page's view of the scene."""
+    """Receives trame-rca's calls (the page's size and mouse events) and passes them to the view."""
 
     def __init__(self, name: str, view: View) -> None:
         super().__init__(name)

@@ -172,7 +172,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
     {
       const double low = this->RegionPlanes[2 * axis];
       const double high = this->RegionPlanes[2 * axis + 1];
-      // Written so that NaN fails.
+      // NaN must fail here, too.
       if (!(low <= high))
       {
         std::ostringstream message;

@@ -64,7 +64,7 @@ bool FillScalarLabels(
   double range[2];
   scalars->GetRange(range, 0);
   constexpr double most = VTK_INT_MAX;
-  // Written so that NaN fails.
+  // NaN must fail here, too.
   const bool isSpanned = range[0] >= -most && range[1] <= most && range[0] <= range[1] &&
     range[1] - range[0] < MostScalarLabels;
   if (scalars->GetNumberOfComponents() != 1 || !isSpanned)

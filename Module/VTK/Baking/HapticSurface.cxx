@@ -125,8 +125,10 @@ struct IsoInput
 };
 
 /**
- * Copies a surface for a worker: the same points, cells and normals, with cursors of their own. The
- * vtkPoints are shared, because wrapping their array in another vtkPoints would modify the array.
+ * Copies a surface for a worker. The copy shares the points, the normals and the memory of the
+ * cells, but its cell arrays have their own cursors, so that two threads can traverse the cells.
+ * The vtkPoints are shared, because wrapping their array in another vtkPoints would modify the
+ * array.
  */
 vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {

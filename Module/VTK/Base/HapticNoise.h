@@ -51,8 +51,8 @@ BackgroundLevel EstimateSolid(
 
 ///@{
 /**
- * Finds how Hounsfield units are stored. The function with a view stores the result as
- * EstimateImageNoise() does.
+ * Estimates the shift between stored values and Hounsfield units. The function with a view caches
+ * the result, like EstimateImageNoise().
  */
 StoredShift EstimateStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);

@@ -82,7 +82,7 @@ struct HapticSetting : SettingFacts
   ///@}
 };
 
-/** Largest size of a vector setting: that of a direction matrix. */
+/** Largest number of components of a vector setting, which a direction matrix has. */
 constexpr int LongestVector = 9;
 using SettingVector = std::array<double, LongestVector>;
 

@@ -175,7 +175,7 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
-/** Changes the view of a region so that its indices count as those of the whole volume. */
+/** Changes the view of a region so that its indices are indices of the whole volume. */
 void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
 {
   const int* const extent = image->GetExtent();

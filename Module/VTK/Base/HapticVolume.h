@@ -25,7 +25,7 @@ namespace VolumeHaptics
 /** One component of an image. */
 struct HapticVolume
 {
-  VolumeView View;                      ///< its indices count as those of the whole volume
+  VolumeView View;                      ///< its indices are indices of the whole volume
   vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory of View alive
   Affine3 IndexToWorld;                 ///< maps View's indices to the world
   WholeFacts Whole;

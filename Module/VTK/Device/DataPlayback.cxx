@@ -350,7 +350,10 @@ bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
     this->MadeBeside == ComputeChangeTimeBesideImage(filter);
 }
 
-/** Returns time steps of the time span by their step's number in the series. */
+/**
+ * Returns `count` time steps of the time span, beginning with number `first` of the series. The
+ * first time step of the series follows its last time step.
+ */
 std::vector<VolumeTimeStep> DataPlayback::Keep(std::size_t first, std::size_t count)
 {
   std::vector<VolumeTimeStep> timeSteps;

@@ -12,14 +12,14 @@
  * longer needed is released first, and if only settings have changed, the next model keeps the time
  * steps of the last model. If SetTime jumps to a pair of two other steps, the servo feels the old
  * pair until one new step is read, and only this step until the second one is read. A series of up
- * to three steps is published whole. So are components and the time steps of a
+ * to three steps is published at once. So are components and the time steps of a
  * vtkHapticTimeStepSource, because they are in memory anyway.
  *
  * For SURFACE_PROXY, meshes are made in the background, and a time span is published when it has
  * its meshes. This holds for the first time span, too, unless its meshes are small.
  *
- * The steps of a streamed vtkHapticTimeStepSource are whole series, too. Each series continues the
- * last one: it waits until time has reached the end of the last series or a time step that both
+ * A streamed vtkHapticTimeStepSource provides whole series, one after the other. The next series is
+ * published only when time has reached the end of the present series, or a time step that both
  * contain. If time steps were left out, the last time step is joined to the next time steps
  * (StreamedTimeSpan.h).
  */

@@ -132,7 +132,7 @@ void DeviceSession::Close()
   this->Xr = nullptr;
   this->RoundTrip.Reset();
   ++this->Opening;
-  // The order to arm belongs to this device, not to the next one.
+  // The order to arm belongs to this device, not to the next device.
   this->ArmsAtStart = false;
   this->IsReplay = false;
   this->Replay = {};

@@ -223,7 +223,10 @@ private:
   const Work* FindLongWork() const;
   /** Copies to GetLatest() the numbers of the latest state that do not depend on the placement. */
   void ShowNumbers();
-  /** Publishes the last model with other caps if the measured round trip requires them. */
+  /**
+   * If the measured round trip requires other force caps, publishes the latest model again with
+   * these caps.
+   */
   void PollRoundTrip();
   /** Writes the facts to the user's file if the device is remembered. */
   void Remember();

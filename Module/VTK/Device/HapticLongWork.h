@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A scope of work during which the force of a device may have to be off.
+ * Announces long work to a device for the time of a C++ scope, because the device may have to turn
+ * its force off meanwhile.
  */
 #ifndef HapticLongWork_h
 #define HapticLongWork_h

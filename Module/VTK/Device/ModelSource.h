@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes the servo's models of a device's filter and placement.
+ * Makes the models that the servo uses, from a device's filter and its placement in the world.
  */
 #ifndef ModelSource_h
 #define ModelSource_h

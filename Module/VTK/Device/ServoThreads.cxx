@@ -59,7 +59,7 @@ void ServoThreads::End()
   {
     return; // the threads have ended, or belong to the parent of this forked process
   }
-  // These flags stop the threads; TerminateThread only joins them.
+  // RequestStop() makes the threads below return; TerminateThread only joins them.
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);

@@ -32,7 +32,7 @@ struct SourceLacksMemory : std::bad_alloc
  */
 bool UpdateSources(vtkAlgorithm* filter);
 
-/** Appended to a bake's error after UpdateSources() returned false. */
+/** Text that is appended to a bake's error after UpdateSources() returned false. */
 inline constexpr char FailedSource[] =
   // VTK's executive considers a source that threw to be still running, so it can't run again.
   " A source of this filter failed: see its errors. If memory ran out in it before, VTK can't run "

@@ -31,8 +31,8 @@ public:
   /** Explains why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;
   /**
-   * Returns a text on the fact that only the first time step is felt, with the cure. Returns an
-   * empty text if it has been reported before.
+   * Returns the warning that only the first of these time steps is felt, with the cure. Returns an
+   * empty text if the warning has been returned for these time steps before.
    */
   std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 

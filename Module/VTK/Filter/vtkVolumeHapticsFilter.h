@@ -227,8 +227,9 @@ public:
 
   ///@{
   /**
-   * The regions that are felt: bit x + 3 y + 9 z, with x = 0 below xmin, 1 up to xmax, 2 above, and
-   * so on; VTK_CROP_SUBVOLUME and its like. Default: VTK_CROP_SUBVOLUME, the one in the middle.
+   * The regions that are felt, as in vtkVolumeMapper: bit x + 3 y + 9 z, with x = 0 below xmin, 1
+   * from xmin to xmax and 2 above xmax, and likewise y and z. Default: VTK_CROP_SUBVOLUME, the
+   * middle region.
    */
   void SetCroppingRegionFlags(int flags);
   int GetCroppingRegionFlags();

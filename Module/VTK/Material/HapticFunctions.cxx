@@ -133,7 +133,7 @@ std::string DetectFunctionFault(const Polyline& line, double maximum, const std:
 {
   for (const Vertex& vertex : line)
   {
-    // Written so that NaN fails.
+    // NaN must fail here, too.
     if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
           std::isfinite(vertex.X)))
     {

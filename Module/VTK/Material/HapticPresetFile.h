@@ -15,7 +15,7 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** Whether the name of a preset is that of a file. The name may be null. */
+/** Whether the name of a preset is the name of a file. The name may be null. */
 bool IsPresetFile(const char* name);
 
 ///@{

@@ -68,7 +68,7 @@ bool FindKind(std::string_view name, MeasuredKind& kind);
  */
 std::string DetectFault(const Measurement& measurement);
 
-/** Returns the number of points that a kind has; 0 stands for any number above 0. */
+/** Returns the number of points of a measurement of this kind; 0 means one or more. */
 int CountPoints(MeasuredKind kind);
 
 } // namespace VolumeHaptics

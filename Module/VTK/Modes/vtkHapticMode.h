@@ -160,9 +160,8 @@ public:
 
   ///@{
   /**
-   * For VECTOR_FRONT: whether the hand is held in both directions along the vectors, so that it
-   * snaps on a front. Off (default): the hand is held only against the vectors, and moves freely
-   * along them.
+   * For VECTOR_FRONT: whether the hand is also held when it moves along the vectors, so that it
+   * snaps to a front. Off (default): the hand is held only when it moves against the vectors.
    */
   vtkSetMacro(TwoSided, bool);
   vtkGetMacro(TwoSided, bool);

@@ -33,7 +33,7 @@ struct AxisPlace
 {
   AxisPlace(double at, std::int64_t last)
   {
-    // Written so that NaN becomes 0.
+    // NaN becomes 0 here.
     const double inside = at > 0.0 ? std::min(at, static_cast<double>(last)) : 0.0;
     this->Before = std::min(static_cast<std::int64_t>(inside), std::max<std::int64_t>(last - 1, 0));
     this->Behind = std::min(this->Before + 1, last);

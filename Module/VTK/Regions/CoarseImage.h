@@ -32,17 +32,18 @@ class CoarseLevel
 {
 public:
   /**
-   * Makes the level from the first component of an image's scalars. `indexToWorld` belongs to the
-   * volume, which is in the same world. Outside samples are filled, unless the scalars are labels.
-   * Returns null, with the cure in `error`, if there are no scalars.
+   * Makes the level from the first component of an image's scalars. `indexToWorld` is the transform
+   * of the volume that the image replaces, in the same world. Samples that DetectOutside() finds
+   * are filled, unless the scalars are labels. Returns null, with reason and cure in `error`, if
+   * there are no scalars or if the image can't be used.
    */
   static std::shared_ptr<const CoarseLevel> Make(
     vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
 
   /**
    * Fills a box of the volume, x fastest, with samples of a VTK type. Between the samples of the
-   * image, values are trilinear, and rounded for integer types. Beyond the image, they are those of
-   * the nearest border sample.
+   * image, values are trilinear, and rounded for integer types. Beyond the image, they are equal
+   * to the nearest border sample.
    */
   void Fill(const BoxExtent& box, int scalarType, void* samples) const;
 

@@ -253,7 +253,7 @@ RegionReader::~RegionReader()
   this->Shared->Wake.notify_all();
   if (!this->Thread->joinable())
   {
-    return; // the thread was lost, and no other one was started
+    return; // the lost thread was joined, and no new thread could be started
   }
   if (this->Shared->Volume->IsAwaited)
   {

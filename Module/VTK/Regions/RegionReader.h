@@ -67,7 +67,7 @@ private:
   struct Work;
 
   void Begin();
-  /** Starts a new thread if a reader function has ended the last one. */
+  /** Starts a new thread if a reader function has ended the last thread. */
   void Revive();
 
   std::shared_ptr<Work> Shared; ///< shared with the thread

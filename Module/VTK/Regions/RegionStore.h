@@ -74,7 +74,7 @@ public:
 
   /** Whether there is a volume and it was made with these settings. */
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
-  /** Replaces the volume, and discards everything about the last one. */
+  /** Replaces the volume, and discards everything about the last volume. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
   const LargeVolume* GetVolume() const { return this->Volume.get(); }
   /** Ends the thread, and discards the volume and the coarse level. */

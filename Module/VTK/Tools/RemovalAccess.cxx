@@ -89,7 +89,7 @@ bool DetectShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3
       {
         first[a] = std::llround(std::clamp(at, -1e9, 1e9));
       }
-      // Written so that NaN fails.
+      // NaN must fail here, too.
       if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
       {
         return false;
@@ -258,7 +258,8 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   {
     data.Tissue = std::make_shared<TissueRemoval>();
   }
-  // Keep a value that is in use: regions of one volume share it, and so does removed tissue.
+  // Do not compute the air value again while it is in use, because all regions of a volume and the
+  // tissue that was removed before must have the same air value.
   if (removal->GetAutoAirValue() && (!data.HasAir || (removes && !isRegion && !isUsed)))
   {
     const auto* const shaped = dynamic_cast<const ShapedTool*>(d.Tool.get());

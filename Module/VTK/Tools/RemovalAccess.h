@@ -64,7 +64,7 @@ struct RemovalData
   void ApplyContent(std::unique_ptr<RemovalContent> content);
   /** Whether the fractions within the volume still equal those of the file. */
   bool IsAsRead() const;
-  /** Whether a volume that has the extent of the last one is another part of the file's volume. */
+  /** Whether a volume with the last volume's extent is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
    * Fits the file's contents to another part of the file's volume. Returns false if the samples are

@@ -313,7 +313,7 @@ std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   return owners;
 }
 
-/** Positions that belong to one point. */
+/** Mean position and mean normal of the places that belong to one point, and their number. */
 struct OwnPlaces
 {
   SurfacePlace Middle;

@@ -54,9 +54,9 @@ constexpr int MostToolNumbers = 7;
 struct RecordingRow
 {
   TraceRow Trace;
-  double DeviceTip[3];     ///< m
-  double Command[3];       ///< N
-  double TorqueCommand[3]; ///< torque that was sent, N m
+  double DeviceTip[3];     ///< tip in the device's space (m)
+  double Command[3];       ///< force that was sent (N)
+  double TorqueCommand[3]; ///< torque that was sent (N m)
   /// w, x, y, z of a unit quaternion; all 0 if the device has none
   double DeviceOrientation[4];
   double Orientation[4];           ///< orientation in the world

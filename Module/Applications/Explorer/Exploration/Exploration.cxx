@@ -106,10 +106,9 @@ namespace Explore
 {
 namespace
 {
-/// Sets the filter's scales for every method, because the user may change the method. SURFACE_PROXY
-/// touches the outer surface (IsoValue). FORCE_FIELD pushes with 1 N at the sharpest position of
-/// this surface (ForceFieldGain, from the gradients along it). The filter needs its estimator, its
-/// scale, and the volume on port 0.
+/// Sets IsoValue (SURFACE_PROXY touches the outer surface) and ForceFieldGain (FORCE_FIELD pushes
+/// with 1 N where this surface is sharpest), because the user may change the method. The filter
+/// must have its estimator, its scale and the volume on port 0 before.
 
 void ScaleMethods(vtkVolumeHapticsFilter* filter, const Analysis& analysis, vtkImageData* body)
 {

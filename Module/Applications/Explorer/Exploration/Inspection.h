@@ -19,7 +19,7 @@ class Inspection
 {
 public:
   /// Inspects a volume. `materials` is the name of the materials, which were applied to `filter`.
-  /// For a volume that is read around the hand, the values are those of its coarse level.
+  /// For a volume that is read around the hand, the values are from its coarse level.
   Inspection(const Volume& volume, const Analysis& values, const std::string& materials,
     vtkVolumeHapticsFilter* filter);
 

@@ -49,7 +49,7 @@ struct Background
 {
   double Noise = 0.0;
   double Threshold = 0.0; ///< upper limit of values that are not solid
-  double Full = 0.0;      ///< lower limit of values that are solid; unknown if not above Threshold
+  double Full = 0.0;      ///< lower limit of solid values; not known if it is at most Threshold
 };
 
 Background FindBackground(vtkImageData* image)

@@ -38,7 +38,8 @@ constexpr double OPAQUE = VolumeHaptics::LookOpaque;
 /// Thickness (m) of a layer of a field that has the opacity given by the functions.
 constexpr double FIELD_LAYER = 0.004;
 
-/// The first row has colours of tissues, the second one colours of a field, from slow to fast.
+/// The first row has the colours of tissues. The second row has the colours of a field, from low
+/// to high values.
 const Colour COLOURS[2][5] = {
   { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
     { 0.98, 0.90, 0.82 } },

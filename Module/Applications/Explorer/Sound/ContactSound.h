@@ -80,7 +80,7 @@ private:
   double Power[2] = { 0.0, 0.0 }; // W, after the first and the second low-pass
   double Burst = 0.0;             // effective value of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
-  // s since the first touch, while its impact is being measured; negative: none is
+  // time (s) since the first touch while its impact is measured; negative if no impact is measured
   double TouchTime = -1.0;
   double Impact = 0.0; // largest normal force since the first touch (N)
   double Peak = 0.0;   // largest normal force (N) while a surface is penetrated

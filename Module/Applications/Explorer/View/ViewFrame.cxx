@@ -47,7 +47,8 @@ ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const 
     throw InputError("--front " + front + " --up " + up, "are the same axis",
       "the front and the top must be at right angles");
   }
-  // The picture shows the front turned by AZIMUTH; `side` points to the picture's right.
+  // The camera sees the front from AZIMUTH to the side and from ELEVATION above. `side` points to
+  // the picture's right.
   const double a = vtkMath::RadiansFromDegrees(AZIMUTH);
   const double e = vtkMath::RadiansFromDegrees(ELEVATION);
   ViewFrame frame;

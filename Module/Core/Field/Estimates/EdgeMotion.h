@@ -11,9 +11,9 @@
  *   width  = (V2 - V1) / (g sqrt(2 pi)),
  *
  * where g is its steepest slope. It is the standard deviation of the Gaussian that blurs the edge.
- * The motion of an edge is that of the place where V is (V1 + V2)/2, measured along the axis on
- * which the gradient is steepest and multiplied by the cosine between this axis and the gradient.
- * Motion along the edge can't be measured.
+ * The motion of an edge is the motion of the place where V is (V1 + V2)/2, measured along the axis
+ * on which the gradient is steepest and multiplied by the cosine between this axis and the
+ * gradient. Motion along the edge can't be measured.
  */
 #ifndef EdgeMotion_h
 #define EdgeMotion_h

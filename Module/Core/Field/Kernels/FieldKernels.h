@@ -132,7 +132,7 @@ VOLUME_HAPTICS_INLINE Double4 ComputeWeights(const double* coefficients, int cou
 struct GaussianPlace
 {
   const double* Coefficients;
-  double Fraction; ///< fraction of the interval
+  double Fraction; ///< position within the table's interval, from 0 to 1
   std::int64_t First;
 };
 

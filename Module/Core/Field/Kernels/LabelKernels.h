@@ -208,8 +208,8 @@ VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, doubl
 }
 
 /**
- * Computes the sums of four weights for all patterns of four bits: of the values, and of the
- * slopes.
+ * For each pattern of four bits, sums the weights whose bits are set, and the slopes of these
+ * weights. A row of `table` is value, slope, value, 0.
  */
 VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4])
 {

@@ -21,7 +21,10 @@ namespace
 
 constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
 
-/** Where the samples of a cell are in a TimeStepTaps. */
+/**
+ * Pointers to the samples of a cell in a TimeStepTaps, and the fraction by which two time steps are
+ * blended there.
+ */
 template <int N>
 struct TapCell
 {

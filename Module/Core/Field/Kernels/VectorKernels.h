@@ -27,7 +27,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
 {
   // sum of the values, and sums of the slopes along y and z
   constexpr int sums = WithGradient ? 3 : 1;
-  // Unrolled, so that the sums of a vector stay in registers.
+  // Unroll the loop, so that the sums of a vector stay in registers.
   Double4 sum[sums][C] = {};
   for (int k = 0; k < 4; ++k)
   {

@@ -321,7 +321,7 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
 void Request(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
-  // The result comes after one period, and is used for another one.
+  // The result comes after one period, and is used for a further period.
   const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
   const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
   local.Request.Position = local.IsHeld ? local.Position : local.Tip;

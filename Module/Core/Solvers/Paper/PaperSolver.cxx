@@ -133,7 +133,7 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const FractionPair levels = field->Values(index);
   if (levels.First == levels.Second)
   {
-    return false; // the volume may not have changed
+    return false; // perhaps the volume has not changed here, which CarryProxy finds out
   }
   double fade = model.BorderFade(index);
   const Vector3 start = state.Proxy;

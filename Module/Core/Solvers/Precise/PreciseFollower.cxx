@@ -207,8 +207,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Record(voxels);
-    // Motions at one tip shrink at a constant rate. From it follows the sum of this motion and all
-    // later ones.
+    // While the tip rests, each motion is shorter than the motion before by a constant factor. This
+    // determines the sum of this motion and all later motions.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)

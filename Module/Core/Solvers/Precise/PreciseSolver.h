@@ -59,7 +59,10 @@ namespace VolumeHaptics
 /** Limit of the samples in a tick. */
 constexpr int MaximumLooks = 256;
 
-/** Computes a tick for record.Tip. Writes the record, and all of the state except its proxy. */
+/**
+ * Computes a tick for record.Tip. Writes the record and the state. The resulting proxy is only in
+ * record.Proxy; Tick() copies it to state.Proxy.
+ */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
   const MethodInput& input) noexcept;
 

@@ -4,8 +4,8 @@
  * @file
  * The displacement of a proxy during one step of the tip, by the law of one material point.
  *
- * It is inlined, like the law, because every tick needs it; a step of usual length has only one
- * part.
+ * It is inlined, like the law, because every tick needs it. A step of usual length is computed in
+ * one part, and a longer step in several parts.
  */
 #ifndef ProxyDisplacement_h
 #define ProxyDisplacement_h

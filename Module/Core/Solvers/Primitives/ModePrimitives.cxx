@@ -107,8 +107,8 @@ private:
   double ComputeCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
-    // A lower bound of Newton's step is the length of the vector across the axis, divided by the
-    // norm of the Jacobian.
+    // Newton's step to the core is at least as long as the component of v across the axis, divided
+    // by the norm of the Jacobian. If even this length exceeds CoreSight, the core is too far away.
     constexpr double far = ModeField::CoreSight * ModeField::CoreSight;
     const double along = Dot(v, axis);
     const double slopes =

@@ -65,9 +65,9 @@ public:
   static constexpr double CoreSight = 4.0;
 
   /**
-   * Makes an empty field for a device whose placement in the world is a similarity, with the world
-   * units per metre as its factor. Modes that need the scalars of a model (ridges and surfaces) are
-   * not felt in this field.
+   * Makes an empty field. deviceToWorld must be a similarity (rotation, translation and uniform
+   * scale); its scale is the number of world units per metre. Ridges and surfaces are not felt in
+   * this field, because they need the scalars of a model.
    */
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
   /**

@@ -278,7 +278,7 @@ private:
     return true;
   }
 
-  /** Computes the forces at the present place. Returns whether they are those of a balance. */
+  /** Computes the forces at the present place. Returns whether they are in balance. */
   bool Check() noexcept
   {
     const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };

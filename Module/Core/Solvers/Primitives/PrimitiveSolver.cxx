@@ -37,7 +37,10 @@ constexpr int SweepsOfALook = 4;
  */
 constexpr int SweepsAlone = 16;
 
-/** Returns whether a tip is as near as an anchor must be. Returns false for NaN. */
+/**
+ * Returns whether no coordinate of a tip exceeds PrimitiveSet::FarthestAnchor. Returns false for
+ * NaN.
+ */
 bool IsNear(const Vector3& tip) noexcept
 {
   constexpr double most = PrimitiveSet::FarthestAnchor;

@@ -50,7 +50,10 @@ constexpr int MostCarries = 16;
  */
 constexpr double Recovery = 0.01;
 
-/** A sphere among triangles, in world units. */
+/**
+ * The sphere of the proxy, which moves towards a goal until triangles of the mesh stop it. Lengths
+ * are in world units.
+ */
 class Sphere
 {
 public:

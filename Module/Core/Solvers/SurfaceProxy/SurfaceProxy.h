@@ -73,8 +73,8 @@ Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept;
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
 /**
- * Returns whether a position (device) is outside the isosurface at a data time, as its value shows.
- * Returns true if there is no isosurface.
+ * Returns whether the volume's value at a position (device) and data time is on the outer side of
+ * the isovalue. Returns true if there is no isosurface.
  */
 bool IsOutsideSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 

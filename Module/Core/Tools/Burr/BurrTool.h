@@ -64,7 +64,7 @@ struct BurrMemory
 struct BurrRecord
 {
   ShellRecord Shell;
-  Vector3 Force;              ///< force on the hand with the vibration (N)
+  Vector3 Force;              ///< force on the hand, including the vibration (N)
   double Energy = 0.0;        ///< energy spent on removal (J)
   double RemovedVolume = 0.0; ///< in mm^3
   std::size_t Work = 0; ///< work of the removal; less than MostBurrWork plus the work of one brick

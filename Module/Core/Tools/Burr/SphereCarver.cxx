@@ -61,7 +61,7 @@ double ComputeLeft(std::int32_t fraction, double edge) noexcept
 /** A sphere to try, with the values that are needed for each row of samples. */
 struct SphereCarver::Sphere
 {
-  Vector3 Centre; ///< in m
+  Vector3 Centre; ///< centre of the sphere (m)
   Vector3 Index;  ///< index of Centre
   double Radius;
   double Width;

@@ -60,7 +60,7 @@ struct CarvingPart
 /** The cost of a sphere, or of a part of it, and the amount that it removes. */
 struct CarvingCost
 {
-  double Energy = 0.0;     ///< in J
+  double Energy = 0.0;     ///< energy that the removal takes (J)
   double Volume = 0.0;     ///< volume of solid tissue (mm^3)
   std::size_t Work = 0;    ///< measure of time; 1 for a row of samples that does not change
   std::size_t Changes = 0; ///< number of rows of samples that change

@@ -23,7 +23,8 @@ std::uint64_t SpreadBits(std::uint64_t bits)
 }
 
 /**
- * Returns the position of a point along a curve that fills the box from `low` on (Morton order).
+ * Returns the rank of a point along the Morton curve through a box with the lower corner `low`. The
+ * curve's cells have the edge 1 / `scale`.
  */
 std::uint64_t PlaceOnCurve(const Vector3& position, const Vector3& low, double scale)
 {

@@ -70,7 +70,8 @@ public:
   double GetArea() const noexcept { return this->Area; } ///< sum of all areas
   /** Largest distance of a point from the origin. */
   double GetReach() const noexcept { return this->Reach; }
-  std::size_t GetMemorySize() const noexcept; ///< bytes
+  /** Returns the memory that this uses (bytes). */
+  std::size_t GetMemorySize() const noexcept;
 
 private:
   std::vector<double> X;

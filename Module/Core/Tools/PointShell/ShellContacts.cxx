@@ -170,8 +170,8 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue =
     isClear || way > MostWayOfMarks ? 0.0 : this->ComputePerValue(centre, half);
-  // By the new slopes, the values at the points reach the level somewhere else. The tool has come
-  // from a place in this box.
+  // A new bound on the slope changes the ways after which points may reach the level. The bound
+  // also holds for the way so far, because the tool has come from a place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
   const double fraction = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;

@@ -214,7 +214,7 @@ private:
   std::uint64_t Remark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
   ///@{
-  /** Replace values where tissue was removed by those of the remaining tissue. */
+  /** Where tissue was removed, replace the values by values of the remaining tissue. */
   void ReadCarved(ShellBatch& batch) const noexcept;
   void ReadCarved(const ShellNumbers& indices, double* to) const noexcept;
   ///@}

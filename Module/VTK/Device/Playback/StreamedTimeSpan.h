@@ -76,11 +76,11 @@ VolumeTimeStep KeepTimeStep(const BakedVolume& span, std::size_t number);
 bool GoesOnWith(const std::vector<double>& last, const std::vector<double>& next, double time);
 
 /**
- * Joins the time steps of `next` to the two time steps of `last` around a time, if `next` does not
- * continue `last` there. So the volume moves from its present shape to the next time steps,
- * whatever was left out. All time spans are whole series of one volume, with the first time step
- * repeated at their ends. Returns null if the time spans are of different regions, or if they have
- * meshes, because a mesh between the joined time steps would have to be made.
+ * Returns `next` with the two time steps of `last` around a time added, unless `next` has them. So
+ * the volume moves on from its present shape without a jump, even if time steps were left out. Both
+ * time spans must be whole series of one volume, with the first time step repeated at the end.
+ * Returns null if the time is outside `last`, if the regions differ, or if `next` has meshes,
+ * because there is no mesh between the joined time steps.
  */
 std::shared_ptr<const BakedVolume> JoinTimeSpans(
   const BakedVolume& last, const BakedVolume& next, double time);

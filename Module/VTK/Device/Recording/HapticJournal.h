@@ -99,9 +99,9 @@ std::uint64_t SumOf(const std::string& payload);
 /** Lists names, types and components of the columns. A journal with other columns can't be read. */
 std::string SignatureOfColumns();
 
-/** Appends a text after its length. */
+/** Appends a text's length, then the text. */
 void PutText(std::string& bytes, const std::string& text);
-/** Reads a text after its length. Returns false if there are not enough bytes. */
+/** Reads a text's length, then the text. Returns false if there are not enough bytes. */
 bool GetText(const std::string& bytes, std::size_t& position, std::string& text);
 
 template <typename T>

@@ -125,8 +125,8 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  // needs no lock of its own: this process's writer holds the journal, even where there are no
-  // locks
+  // The reader needs no lock, because this process's writer holds the journal, even on a file
+  // system without locks.
   this->IsLocked = true;
   return this->Scan(error);
 }

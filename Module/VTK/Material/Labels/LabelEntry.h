@@ -20,7 +20,7 @@ struct LabelEntry
 {
   std::optional<std::string> Name; ///< UTF-8
   std::optional<std::array<double, 3>> Color;
-  std::optional<double> Stiffness;       ///< N/m
+  std::optional<double> Stiffness;       ///< stiffness k (N/m)
   std::optional<double> Friction;        ///< dimensionless
   std::optional<double> Viscosity;       ///< N
   std::optional<double> SurfaceStrength; ///< N

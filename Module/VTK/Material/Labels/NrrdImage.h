@@ -32,7 +32,7 @@ struct NrrdImage
   std::array<double, 3> Origin{};
   /** Directions of the axes, as the columns of a matrix. */
   std::array<double, 9> Directions{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  std::size_t SampleSize = 1; ///< bytes
+  std::size_t SampleSize = 1; ///< size of a sample (bytes)
   bool IsSigned = false;
   bool IsSwapped = false;
   bool IsCompressed = false;

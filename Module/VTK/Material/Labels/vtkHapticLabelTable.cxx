@@ -253,7 +253,7 @@ std::string vtkHapticLabelTable::GetLabelName(int label)
 void vtkHapticLabelTable::SetColor(int label, double red, double green, double blue)
 {
   const std::array<double, 3> color = { red, green, blue };
-  // Written so that NaN fails.
+  // NaN must fail here, too.
   if (!std::all_of(color.begin(), color.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
   {
     vtkErrorMacro(<< "The colour of label " << label << " can't be " << red << ", " << green << ", "

@@ -270,7 +270,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
 
 std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
 {
-  // Samples of one bit become bytes; their frames begin anywhere in a byte.
+  // Unpack samples of one bit to a byte each. Their frames may begin in the middle of a byte.
   const auto pixels = static_cast<std::size_t>(slice.Width) * slice.Height * slice.Samples;
   const std::size_t firstBit = slice.Bits == 1 ? pixels * slice.Frame : 0;
   const auto spread = [&](const std::string& bits, std::size_t first)

@@ -30,7 +30,7 @@ struct ChunkedVolume
 
   BoxExtent Extent;
   std::array<std::int64_t, 3> ChunkSize{}; ///< samples, along x, y and z
-  std::size_t SampleSize = 0;              ///< bytes
+  std::size_t SampleSize = 0;              ///< size of a sample (bytes)
   bool IsSwapped = false;                  ///< whether its byte order differs from this computer's
   std::vector<char> FillValue;             ///< bytes of a sample whose chunk is missing
   Loader Load;

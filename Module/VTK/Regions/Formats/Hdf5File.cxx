@@ -100,7 +100,7 @@ DriverFile& ToDriverFile(H5FD_t* file)
 H5FD_t* OpenByDriver(const char* name, unsigned, hid_t access, haddr_t)
 {
   auto* const* const bytes = static_cast<Hdf5Bytes* const*>(H5Pget_driver_info(access));
-  // Another name is that of a link to another file, which is not followed.
+  // Any other name belongs to a link to another file, which is not followed.
   auto* const file = bytes && (*bytes)->Name == name ? new (std::nothrow) DriverFile{} : nullptr;
   if (!file)
   {

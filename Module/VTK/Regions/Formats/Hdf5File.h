@@ -24,7 +24,7 @@ namespace VolumeHaptics
 struct Hdf5Chunk
 {
   std::uint64_t Address = 0;
-  std::uint64_t Size = 0;    ///< bytes
+  std::uint64_t Size = 0;    ///< number of bytes
   std::uint64_t Skipped = 0; ///< has a bit for each filter that was not applied
 };
 
@@ -42,7 +42,7 @@ struct Hdf5Filter
 struct Hdf5Array
 {
   int ScalarType = 0;         ///< VTK's type; 0 if VTK has no such type
-  std::size_t SampleSize = 0; ///< bytes
+  std::size_t SampleSize = 0; ///< size of a sample (bytes)
   bool IsBig = false;         ///< whether the most significant byte comes first
   std::vector<std::uint64_t> Shape;
   std::vector<char> FillValue;           ///< bytes of a sample that was never written

@@ -22,8 +22,8 @@ struct RawVolumeFile
 {
   std::string Name;
   BoxExtent Extent;
-  std::size_t SampleSize = 0;  ///< bytes
-  vtkTypeInt64 HeaderSize = 0; ///< bytes
+  std::size_t SampleSize = 0;  ///< size of a sample (bytes)
+  vtkTypeInt64 HeaderSize = 0; ///< number of bytes before the first sample
   bool IsSwapped = false;      ///< whether its byte order differs from this computer's
   /**
    * Distances between neighbours along x, y and z, in samples of the file; zeros if the volume is

@@ -38,7 +38,7 @@ public:
   /** The ends of the axes. */
   struct Extent
   {
-    double From = 0.0; ///< s
+    double From = 0.0; ///< beginning of the shown time span (s)
     double To = 0.0;
     double Force = 0.0; ///< N; the axis begins at 0
   };

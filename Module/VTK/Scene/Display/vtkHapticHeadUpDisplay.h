@@ -55,7 +55,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The device whose status is shown. Its status is that of its last UpdateState(). */
+  /** The device whose status is shown, as it was at its last UpdateState(). */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}

@@ -67,7 +67,7 @@ private:
     double Value;
     double Fraction; // gradient magnitude as a fraction of the largest one shown
   };
-  /** Returns a scalar's position, shifted and scaled as VTK's plots are for single precision. */
+  /** Applies the plot's shift and scale to a scalar, so that its position fits single precision. */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 

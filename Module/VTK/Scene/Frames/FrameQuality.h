@@ -166,7 +166,7 @@ public:
   {
     None,
     Input,  ///< input came during the frame
-    Slow,   ///< the frame was too slow, so the next one casts fewer rays
+    Slow,   ///< the frame was too slow, so the next frame casts fewer rays
     Resized ///< the window's size has changed, so the frame was drawn coarsely first
   };
   /**

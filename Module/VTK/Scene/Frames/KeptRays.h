@@ -122,7 +122,7 @@ private:
   vtkSmartPointer<vtkCallbackCommand> Observer;
   vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< encoder that the mapper came with
   Words Shades; ///< conditions of the mapper's table of shades; empty: not known
-  Picture Now;  ///< the mapper's image; its pixels are kept by the mapper
+  Picture Now;  ///< the mapper's current image; the mapper owns its pixels
   Words Storage;
   Picture Coarse;
   float ImageDistance = 0.0F; ///< distances of Now

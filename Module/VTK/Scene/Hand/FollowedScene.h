@@ -56,7 +56,7 @@ public:
 private:
   void Draw();
   void DrawTensors();
-  /** Scales tensors so that they are longer than the proxy, and their axes can be seen. */
+  /** Scales the tensors' ellipsoids so that their axes stick out of the proxy's sphere. */
   void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;

@@ -10,7 +10,7 @@
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
- * The state is that of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. The
+ * The state is from the device's last UpdateState(), which vtkInteractorStyleHaptic calls. The
  * class can also show a trace or a recording as a line, coloured by one of its arrays: see
  * SetTrail.
  *

@@ -88,7 +88,7 @@ public:
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
-  /** Sets the volume that Refined refines; null for none. */
+  /** Sets the coarse volume that is shown finely around the hand; null for none. */
   void SetCoarseVolume(vtkVolume* volume);
 
   vtkHapticDevice* GetDevice() const;

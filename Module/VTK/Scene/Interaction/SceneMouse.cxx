@@ -147,7 +147,7 @@ void SliceMouse::GoTo(const double position[3])
     this->Touch.LeadTo({ position[0], position[1], position[2] });
     return;
   }
-  // The slices may be gone: an observer of the touch mode's beginning may have removed them.
+  // An observer of the event that begins the touch mode may have removed the slices.
   if (this->Scene.Slices)
   {
     this->Scene.Slices->SetPosition(position);

@@ -34,7 +34,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// The widget's priority: higher than that of VTK's widgets, 0.5.
+/// The widget's priority, higher than the priority of VTK's widgets, 0.5.
 constexpr float WidgetPriority = 0.9f;
 /// The force fades after this time (s) without a timer event. It is long, so that no frame takes as
 /// long.
@@ -257,8 +257,9 @@ private:
   }
 
   vtkNew<vtkCallbackCommand> ReleaseObserver;
-  unsigned int Buttons = 0;     ///< bits of the buttons whose press went to the program
-  unsigned int UsedButtons = 0; ///< bits of the buttons whose press the hand used
+  unsigned int Buttons = 0; ///< bits of the buttons whose press went to the program
+  /// bits of the buttons whose press, and later their release, is kept from the program
+  unsigned int UsedButtons = 0;
   std::string HeldKey; ///< the last key that was used; its repeats are not passed to the program
   bool HeldInTouch = false; ///< whether the touch mode was on after that key was used
 };

@@ -207,7 +207,7 @@ bool SliceImage::PollRemoval(vtkHapticDevice* device)
     ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
-  // While the data time runs, no tissue is removed: all of it is felt.
+  // A moving volume is felt whole, because no tissue is removed from it.
   const bool isFelt = filter && !device->GetPlayback()->HasTimeSteps() && this->Samples && !large &&
     filter->GetTouchedImage() && this->Samples == filter->GetBaker().GetTouched()[0].Array;
   RemovedTissue removed = isCoarse || isFelt ? GetRemoved(filter) : RemovedTissue();

@@ -73,7 +73,7 @@ enum class CarvedCover : std::uint8_t
 void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* place,
   vtkDataArray* whole, const int part[6], vtkDataArray* left);
 
-/** A copy of an image whose scalars are those of the remaining tissue. */
+/** A copy of an image with the scalars of the remaining tissue. */
 class CarvedImage
 {
 public:

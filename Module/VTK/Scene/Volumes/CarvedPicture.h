@@ -113,8 +113,8 @@ public:
   CarvedTexture& operator=(const CarvedTexture&) = delete;
 
   /**
-   * Returns whether the last rendering did not show all changes, so that another one is needed.
-   * Resets the answer.
+   * Returns whether the last rendering did not show all changes, so that another rendering is
+   * needed. Resets the answer.
    */
   bool DrainFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**

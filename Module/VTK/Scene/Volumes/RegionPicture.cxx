@@ -430,7 +430,8 @@ public:
   /** Whether bricks have changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
-    // The box in indices of the volume, made smaller by a brick on each side. Empty without a copy.
+    // The box of the fine copy in indices of the volume, made smaller by a brick on each side. The
+    // box is empty if there is no copy.
     double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
     if (copy)
     {

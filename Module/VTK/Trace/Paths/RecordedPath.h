@@ -66,8 +66,8 @@ public:
   RecordedPathReader(vtkPolyData* path, RecordedPath& result);
 
   /**
-   * Reads the recording. Returns what is wrong first, as the end of a sentence; empty if nothing
-   * is.
+   * Reads the recording. Returns the first fault as the end of a sentence, or an empty text if
+   * there is none.
    */
   std::string Read();
 

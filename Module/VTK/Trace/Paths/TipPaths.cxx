@@ -242,7 +242,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     one = one != 0 ? ++count : 0;
   }
-  // whether a cell joins the point to the next one
+  // whether a cell joins the point to the next point
   std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false);
   ForEachEdge(path,
     [&](vtkIdType a, vtkIdType b)

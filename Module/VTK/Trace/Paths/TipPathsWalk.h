@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Walks the paths of a polydata, several at a time.
+ * Computes the ticks along the paths of a polydata, several paths at a time.
  */
 #ifndef TipPathsWalk_h
 #define TipPathsWalk_h
@@ -67,7 +67,7 @@ public:
 private:
   /** Interpolates the position at the time of the tick. */
   Vector3 FindPoint();
-  /** Returns how far the tick lies between the point before it and the next one, from 0 to 1. */
+  /** Returns the tick's position between the points before and after it, from 0 to 1. */
   double ComputeFraction() const;
   /** Interpolates the orientations before and after the tick. */
   Quaternion ComputeOrientation() const;
