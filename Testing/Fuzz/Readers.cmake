@@ -23,3 +23,6 @@ foreach (target IN ITEMS TouchDicom TouchHdf TouchLabelFile TouchMetaImage Touch
   target_link_options(${target} PRIVATE -fsanitize=fuzzer ${sanitizers})
   target_link_libraries(${target} PRIVATE TouchFiles)
 endforeach ()
+if (TARGET volumehaptics-dicom) # the process in which GDCM reads, which is not instrumented
+  add_dependencies(TouchDicom volumehaptics-dicom)
+endif ()
