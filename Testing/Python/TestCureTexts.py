@@ -120,7 +120,7 @@ TRIED = {
     "Devices/Haply/HaplySessionTest.cxx": {
         "is not calibrated: put its handle into the inkwell, or": "is not calibrated", 'Open it as "haply"': "haply",
         "update Haply's Inverse service, and start it again": "does not tell where its origin is",
-        ", whose axes are not known here. Choose …": "Choose arm_front_centered",
+        ", whose axes are not known here. Choose …": "whose axes are not known here",
     },
     "Devices/Haply/HaplyFaultTest.cxx": {
         "closed the connection. Start it, then Home() and Arm() again": "the Inverse service ended or closed the connection",
