@@ -55,29 +55,24 @@ bool LocateComponent(
   using SeparateComponents = vtkSOADataArrayTemplate<T>;
   view.Type = ScalarTypeOf<T>();
   holder = scalars;
-  if (auto* const separate = SeparateComponents::FastDownCast(scalars))
+  auto* const separate = SeparateComponents::FastDownCast(scalars);
+  if (separate && HasSeparateComponents(separate))
   {
     // Rendering may convert the array's memory to another layout at any time. The holder is an
     // array of its own that shares the memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
-    const bool isSeparate = HasSeparateComponents(separate);
-    if (isSeparate)
-    {
-      // VTK 9.6 copies nothing into a new array, because its components are in one block: separate
-      // them first.
-      soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
-      soa->SetArray(0, nullptr, 0, false, true);
-    }
+    // VTK 9.6 copies nothing into a new array, because its components are in one block: separate
+    // them first.
+    soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
+    soa->SetArray(0, nullptr, 0, false, true);
     soa->ShallowCopy(scalars);
-    if (isSeparate)
-    {
-      view.Data = soa->GetComponentArrayPointer(component);
-      view.Stride[0] = 1;
-      return true;
-    }
+    view.Data = soa->GetComponentArrayPointer(component);
+    view.Stride[0] = 1;
+    return true;
   }
-  else if (!scalars->HasStandardMemoryLayout())
+  // Components that are in one block now stay there. VTK 9.3 crashes if such an array is copied.
+  if (!separate && !scalars->HasStandardMemoryLayout())
   {
     return false;
   }

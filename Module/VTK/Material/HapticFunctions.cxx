@@ -64,18 +64,28 @@ double ComputeMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& 
                                                  : a.X + midpoint * (b.X - a.X);
 }
 
+/**
+ * Detects a piece that steps from one value to the other at its middle. VTK 9.1 makes a step of a
+ * sharpness near 1, later versions such as 9.3 and 9.6 a steep curve.
+ */
+bool IsStep(vtkPiecewiseFunction* function, const Node& a, double middle, const Node& b)
+{
+  constexpr double step = 0.99;
+  return a.Sharpness > step && function->GetValue(a.X + 0.75 * (middle - a.X)) == a.Y &&
+    function->GetValue(middle + 0.25 * (b.X - middle)) == b.Y;
+}
+
 /** Adds the piece between two nodes, without its end vertices. */
 void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
 {
   // The limits of vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
   constexpr double linear = 0.01;
-  constexpr double step = 0.99;
   if (!(a.X < b.X) || a.Y == b.Y)
   {
     return;
   }
   const double middle = ComputeMiddle(function, a, b);
-  if (a.Sharpness > step)
+  if (IsStep(function, a, middle, b))
   {
     // Ends just before the step, because the function already has the right side's value at the
     // step itself.
@@ -192,10 +202,22 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
   }
   if (!function->GetClamping())
   {
-    // vtkPiecewiseFunction treats the position of the first node as outside and that of the last
-    // one as inside.
     line.insert(line.begin(), { line.front().X, 0.0 });
     line.push_back({ line.back().X, 0.0 });
+  }
+  // Where vertices share a position, the line has the value of the first of them, as
+  // vtkPiecewiseFunction has in VTK 9.1. In later versions such as 9.3 and 9.6 it has the last one's.
+  for (auto first = line.begin(); first != line.end(); ++first)
+  {
+    const auto last =
+      std::find_if(first, line.end(), [&](const Vertex& vertex) { return vertex.X != first->X; }) -
+      1;
+    if (first->Y != last->Y && function->GetValue(last->X) == last->Y)
+    {
+      const double before = std::nextafter(last->X, -HUGE_VAL);
+      std::for_each(first, last, [=](Vertex& vertex) { vertex.X = before; });
+    }
+    first = last;
   }
   return line;
 }
