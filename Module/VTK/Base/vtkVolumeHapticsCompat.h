@@ -36,6 +36,16 @@ inline bool MustAbort(vtkAlgorithm* algorithm)
 #endif
 }
 
+/** Keeps what a filter has made until it aborted; since VTK 9.3 the pipeline empties its output. */
+inline void KeepAbortedOutput(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  algorithm->SetAbortOutput(false);
+#else
+  (void)algorithm;
+#endif
+}
+
 namespace Detail
 {
 template <typename Array, typename = void>

@@ -846,6 +846,7 @@ int vtkVolumeHapticsFilter::TouchPath(
     this->UpdateProgress(walk.GetProgress());
     if (MustAbort(this))
     {
+      KeepAbortedOutput(this);
       break;
     }
     walk.Advance();
