@@ -205,8 +205,8 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
     line.insert(line.begin(), { line.front().X, 0.0 });
     line.push_back({ line.back().X, 0.0 });
   }
-  // Where vertices share a position, the line has the value of the first of them, as
-  // vtkPiecewiseFunction has in VTK 9.1. In later versions such as 9.3 and 9.6 it has the last one's.
+  // If vertices share a position, the line has the value of the first of them there, as
+  // vtkPiecewiseFunction in VTK 9.1. In later versions (tried: 9.3, 9.6) the last one counts.
   for (auto first = line.begin(); first != line.end(); ++first)
   {
     const auto last =
