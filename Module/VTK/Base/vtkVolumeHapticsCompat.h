@@ -10,9 +10,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
-#include <type_traits>
-#include <utility>
-
 // For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector includes its
 // operators.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
@@ -48,27 +45,28 @@ inline void KeepAbortedOutput(vtkAlgorithm* algorithm)
 
 namespace Detail
 {
-template <typename Array, typename = void>
-struct KeepsSeparate : std::true_type
-{
-  static bool Ask(Array*) { return true; }
-};
+/** Reads a protected member, which VTK 9.1 does not have and VTK 9.3 has no function for. */
 template <typename Array>
-struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStorageType())>>
+struct Storage : Array
 {
-  static bool Ask(Array* array) { return array->GetStorageType() == Array::SOA; }
+  template <typename Self = Storage>
+  static auto IsSeparate(Array* array, int) -> decltype(&Self::StorageType, bool())
+  {
+    return array->*(&Self::StorageType) == Self::SOA;
+  }
+  static bool IsSeparate(Array*, long) { return true; }
 };
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate has each component in a memory block of its own now. In VTK
- * 9.6, all components are in one block while the array is new, and again after the first
+ * Whether a vtkSOADataArrayTemplate has each component in a memory block of its own now. Since VTK
+ * 9.2, all components are in one block while the array is new, and again after the first
  * GetVoidPointer(), which a mapper calls; then there are no pointers to components.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)
 {
-  return Detail::KeepsSeparate<Array>::Ask(array);
+  return Detail::Storage<Array>::IsSeparate(array, 0);
 }
 
 } // namespace VolumeHaptics
