@@ -65,7 +65,7 @@ while read -r source; do
     clang++ "${options[@]}" "$optimisation" -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done < <(find "$root"/Module/VTK/Base/HapticFiles.cxx "$root"/Module/VTK/Material/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
+done < <(find "$root"/Module/VTK/Base/{HapticFiles,LengthUnit,NrrdHeader}.cxx "$root"/Module/VTK/Material/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
   "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
   \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 "$root/Testing/Data/Formats/formats.sh" "$build_dir" seeds

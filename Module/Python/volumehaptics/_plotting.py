@@ -90,7 +90,7 @@ class Haptics(HostHaptics):
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
-        self.measured.UseBoundsOff()  # when cameras and axes frame the scene, the volume counts, not the measurements 
+        self.measured.UseBoundsOff()  # when cameras and axes frame the scene, the volume counts, not the measurements
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
         self.head_up_display.SetMeasurements(self.measurements)
