@@ -179,16 +179,11 @@ int vtkHapticVolumeReader::RequestData(
   vtkImageData* image = volume.Image;
   if (volume.TimeSteps && out->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
-    const double time = out->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    for (int i = 0; i < volume.TimeSteps->GetNumberOfTimeSteps(); ++i)
-    {
-      if (i == 0 || volume.TimeSteps->GetTimeStepValue(i) <= time)
-      {
-        image = volume.TimeSteps->GetTimeStepImage(i);
-        output->GetInformation()->Set(
-          vtkDataObject::DATA_TIME_STEP(), volume.TimeSteps->GetTimeStepValue(i));
-      }
-    }
+    volume.TimeSteps->UpdateTimeStep(
+      out->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+    image = volume.TimeSteps->GetOutput();
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+      image->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
   }
   output->ShallowCopy(image);
   vtkNew<vtkFieldData> fields; // copied, so that the volume's own fields stay unchanged

@@ -50,6 +50,8 @@ struct KnownFormat
   LargeFile (*Open)(const std::string& name, bool mayBeWhole);
 };
 
+constexpr KnownFormat TIFF_STACK{ ".tif", "TIFF", OpenTiffFile };
+constexpr KnownFormat ZARR_FOLDER{ ".zarr", "Zarr", OpenZarrFolder };
 constexpr KnownFormat FORMATS[] = {
   { ".vtkhdf", "VTKHDF", OpenVtkHdfFile },
   { ".hdf", "VTKHDF", OpenVtkHdfFile },
@@ -57,13 +59,11 @@ constexpr KnownFormat FORMATS[] = {
   { ".mha", "MetaImage", OpenRawHeader },
   { ".nrrd", "NRRD", OpenRawHeader },
   { ".nhdr", "NRRD", OpenRawHeader },
-  { ".tif", "TIFF", OpenTiffFile },
+  TIFF_STACK,
   { ".tiff", "TIFF", OpenTiffFile },
-  { ".zarr", "Zarr", OpenZarrFolder },
+  ZARR_FOLDER,
   { ".zarr/", "Zarr", OpenZarrFolder },
 };
-constexpr const KnownFormat& TIFF_FOLDER = FORMATS[6];
-constexpr const KnownFormat& ZARR = FORMATS[8];
 
 /** Returns the format of a file by its ending, or of a folder by its files; null if unknown. */
 const KnownFormat* FindFormat(const std::string& name)
@@ -72,7 +72,8 @@ const KnownFormat* FindFormat(const std::string& name)
   const auto holds = [&name](const char* file) { return Files::PathExists(name + "/" + file); };
   const auto found = std::find_if(std::begin(FORMATS), std::end(FORMATS),
     [&name](const KnownFormat& format) { return HasEnding(name, format.Ending); });
-  if (found != std::end(FORMATS) && (found->Open == ZARR.Open || !Files::FileIsDirectory(name)))
+  if (found != std::end(FORMATS) &&
+    (found->Open == ZARR_FOLDER.Open || !Files::FileIsDirectory(name)))
   {
     return found;
   }
@@ -80,8 +81,8 @@ const KnownFormat* FindFormat(const std::string& name)
   {
     return nullptr;
   }
-  return holds(".zarray") || holds(".zgroup") || holds("zarr.json") ? &ZARR
-    : IsTiffFolder(name)                                            ? &TIFF_FOLDER
+  return holds(".zarray") || holds(".zgroup") || holds("zarr.json") ? &ZARR_FOLDER
+    : IsTiffFolder(name)                                            ? &TIFF_STACK
                                                                     : nullptr;
 }
 

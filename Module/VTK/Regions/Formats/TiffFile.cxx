@@ -532,9 +532,15 @@ void CollectPlanes(const std::string& folder, const TiffText& text, TiffStack& s
         throw std::runtime_error("its OME-XML names the file \"" + Printable(name) +
           "\" for a slice, which is missing. Copy all files of the stack into one folder.");
       }
+      const TiffLayout first = stack.Layout;
       stack.Files.push_back(path);
       stack.Pages.clear();
       AddPages(file, stack);
+      if (file > 0 && !(stack.Layout == first))
+      {
+        throw std::runtime_error(
+          "its files have pages of several sizes or types. Write all slices alike.");
+      }
       pages.push_back(stack.Pages);
     }
     if (page >= pages[file].size())
@@ -544,16 +550,6 @@ void CollectPlanes(const std::string& folder, const TiffText& text, TiffStack& s
         ". Check that its copy is complete.");
     }
     kept.push_back(pages[file][page]);
-  }
-  for (const TiffPage& page : kept)
-  {
-    const TiffPointer tiff = OpenQuietly(stack.Files[page.File]);
-    if (TIFFSetSubDirectory(tiff.get(), page.Offset) != 1 ||
-      !(ReadLayout(tiff.get()) == stack.Layout))
-    {
-      throw std::runtime_error(
-        "its files have pages of several sizes or types. Write all slices alike.");
-    }
   }
   stack.Pages = std::move(kept);
 }
