@@ -64,7 +64,7 @@ struct Report
   std::int64_t Time = 0;
 };
 
-// What the callback has to send.
+// Force and torque that the callback sends to the device.
 struct Order
 {
   double Force[3] = {};  // N

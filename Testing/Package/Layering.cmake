@@ -154,7 +154,7 @@ list(APPEND baking VTK/Tools VTK/Modes)
 allow(VTK/Regions ${samples} Core/State ${each_solver} Core/Regions Core/Realtime ${baking} VTK/Regions/Formats)
 # What reads files and folders into memory. DICOM is a room of its own, of the same floor.
 allow(VTK/Reading VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Regions/Formats VTK/Reading/Dicom)
-allow(VTK/Reading/Dicom ${numbers} VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
+allow(VTK/Reading/Dicom ${numbers} Devices/Common VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
 set(filter ${baking} VTK/Trace VTK/Trace/Paths VTK/Regions)
 allow(VTK/Filter ${core} ${filter})
 list(APPEND filter VTK/Filter)

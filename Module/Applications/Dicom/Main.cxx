@@ -35,6 +35,8 @@ namespace
 using Explore::DicomAnswer;
 using Explore::DicomElement;
 using Explore::DicomRequest;
+using Explore::ReceiveAll;
+using Explore::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
@@ -341,34 +343,14 @@ bool Unpack(
   return true;
 }
 
-bool Receive(void* to, std::size_t size)
-{
-  return size == 0 || recv(STDIN_FILENO, to, size, MSG_WAITALL) == static_cast<ssize_t>(size);
-}
-
-bool Send(const void* from, std::size_t size)
-{
-  const char* at = static_cast<const char*>(from);
-  while (size > 0)
-  {
-    const ssize_t sent = send(STDIN_FILENO, at, size, MSG_NOSIGNAL);
-    if (sent <= 0)
-    {
-      return false;
-    }
-    at += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
 /// Answers requests until the socket is closed. `isSending` is set while an answer is sent.
 void Serve(volatile bool& isSending)
 {
   DicomRequest request;
-  while (Receive(&request, sizeof(request)))
+  while (ReceiveAll(STDIN_FILENO, &request, sizeof(request)))
   {
     std::string path(request.PathLength, '\0');
-    if (!Receive(&path[0], path.size()))
+    if (!ReceiveAll(STDIN_FILENO, &path[0], path.size()))
     {
       return;
     }
@@ -394,7 +376,8 @@ void Serve(volatile bool& isSending)
     bytes.resize(answer.IsRead ? bytes.size() : 0);
     answer.ByteCount = bytes.size();
     isSending = true;
-    if (!Send(&answer, sizeof(answer)) || !Send(bytes.data(), bytes.size()))
+    if (!SendAll(STDIN_FILENO, &answer, sizeof(answer)) ||
+      !SendAll(STDIN_FILENO, bytes.data(), bytes.size()))
     {
       return;
     }
@@ -435,7 +418,8 @@ int main()
     int state = 0;
     const bool hasEnded = reader > 0 && waitpid(reader, &state, 0) == reader;
     const DicomAnswer refusal;
-    if (!hasEnded || !WIFSIGNALED(state) || *isSending || !Send(&refusal, sizeof(refusal)))
+    if (!hasEnded || !WIFSIGNALED(state) || *isSending ||
+      !SendAll(STDIN_FILENO, &refusal, sizeof(refusal)))
     {
       return 0;
     }

@@ -224,7 +224,7 @@ public:
   bool DrainRestart() noexcept;
 
 private:
-  /** What follows a fade. */
+  /** State of the gate after a fade. */
   enum class End : std::uint8_t
   {
     None,

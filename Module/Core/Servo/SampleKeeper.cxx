@@ -157,7 +157,7 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
 void SampleKeeper::Keep(
   const VolumeView& view, const Affine3& deviceToIndex, const Vector3& reach, Kept& kept)
 {
-  if (kept.Of != view.Data)
+  if (kept.First != view.Data)
   {
     kept = {};
   }
@@ -169,7 +169,7 @@ void SampleKeeper::Keep(
   const Vector3 high = Most(proxy, tip);
   const Vector3 nextLow = Least(low, next);
   const Vector3 nextHigh = Most(high, next);
-  if (kept.Of && IsWithin(MakeBox(view, nextLow, nextHigh, reach), kept.Enough))
+  if (kept.First && IsWithin(MakeBox(view, nextLow, nextHigh, reach), kept.Enough))
   {
     return;
   }
@@ -197,7 +197,7 @@ void SampleKeeper::Keep(
       }
     }
   }
-  kept.Of = view.Data;
+  kept.First = view.Data;
   this->Lock(pages, kept);
 }
 
@@ -216,7 +216,7 @@ void SampleKeeper::Look()
   else if (this->HasPlace && IsFinite(place.Tip) && IsFinite(place.Proxy))
   {
     const Vector3 next = place.Tip + (place.Tip - this->LastTip);
-    this->NextTip = this->Scalars.Of && IsFinite(next) ? next : place.Tip;
+    this->NextTip = this->Scalars.First && IsFinite(next) ? next : place.Tip;
     this->LastTip = place.Tip;
     const Vector3 reach = ComputeReadReach(*model);
     this->Keep(model->Baked->Field.GetView(), model->DeviceToIndex, reach, this->Scalars);
@@ -244,7 +244,7 @@ void SampleKeeper::Look()
       this->Labels = {};
       this->LabelFractions = {};
     }
-    const auto isRefused = [](const Kept& kept) { return kept.Of && !kept.IsLocked; };
+    const auto isRefused = [](const Kept& kept) { return kept.First && !kept.IsLocked; };
     this->Refused.store(
       !this->Scalars.IsLocked || isRefused(this->Labels) || isRefused(this->LabelFractions),
       std::memory_order_relaxed);

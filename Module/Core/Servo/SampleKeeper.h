@@ -97,8 +97,8 @@ private:
   /** The samples of one array that are kept in memory. */
   struct Kept
   {
-    const void* Of = nullptr; ///< first sample of the array
-    SampleBox Enough;         ///< the box is renewed when ticks read outside this smaller box
+    const void* First = nullptr; ///< first sample of the array
+    SampleBox Enough;            ///< the box is renewed when ticks read outside this smaller box
     bool IsLocked = false;
     std::unique_ptr<MemoryLock> Lock;
   };

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include <dlfcn.h>
 #include <grp.h>
 #include <pwd.h>
 #include <sys/stat.h>
@@ -20,6 +21,7 @@ namespace
 {
 
 constexpr int MostLinks = 40; // limit of the links in a path, as in Linux
+constexpr int MostFoldersUp = 6;
 
 /**
  * Returns why a path is not safe, and the cure. Returns an empty text if only this user, root and a
@@ -142,6 +144,42 @@ std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& err
     error = ReasonAgainst(fs::path(real).parent_path().string(), trusted, false);
   }
   return error.empty() ? real : std::string();
+}
+
+std::string FindProgramNear(const std::string& file, const char* program, std::string& obstacle)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const gid_t trusted = FindPrivateGroup();
+  fs::path folder = fs::canonical(file, ignored).parent_path();
+  for (int up = 0; up <= MostFoldersUp && !folder.empty(); ++up, folder = folder.parent_path())
+  {
+    for (const fs::path& path : { folder / program, folder / "bin" / program })
+    {
+      if (fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0)
+      {
+        std::string reason;
+        std::string real = FindOwnFile(path.string(), trusted, reason);
+        if (!real.empty())
+        {
+          return real;
+        }
+        obstacle = obstacle.empty() ? reason : obstacle;
+      }
+    }
+  }
+  return {};
+}
+
+std::string FindProgramOfLibrary(const void* code, const char* program, std::string& obstacle)
+{
+  Dl_info info{};
+  std::string found;
+  if (dladdr(code, &info) != 0)
+  {
+    found = FindProgramNear(info.dli_fname, program, obstacle);
+  }
+  return found.empty() ? FindProgramNear("/proc/self/exe", program, obstacle) : found;
 }
 
 const char* ReadSafeVariable(const char* name)

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks whether a file may run with the user's rights. For plug-ins and guards.
+ * Checks whether a file may run with the user's rights. For plug-ins and for programs that the
+ * library starts.
  *
  * The file, its folder, all folders above and all links in the path must belong to the user or to
- * root, and nobody else may be able to write them. (A folder above may be writable for others if it
- * is sticky, as /tmp is: others can't replace files in it.)
+ * root, and no other user may write them. (Other users may write a folder above that is sticky,
+ * such as /tmp, because they can't replace files in it.)
  */
 #ifndef OwnFile_h
 #define OwnFile_h
@@ -32,6 +33,18 @@ gid_t FindPrivateGroup();
  * have written it. Otherwise returns an empty path, and writes the reason and the cure to `error`.
  */
 std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& error);
+
+/**
+ * Looks for a program in the folder of a file, in all folders above, up to six, and in a folder
+ * "bin" in each of them. A program that FindOwnFile() refuses is skipped. Then `obstacle` receives
+ * the reason, unless it already has a text. Returns an empty path if there is no program.
+ */
+std::string FindProgramNear(const std::string& file, const char* program, std::string& obstacle);
+/**
+ * Looks for a program near the library that has a function at `code`, and near this process's own
+ * program, because the path of a library that is linked into it may be only its first argument.
+ */
+std::string FindProgramOfLibrary(const void* code, const char* program, std::string& obstacle);
 
 /**
  * Returns an environment variable. Returns nullptr if it is not set, or if this program has more

@@ -8,9 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -29,7 +27,6 @@ const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
 /** Longest time (ms) for opening a device. A device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
-constexpr int MostFoldersUp = 6;
 
 const char* const Cure =
   "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
@@ -77,31 +74,6 @@ public:
 
 } // namespace
 
-std::string FindGuardNear(const std::string& file, std::string& obstacle)
-{
-  std::error_code ignored;
-  const gid_t trusted = FindPrivateGroup();
-  std::filesystem::path folder = std::filesystem::canonical(file, ignored).parent_path();
-  for (int up = 0; up <= MostFoldersUp && !folder.empty(); ++up, folder = folder.parent_path())
-  {
-    for (const std::filesystem::path& program :
-      { folder / ProgramName, folder / "bin" / ProgramName })
-    {
-      if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
-      {
-        std::string reason;
-        std::string real = FindOwnFile(program.string(), trusted, reason);
-        if (!real.empty())
-        {
-          return real;
-        }
-        obstacle = obstacle.empty() ? reason : obstacle;
-      }
-    }
-  }
-  return {};
-}
-
 std::string FindGuardProgram(std::string& error)
 {
   if (const char* const named = ReadSafeVariable(Variable); named != nullptr && *named != '\0')
@@ -114,16 +86,9 @@ std::string FindGuardProgram(std::string& error)
     }
     return named;
   }
-  Dl_info info{};
-  std::string program;
   std::string obstacle;
-  if (dladdr(reinterpret_cast<const void*>(&FindGuardProgram), &info) != 0)
-  {
-    program = FindGuardNear(info.dli_fname, obstacle);
-  }
-  // If this library is linked into the program itself, its path may be only the program's first
-  // argument. So look near the program, too.
-  program = program.empty() ? FindGuardNear("/proc/self/exe", obstacle) : program;
+  std::string program =
+    FindProgramOfLibrary(reinterpret_cast<const void*>(&FindGuardProgram), ProgramName, obstacle);
   if (program.empty())
   {
     error = std::string("The guard of the device, the program ") + ProgramName +

@@ -22,12 +22,6 @@ namespace VolumeHaptics
  * to `error`.
  */
 std::string FindGuardProgram(std::string& error);
-/**
- * Looks for volumehaptics-guard in the folder of a file, in all folders above, and in a folder
- * "bin" in each of them. The guard runs with all rights of the user, so a program that another user
- * could have written is skipped. Then `obstacle` receives the reason, unless it already has a text.
- */
-std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
 class GuardProcess
 {

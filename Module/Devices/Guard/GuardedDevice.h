@@ -68,7 +68,7 @@ private:
   {
     Guard,  ///< the guard has the device
     Rescue, ///< the guard has ended, and this process sends zero
-    None    ///< nobody has the device, and zero was sent
+    None    ///< neither process has the device; zero force was sent last
   };
 
   GuardedDevice(std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words);

@@ -4,10 +4,10 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Of a stick with two axes, both are used if its firmware is known (PidFirmware.h), because
- * firmwares differ in the direction in which an effect pushes the second axis. Other sticks are
- * refused, unless the user sets a second NewtonsPerFullScale of 0 to state that only the first axis
- * has a motor.
+ * A stick with two axes needs a known firmware (PidFirmware.h), because firmwares differ in the
+ * direction in which an effect pushes the second axis. Other sticks with two axes are refused,
+ * unless the user sets a second NewtonsPerFullScale of 0 to state that only the first axis has a
+ * motor.
  *
  * The axes are a tip in a plane: x points to the right and y away from the hand, at most 5 cm in
  * each direction; HID's own y axis points towards the hand. With a device of one axis, the tip

@@ -20,9 +20,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <iterator>
 #include <random>
 #include <zlib.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -536,6 +540,40 @@ void ExpectSpoiltPixels()
     }
   }
 }
+
+/// A forked process reads beside its parent: each gets its own slices, also after the child's end.
+void ExpectForkedReads(SliceFile slice)
+{
+  WriteSlices("of-parent", slice, 7);
+  WriteSlices("of-child", slice, 5);
+  const auto areRead = [](const std::string& name, int count)
+  {
+    const Explore::Volume volume = Explore::LoadVolumes({ folder + name });
+    return volume.Image->GetDimensions()[2] == count;
+  };
+  Expect(areRead("/of-parent", 7), "slices before a fork");
+  const pid_t child = fork();
+  bool isRead = child >= 0;
+  try
+  {
+    for (int round = 0; isRead && round < 20; ++round)
+    {
+      isRead = child == 0 ? areRead("/of-child", 5) : areRead("/of-parent", 7);
+    }
+  }
+  catch (const Explore::InputError&)
+  {
+    isRead = false;
+  }
+  if (child == 0)
+  {
+    std::exit(isRead ? EXIT_SUCCESS : EXIT_FAILURE); // with what runs at the end of a program
+  }
+  int status = -1;
+  Expect(isRead, "slices of a parent");
+  Expect(waitpid(child, &status, 0) == child && status == 0, "slices of a child");
+  Expect(areRead("/of-parent", 7), "slices after the child's end");
+}
 } // namespace
 
 int TestExploreDicom(int argc, char* argv[])
@@ -609,6 +647,7 @@ int TestExploreDicom(int argc, char* argv[])
   ExpectCutFiles();
   ExpectSpoiltFiles();
   ExpectSpoiltPixels();
+  ExpectForkedReads({});
   ExpectSeriesOption();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,6 +8,7 @@
  */
 
 #include "Devices/Guard/GuardedDevice.h"
+#include "Devices/Common/OwnFile.h"
 #include "Devices/Guard/GuardProcess.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/PlayedDevice.h"
@@ -288,7 +289,7 @@ TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
     ASSERT_EQ(chmod(file.c_str(), 0700), 0);
   }
   const auto find = [&](std::string& obstacle)
-  { return FindGuardNear(library.string(), obstacle); };
+  { return FindProgramNear(library.string(), "volumehaptics-guard", obstacle); };
   std::string obstacle;
   EXPECT_EQ(find(obstacle), own.string());
   EXPECT_EQ(obstacle, "");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomProcess.h"
 
+#include "Devices/Common/OwnFile.h"
 #include "VTK/Reading/InputError.h"
 
 #include <vtksys/FStream.hxx>
@@ -11,11 +12,9 @@
 #include <csignal>
 #include <mutex>
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,6 +24,8 @@ namespace
 {
 using Explore::DicomAnswer;
 using Explore::DicomRequest;
+using Explore::ReceiveAll;
+using Explore::SendAll;
 
 /// The process, and the socket to it.
 class DicomProcess
@@ -35,7 +36,8 @@ public:
   DicomProcess(const DicomProcess&) = delete;
   DicomProcess& operator=(const DicomProcess&) = delete;
 
-  bool Start();
+  /// Starts the process if it does not run. `obstacle`: why its program may not run.
+  bool Start(std::string& obstacle);
   /// Ends the process, which it does by itself when the socket is closed, unless it is at work.
   void End();
   bool Ask(const DicomRequest& request, const std::string& path, std::uint64_t mostAnswer,
@@ -44,56 +46,20 @@ public:
   std::mutex Access;
 
 private:
-  bool Send(const void* from, std::size_t size) const;
-  bool Receive(void* to, std::size_t size) const;
-
+  pid_t Owner = -1; ///< process that has started it
   pid_t Process = -1;
   int Link = -1;
 };
 
-/// Searches volumehaptics-dicom in and above the folder of a file, and in a folder "bin" there. A
-/// file that another user could have written is skipped. Returns an empty path if there is none.
-std::string FindProgramNear(const std::string& file)
+bool DicomProcess::Start(std::string& obstacle)
 {
-  constexpr int mostFoldersUp = 6;
-  std::string folder = vtksys::SystemTools::GetRealPath(file);
-  for (int up = 0; up <= mostFoldersUp && !folder.empty(); ++up)
-  {
-    folder = vtksys::SystemTools::GetFilenamePath(folder);
-    for (const char* const name : { "/volumehaptics-dicom", "/bin/volumehaptics-dicom" })
-    {
-      struct stat info = {};
-      const std::string program = folder + name;
-      if (lstat(program.c_str(), &info) == 0 && S_ISREG(info.st_mode) &&
-        (info.st_uid == 0 || info.st_uid == geteuid()) && (info.st_mode & S_IWOTH) == 0 &&
-        access(program.c_str(), X_OK) == 0)
-      {
-        return program;
-      }
-    }
-  }
-  return {};
-}
-
-/// The program is near this library, or near the program that the library is a part of.
-std::string FindProgram()
-{
-  Dl_info info{};
-  std::string program;
-  if (dladdr(reinterpret_cast<const void*>(&Explore::AskDicom), &info) != 0)
-  {
-    program = FindProgramNear(info.dli_fname);
-  }
-  return program.empty() ? FindProgramNear("/proc/self/exe") : program;
-}
-
-bool DicomProcess::Start()
-{
-  if (this->Link >= 0)
+  if (this->Link >= 0 && this->Owner == getpid())
   {
     return true;
   }
-  std::string program = FindProgram();
+  this->End();
+  std::string program = VolumeHaptics::FindProgramOfLibrary(
+    reinterpret_cast<const void*>(&Explore::AskDicom), "volumehaptics-dicom", obstacle);
   int links[2];
   if (program.empty() || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, links) != 0)
   {
@@ -126,65 +92,40 @@ bool DicomProcess::Start()
     return false;
   }
   this->Link = links[0];
+  this->Owner = getpid();
   return true;
 }
 
 void DicomProcess::End()
 {
-  if (this->Link >= 0)
+  if (this->Link < 0)
   {
-    close(this->Link);
-    this->Link = -1;
+    return;
+  }
+  close(this->Link);
+  this->Link = -1;
+  // After a fork, the process still works for the parent.
+  if (this->Owner == getpid())
+  {
     kill(this->Process, SIGKILL);
     while (waitpid(this->Process, nullptr, 0) < 0 && errno == EINTR)
     {
     }
-    this->Process = -1;
   }
-}
-
-bool DicomProcess::Send(const void* from, std::size_t size) const
-{
-  const char* at = static_cast<const char*>(from);
-  while (size > 0)
-  {
-    const ssize_t sent = send(this->Link, at, size, MSG_NOSIGNAL);
-    if (sent <= 0 && errno != EINTR)
-    {
-      return false;
-    }
-    at += sent > 0 ? sent : 0;
-    size -= static_cast<std::size_t>(sent > 0 ? sent : 0);
-  }
-  return true;
-}
-
-bool DicomProcess::Receive(void* to, std::size_t size) const
-{
-  char* at = static_cast<char*>(to);
-  while (size > 0)
-  {
-    const ssize_t got = recv(this->Link, at, size, MSG_WAITALL);
-    if (got == 0 || (got < 0 && errno != EINTR))
-    {
-      return false;
-    }
-    at += got > 0 ? got : 0;
-    size -= static_cast<std::size_t>(got > 0 ? got : 0);
-  }
-  return true;
+  this->Process = -1;
 }
 
 bool DicomProcess::Ask(const DicomRequest& request, const std::string& path,
   std::uint64_t mostAnswer, DicomAnswer& answer, std::string& bytes)
 {
   // The process is as trustworthy as the file that it reads.
-  bool isRead = this->Send(&request, sizeof(request)) && this->Send(path.data(), path.size()) &&
-    this->Receive(&answer, sizeof(answer)) && answer.ByteCount <= mostAnswer;
+  bool isRead = SendAll(this->Link, &request, sizeof(request)) &&
+    SendAll(this->Link, path.data(), path.size()) &&
+    ReceiveAll(this->Link, &answer, sizeof(answer)) && answer.ByteCount <= mostAnswer;
   if (isRead)
   {
     bytes.resize(static_cast<std::size_t>(answer.ByteCount));
-    isRead = this->Receive(&bytes[0], bytes.size());
+    isRead = ReceiveAll(this->Link, &bytes[0], bytes.size());
   }
   if (!isRead)
   {
@@ -210,12 +151,14 @@ bool AskDicom(DicomRequest::Kind what, const std::string& path, std::uint64_t mo
   const std::lock_guard<std::mutex> lock(process.Access);
   answer = {};
   bytes.clear();
-  if (!process.Start())
+  std::string obstacle;
+  if (!process.Start(obstacle))
   {
     if (HasDicomMark(path))
     {
       throw InputError(path,
-        "is DICOM, and the program volumehaptics-dicom that reads it is missing",
+        "is DICOM, and the program volumehaptics-dicom that reads it is missing" +
+          (obstacle.empty() ? "" : ", or another user could have written it (" + obstacle + ")"),
         "build it with GDCM (package libgdcm-dev)");
     }
     return false;
