@@ -200,13 +200,23 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   MoveTo(tips, surface - deep * ray.Way, PressStep);
   const Trace trace = Play(*volume.Model, tips);
   ++found.Count;
-  std::optional<Vector3> felt;
+  const auto findFirst = [&](double force)
+  {
+    const auto end = trace.begin() + static_cast<std::ptrdiff_t>(std::min(pressed, trace.size()));
+    const auto at = std::find_if(
+      trace.begin(), end, [=](const TickRecord& tick) { return Norm(tick.Force) >= force; });
+    return at == end ? std::nullopt : std::optional<Vector3>(ProxyOf(*at));
+  };
+  const std::optional<Vector3> felt = findFirst(FeltForce);
+  const std::optional<Vector3> touched = findFirst(TouchedForce);
+  const auto half = touched ? MeasureHalfOpacity(volume, ray) : std::nullopt;
+  const Vector3 seen = half ? volume.Scale * ray.At(*half) : Vector3{};
+  if (half)
+  {
+    found.OffSeenTouched.push_back(Dot(seen - *touched, ray.Way) / voxel);
+  }
   for (std::size_t i = 0; i < trace.size(); ++i)
   {
-    if (!felt && i < pressed && Norm(trace[i].Force) >= FeltForce)
-    {
-      felt = ProxyOf(trace[i]);
-    }
     if (i > 0)
     {
       found.LargestStep = std::max(found.LargestStep, Norm(trace[i].Force - trace[i - 1].Force));
@@ -219,9 +229,14 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   }
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
   found.Astray += IsAstray(volume, 0.001 * *felt) ? 1 : 0;
-  if (const auto half = MeasureHalfOpacity(volume, ray))
+  if (half)
   {
-    found.OffSeen.push_back(Dot(volume.Scale * ray.At(*half) - *felt, ray.Way) / voxel);
+    found.OffSeen.push_back(Dot(seen - *felt, ray.Way) / voxel);
+    const auto inwards = ComputeInwards(volume, seen);
+    if (inwards && Dot(*inwards, ray.Way) >= LeastCosine)
+    {
+      found.OffSeenStraight.push_back(found.OffSeen.back());
+    }
   }
 }
 } // namespace

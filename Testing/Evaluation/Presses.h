@@ -25,6 +25,8 @@ namespace evaluation
 
 /** N, from which on the hand feels something. */
 constexpr double FeltForce = 0.1;
+/** N, from which on the hand is on a surface, though it may slide off before it feels it. */
+constexpr double TouchedForce = 0.01;
 
 /** What is pressed, by positions in the world. */
 struct PressedVolume
@@ -45,11 +47,13 @@ struct PressedVolume
 struct Presses
 {
   int Count = 0;
-  int Unfelt = 0;                 ///< less than 0.1 N until 5 mm under the surface
-  std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
-  int Astray = 0;                 ///< felt more than 2 voxels from all structures' isosurfaces
-  std::vector<double> OffSeen;    ///< voxels along the ray from there to half of the opacity
-  double LargestStep = 0.0;       ///< N, of the force from one tick to the next
+  int Unfelt = 0;                      ///< less than 0.1 N until 5 mm under the surface
+  std::vector<double> OffSurface;      ///< voxels from the isosurface to the felt place, inwards
+  int Astray = 0;                      ///< felt more than 2 voxels from all structures' isosurfaces
+  std::vector<double> OffSeen;         ///< voxels along the ray from there to half of the opacity
+  std::vector<double> OffSeenStraight; ///< of these, where what is seen is within 45 degrees, too
+  std::vector<double> OffSeenTouched;  ///< voxels from the first place with 0.01 N, of all rays
+  double LargestStep = 0.0;            ///< N, of the force from one tick to the next
 };
 
 /**
@@ -62,6 +66,9 @@ struct Presses
  * it or beside it is felt, and seen, though the kernel smooths it below the level: it has an
  * isosurface of the samples, between which values are linear. Specks of noise have one, too, but
  * are no structures.
+ *
+ * A ray that grazes a strand sees it along a chord, however little of the strand is beside it. The
+ * press is that deep alone, and slides off: 0.1 N at 500 N/m take 0.2 mm.
  */
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
 

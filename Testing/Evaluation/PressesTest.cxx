@@ -16,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace evaluation;
 
 namespace
@@ -80,6 +82,9 @@ TEST(Presses, WhatIsSoftIsUnfelt)
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, found.Count);
   EXPECT_TRUE(found.OffSurface.empty());
+  EXPECT_TRUE(found.OffSeen.empty());
+  EXPECT_EQ(found.OffSeenTouched.size(), static_cast<std::size_t>(found.Count)); // 0.01 N in 1 mm
+  EXPECT_NEAR(ComputeMedian(found.OffSeenTouched), 0.0, 0.4);
 }
 
 TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)
@@ -112,6 +117,13 @@ TEST(Presses, GlassIsSeenThrough)
     EXPECT_GT(behind, 2.6);
     EXPECT_LT(behind, 5.9);
   }
+  // The core is met at 45 degrees where b = 9 / sqrt(2), behind 3.81 mm of glass.
+  constexpr double edge = 3.81;
+  const auto countBelow = [](const std::vector<double>& values, double most)
+  { return std::count_if(values.begin(), values.end(), [=](double v) { return v < most; }); };
+  EXPECT_GE(countBelow(found.OffSeenStraight, edge + 0.3), countBelow(found.OffSeen, edge - 0.3));
+  EXPECT_LT(FindLargest(found.OffSeenStraight, 1.0), edge + 0.3);
+  EXPECT_GT(FindLargest(found.OffSeen, 1.0), edge + 0.3);
 }
 
 TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
