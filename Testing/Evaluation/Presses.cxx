@@ -209,9 +209,9 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   };
   const std::optional<Vector3> felt = findFirst(FeltForce);
   const std::optional<Vector3> touched = findFirst(TouchedForce);
-  const auto half = touched ? MeasureHalfOpacity(volume, ray) : std::nullopt;
+  const auto half = MeasureHalfOpacity(volume, ray);
   const Vector3 seen = half ? volume.Scale * ray.At(*half) : Vector3{};
-  if (half)
+  if (half && touched)
   {
     found.OffSeenTouched.push_back(Dot(seen - *touched, ray.Way) / voxel);
   }
@@ -225,6 +225,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   if (!felt)
   {
     ++found.Unfelt;
+    found.UnfeltThoughSeen += half && *half <= met.At + FarAstray * ray.Unit ? 1 : 0;
     return;
   }
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);

@@ -48,6 +48,7 @@ struct Presses
 {
   int Count = 0;
   int Unfelt = 0;                      ///< less than 0.1 N until 5 mm under the surface
+  int UnfeltThoughSeen = 0;            ///< of these, seen at most 2 voxels behind the surface
   std::vector<double> OffSurface;      ///< voxels from the isosurface to the felt place, inwards
   int Astray = 0;                      ///< felt more than 2 voxels from all structures' isosurfaces
   std::vector<double> OffSeen;         ///< voxels along the ray from there to half of the opacity

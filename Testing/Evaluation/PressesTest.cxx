@@ -81,10 +81,21 @@ TEST(Presses, WhatIsSoftIsUnfelt)
   const Presses found = PressFromAllSides(MakeBall(10.0, image), 60); // 0.05 N in 5 mm
   EXPECT_GT(found.Count, 30);
   EXPECT_EQ(found.Unfelt, found.Count);
+  EXPECT_EQ(found.UnfeltThoughSeen, found.Count);
   EXPECT_TRUE(found.OffSurface.empty());
   EXPECT_TRUE(found.OffSeen.empty());
   EXPECT_EQ(found.OffSeenTouched.size(), static_cast<std::size_t>(found.Count)); // 0.01 N in 1 mm
   EXPECT_NEAR(ComputeMedian(found.OffSeenTouched), 0.0, 0.4);
+}
+
+TEST(Presses, WhatIsHiddenIsNotSeenThoughUnfelt)
+{
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(10.0, image);
+  ball.Extinction = [](const Vector3& x) { return Norm(x) < BallRadius - 3.0 ? 50.0 : 0.0; };
+  const Presses found = PressFromAllSides(ball, 60);
+  EXPECT_EQ(found.Unfelt, found.Count);
+  EXPECT_EQ(found.UnfeltThoughSeen, 0);
 }
 
 TEST(Presses, ReachTwoVoxelsBehindTheSurfaceOfCoarseVoxels)

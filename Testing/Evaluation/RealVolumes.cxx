@@ -386,7 +386,9 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
     Number(ComputeMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
     Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
-    std::to_string(inWindow.Unfelt) + " of " + std::to_string(inWindow.Count),
+    std::to_string(inWindow.Unfelt), std::to_string(inWindow.UnfeltThoughSeen),
+    Number(100.0 * inWindow.Astray /
+      std::max<double>(1.0, static_cast<double>(inWindow.OffSurface.size()))),
     Number(ComputeMedian(inWindow.OffSeen)), Number(FindLargest(inWindow.OffSeen, 0.95)),
     Number(FindLargest(inWindow.OffSeenStraight, 0.95)),
     Number(FindLargest(inWindow.OffSeenTouched, 0.95)), Number(ComputeMedian(seen)),
@@ -420,13 +422,15 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "proxy. Walks are random ways through the body, at up to 0.45 m/s; beyond the bound is what "
     "neither 0.25 N, to which releases are bound, nor the hand's own step explains: stiffness "
     "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
-    "hides is not felt, as in the explorer's window. A ray that grazes a strand sees it, and a "
+    "hides is not felt, as in the explorer's window: what is unfelt there is hidden, or it is seen "
+    "within 2 voxels of the isosurface, and counted apart. A ray that grazes a strand sees it, and "
+    "a "
     "press slides off it: straight are the rays that meet what they see within 45 degrees of its "
     "normal, too, and at 0.01 N is for all rays the first place with that force.",
     { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
-      "from any (%)", "unfelt in window", "seen behind", "95 %", "straight, 95 %",
-      "at 0.01 N, 95 %", "by strokes", "95 %", "stroke (N)", "30-500 Hz (%)", "drops / s",
-      "largest step (N)", "of presses (N)", "of walks (N)", "beyond bound (N)" },
+      "from any (%)", "unfelt in window", "though seen", "from any (%)", "seen behind", "95 %",
+      "straight, 95 %", "at 0.01 N, 95 %", "by strokes", "95 %", "stroke (N)", "30-500 Hz (%)",
+      "drops / s", "largest step (N)", "of presses (N)", "of walks (N)", "beyond bound (N)" },
     {} };
   for (const KnownVolume& known : ListVolumes(places))
   {
