@@ -248,6 +248,21 @@ bool CheckRegular(const std::string& file, std::string& error)
   return true;
 }
 
+std::ifstream OpenStream(const std::string& file)
+{
+  std::string error;
+  std::ifstream stream;
+  if (CheckRegular(file, error))
+  {
+    stream.open(file, std::ios::binary);
+  }
+  else
+  {
+    stream.setstate(std::ios::failbit);
+  }
+  return stream;
+}
+
 bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text, std::string& error)
 {
   text.clear();

@@ -8,6 +8,7 @@
 #define HapticFiles_h
 
 #include <cstddef>
+#include <fstream>
 #include <string>
 
 #include <sys/stat.h>
@@ -52,6 +53,8 @@ int SyncFile(int descriptor);
  * with errno, on failure.
  */
 int OpenToRead(const std::string& file);
+/** Opens a regular file as a stream of bytes. For a FIFO or a device, the stream has failed. */
+std::ifstream OpenStream(const std::string& file);
 /**
  * Writes the folder of a file, with its names, to the disk. Returns 0, or the errno of the failure.
  */

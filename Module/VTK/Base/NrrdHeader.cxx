@@ -302,7 +302,7 @@ NrrdHeader ParseNrrdHeader(std::string_view bytes)
 
 NrrdHeader ReadNrrdHeader(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = OpenStream(path);
   std::string bytes;
   std::string line;
   do

@@ -144,14 +144,15 @@ const Format* FindFormat(const std::string& path)
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
+  // Before the reader's first look, because for that it opens other files, which these name.
+  const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
+  const bool isCase =
+    format.MakeReader == &MakeEnSightReader || format.MakeReader == &MakeReader<vtkOpenFOAMReader>;
+  std::string detail = isXml ? Explore::DetectMissingEnd(path)
+    : isCase ? Explore::DetectDeviceIn(Files::GetFilenamePath(Files::CollapseFullPath(path)))
+             : std::string();
   const auto chooseTime = [&]
   {
-    const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
-    const std::string missing = isXml ? Explore::DetectMissingEnd(path) : std::string();
-    if (!missing.empty())
-    {
-      return missing;
-    }
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* const information = reader->GetOutputInformation(0);
     const int times = information && information->Has(Pipeline::TIME_STEPS())
@@ -167,8 +168,8 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
     }
     return std::string();
   };
-  std::string detail;
-  if (!Explore::ReadChecked(reader, detail, chooseTime) || !reader->GetOutputDataObject(0))
+  if (!detail.empty() || !Explore::ReadChecked(reader, detail, chooseTime) ||
+    !reader->GetOutputDataObject(0))
   {
     throw InputError(path,
       std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),

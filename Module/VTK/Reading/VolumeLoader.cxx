@@ -15,6 +15,7 @@
 #include "VTK/Reading/WholeFile.h"
 
 #include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/NrrdHeader.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 
@@ -32,7 +33,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -129,13 +129,14 @@ std::string DetectFalseNifti(const std::string& path)
   const bool areSamples = EndsWith(lower, ".img") || EndsWith(lower, ".img.gz");
   const std::string header =
     areSamples ? FindBeside(path, { ".hdr", ".hdr.gz", ".HDR", ".HDR.GZ" }) : path;
-  return header.empty() ? std::string() : Explore::DetectFalseNiftiHeader(header);
+  const std::string fault = Explore::DetectDevice(header);
+  return header.empty() || !fault.empty() ? fault : Explore::DetectFalseNiftiHeader(header);
 }
 
 /// Whether a file begins like gzip's files, whatever its name says.
 bool IsPacked(const std::string& path)
 {
-  vtksys::ifstream file(path.c_str(), std::ios::binary);
+  std::ifstream file = VolumeHaptics::OpenStream(path);
   return file.get() == 0x1f && file.get() == 0x8b;
 }
 
@@ -221,6 +222,14 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
     bytes *= vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
   }
   const std::string samples = FindSamples(path);
+  const std::string device = samples.empty()
+    ? Explore::DetectDeviceIn(
+        vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)))
+    : Explore::DetectDevice(samples);
+  if (!device.empty())
+  {
+    return device;
+  }
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
     return {}; // the reader reports the fault
@@ -539,6 +548,11 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   }
   else
   {
+    std::string fault;
+    if (!VolumeHaptics::CheckRegular(path, fault))
+    {
+      throw InputError(path, fault, "copy its contents into a file, and name that");
+    }
     if (!vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_READ))
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");

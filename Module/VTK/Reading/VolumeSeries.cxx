@@ -6,9 +6,11 @@
 #include "VTK/Reading/Dicom/DicomSeries.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/LargeLoader.h"
+#include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/SliceGeometry.h"
 #include "VTK/Reading/VolumeChecks.h"
 #include "VTK/Reading/VolumeOrientation.h"
+#include "VTK/Reading/WholeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageExtractComponents.h"
@@ -101,6 +103,7 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder)
 /// Reads the files and times of a ParaView collection (.pvd).
 std::vector<TimeStepPath> ReadCollection(const std::string& path)
 {
+  const Explore::MessageCapture capture;
   const auto root =
     vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
   vtkXMLDataElement* const collection =
@@ -324,7 +327,7 @@ Volume LoadIntoMemory(
     return timeSteps.empty() ? LoadPhases(path, dicomSeries, array)
                              : LoadTimeSteps(path, timeSteps, array);
   }
-  const bool isThere = Files::FileExists(path, true);
+  const bool isThere = Files::FileExists(path, true) && DetectDevice(path).empty();
   if (isThere && Files::StringEndsWith(Files::LowerCase(path), ".pvd"))
   {
     const std::vector<TimeStepPath> timeSteps = ReadCollection(path);

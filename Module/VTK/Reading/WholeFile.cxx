@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/WholeFile.h"
 
+#include "VTK/Base/HapticFiles.h"
+
 #include <vtksys/RegularExpression.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <system_error>
 #include <zlib.h>
 
 namespace
@@ -32,7 +36,7 @@ namespace Explore
 {
 double CountUnpacked(const std::string& file, std::size_t offset)
 {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in = VolumeHaptics::OpenStream(file);
   in.seekg(static_cast<std::streamoff>(offset));
   z_stream stream = {};
   if (!in || inflateInit2(&stream, ANY_HEADER) != Z_OK)
@@ -77,25 +81,58 @@ double CountUnpacked(const std::string& file, std::size_t offset)
   return hasAny && state == Z_STREAM_END ? count : -1.0;
 }
 
+std::string DetectDevice(const std::string& path)
+{
+  std::string fault;
+  return !vtksys::SystemTools::PathExists(path) || VolumeHaptics::CheckRegular(path, fault)
+    ? std::string()
+    : vtksys::SystemTools::GetFilenameName(path) + " " + fault;
+}
+
+std::string DetectDeviceIn(const std::string& folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code trouble;
+  for (fs::recursive_directory_iterator at(
+         folder, fs::directory_options::skip_permission_denied, trouble);
+       !trouble && at != fs::recursive_directory_iterator(); at.increment(trouble))
+  {
+    const std::string path = at->path().string();
+    const std::string fault = at->is_directory(trouble) ? std::string() : DetectDevice(path);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+  }
+  return {};
+}
+
 std::string DetectMissingEnd(const std::string& file)
 {
-  std::ifstream in(file, std::ios::binary);
+  const std::string fault = DetectDevice(file);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  std::ifstream in = VolumeHaptics::OpenStream(file);
   const std::size_t size = vtksys::SystemTools::FileLength(file);
   const std::size_t last = std::min(size, LONGEST_END);
   if (ReadPart(in, size - last, last).find("</VTKFile>") == std::string::npos)
   {
     return "the file ends before its last element";
   }
-  if (vtksys::SystemTools::LowerCase(file).find(".vtm") == std::string::npos)
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+  if (ending.find(".vtm") != 0 && ending.find(".pv") != 0)
   {
     return {};
   }
   in.clear();
   std::string text = ReadPart(in, 0, size);
-  vtksys::RegularExpression piece("file=\"([^\"]+)\"");
+  vtksys::RegularExpression piece("(file|Source)=\"([^\"]+)\"");
   while (piece.find(text))
   {
-    const std::string name = vtksys::SystemTools::CollapseFullPath(piece.match(1),
+    const std::string name = vtksys::SystemTools::CollapseFullPath(piece.match(2),
       vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(file)));
     text.erase(0, piece.end());
     // The reader reports a missing piece.

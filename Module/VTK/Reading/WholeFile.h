@@ -18,6 +18,14 @@ double CountUnpacked(const std::string& file, std::size_t offset);
 /// empty if it can. VTK's readers look for an unknown type in memory beyond their list of types.
 std::string DetectFalseNiftiHeader(const std::string& header);
 
+/// Returns why a name is not one of a file: a pipe or a device, for which a reader would wait, or read
+/// without end. Empty for a file, and for a name that does not exist, which the reader reports.
+std::string DetectDevice(const std::string& path);
+
+/// Does the same for all names in a folder, and in the folders in it, of a format whose files name
+/// others in ways that only VTK's reader knows.
+std::string DetectDeviceIn(const std::string& folder);
+
 /// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete;
 /// empty if it is complete. VTK's readers fill missing appended samples with whatever was in
 /// memory.

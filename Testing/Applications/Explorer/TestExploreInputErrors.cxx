@@ -8,6 +8,7 @@
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "VTK/Reading/InputError.h"
+#include "VTK/Reading/VolumeSeries.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
@@ -37,6 +38,8 @@
 #include <utility>
 #include <vector>
 #include <zlib.h>
+
+#include <sys/stat.h>
 
 namespace
 {
@@ -348,6 +351,7 @@ void ExpectWindowFiles()
   isRefused("--measurements", "head.txt", "has an unknown ending");
   isRefused("--movie", "head.mp4", "ends in .ogv");
   isRefused("--script", folder + "/missing.txt", "name a file that is there");
+  isRefused("--script", "/dev/zero", "zero is a device or a socket, not a file");
   const auto isNoScript = [&isRefused](const std::string& text, const std::string& wanted)
   { isRefused("--script", WriteText("demo.txt", text), wanted); };
   isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is no time");
@@ -440,6 +444,104 @@ void ExpectComponents(int type, int components, const std::string& told, double 
   Expect(used->GetNumberOfComponents() == 1 && used->GetComponent(0, 0) == first,
     told + ", but the first value is " + std::to_string(used->GetComponent(0, 0)));
 }
+
+/// Names, wherever a file can name another, of a pipe, for which a reader would wait for ever, and of
+/// a device, which never ends. ctest's time limit fails this test if one is opened.
+void ExpectPipesAreRefused()
+{
+  const std::string pipes = folder + "/pipes";
+  vtksys::SystemTools::RemoveADirectory(pipes);
+  vtksys::SystemTools::MakeDirectory(pipes);
+  const auto makePipe = [](const std::string& path)
+  {
+    vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetFilenamePath(path));
+    if (mkfifo(path.c_str(), 0600) != 0)
+    {
+      std::cerr << path << " can't be made.\n";
+      ++failures;
+    }
+    return path;
+  };
+  const auto refuse = [](const std::string& path, const std::string& fault)
+  {
+    std::string message = "nothing";
+    try
+    {
+      Explore::LoadVolumes({ path }, false);
+    }
+    catch (const Explore::InputError& error)
+    {
+      message = error.what();
+    }
+    if (message.find(fault) == std::string::npos || message.find("Cure: ") == std::string::npos)
+    {
+      std::cerr << path << " should say '" << fault << "', but said: " << message << "\n";
+      ++failures;
+    }
+  };
+  for (const char* const ending : { ".nii", ".nii.gz", ".hdr", ".img", ".mha", ".mhd", ".nrrd",
+         ".nhdr", ".vti", ".vtu", ".vtm", ".vtk", ".pvd", ".tif", ".dcm", ".case", ".foam", ".h5" })
+  {
+    refuse(makePipe(pipes + "/pipe" + ending), "is a pipe, not a file");
+    const std::string device = pipes + "/zero" + ending;
+    vtksys::SystemTools::CreateSymlink("/dev/zero", device);
+    refuse(device, "is a device or a socket, not a file");
+  }
+  const auto write = [&pipes](const std::string& name, const std::string& text)
+  {
+    const std::string path = pipes + "/" + name;
+    vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetFilenamePath(path));
+    WriteBytes(path, text);
+    return path;
+  };
+  const std::string meta =
+    "NDims = 3\nDimSize = 8 8 8\nElementType = MET_UCHAR\nElementDataFile = ";
+  makePipe(pipes + "/meta/pipe.raw");
+  refuse(write("meta/one.mhd", meta + "pipe.raw\n"), "pipe.raw is a pipe");
+  refuse(write("meta/list.mhd", meta + "LIST\npipe.raw\n"), "pipe.raw is a pipe");
+  refuse(
+    write("meta/one.nhdr",
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: pipe.raw\n"),
+    "regular file");
+  // Of a pair, either file may be the pipe.
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  vtkNew<vtkNIFTIImageWriter> nifti;
+  nifti->SetInputConnection(wavelet->GetOutputPort());
+  nifti->SetFileName(write("pair/one.img", "").c_str());
+  nifti->Write();
+  vtksys::SystemTools::RemoveFile(pipes + "/pair/one.img");
+  makePipe(pipes + "/pair/one.img");
+  refuse(pipes + "/pair/one.hdr", "one.img is a pipe");
+  vtksys::SystemTools::RemoveFile(pipes + "/pair/one.hdr");
+  write("pair/other.img", std::string(512, ' '));
+  makePipe(pipes + "/pair/other.hdr");
+  refuse(pipes + "/pair/other.img", "other.hdr is a pipe");
+  makePipe(pipes + "/xml/pipe.vti");
+  refuse(write("xml/one.pvd",
+           "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" file=\"pipe.vti\"/>"
+           "</Collection></VTKFile>"),
+    "is a pipe");
+  refuse(write("xml/one.vtm",
+           "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+           "<DataSet index=\"0\" file=\"pipe.vti\"/></vtkMultiBlockDataSet></VTKFile>"),
+    "pipe.vti is a pipe");
+  makePipe(pipes + "/ensight/pipe.geo");
+  refuse(write("ensight/one.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: pipe.geo\n"),
+    "pipe.geo is a pipe");
+  makePipe(pipes + "/foam/system/controlDict");
+  refuse(write("foam/one.foam", ""), "controlDict is a pipe");
+  makePipe(pipes + "/slices/1.dcm");
+  makePipe(pipes + "/slices/2");
+  refuse(pipes + "/slices", "without a single DICOM slice");
+  makePipe(pipes + "/stack/1.tif");
+  makePipe(pipes + "/stack/2.tif");
+  refuse(pipes + "/stack", "");
+  write("one.zarr/.zarray",
+    R"({"zarr_format": 2, "shape": [8, 8, 8], "chunks": [8, 8, 8], "dtype": "|u1", "order": "C",
+        "compressor": null, "filters": null, "fill_value": 0})");
+  makePipe(pipes + "/one.zarr/0.0.0");
+  refuse(pipes + "/one.zarr", "");
+}
 } // namespace
 
 int TestExploreInputErrors(int argc, char* argv[])
@@ -458,6 +560,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);
+  ExpectPipesAreRefused();
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
   ExpectRefusal(WriteText("notes.txt", "hello"), "ending that is not known");

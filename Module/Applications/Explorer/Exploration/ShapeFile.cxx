@@ -211,6 +211,11 @@ std::string GetEnding(const std::string& name)
 
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)
 {
+  error = DetectDevice(name);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
   const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(name);
   const auto check = [&name]
   {

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Record/DemoScript.h"
 
 #include "VTK/Reading/InputError.h"
+#include "VTK/Reading/WholeFile.h"
 
 #include "vtkRenderWindow.h"
 
@@ -74,10 +75,16 @@ std::string ReadEvent(std::istringstream& line, DemoEvent& event)
 
 std::vector<DemoEvent> ReadDemoScript(const std::string& file)
 {
-  vtksys::ifstream stream(file.c_str());
-  if (!stream)
+  const std::string device = DetectDevice(file);
+  vtksys::ifstream stream;
+  if (device.empty())
   {
-    throw InputError("--script " + file, "can't be read", "name a file that is there");
+    stream.open(file.c_str());
+  }
+  if (!stream.is_open())
+  {
+    throw InputError(
+      "--script " + file, device.empty() ? "can't be read" : device, "name a file that is there");
   }
   std::vector<DemoEvent> events;
   std::string text;

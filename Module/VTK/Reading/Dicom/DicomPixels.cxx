@@ -6,11 +6,11 @@
 #include "VTK/Reading/InputError.h"
 
 #include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/HapticFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -307,7 +307,7 @@ std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
     return this->Bytes.substr(size * static_cast<std::size_t>(slice.Frame), size);
   }
   std::string bytes(slice.Bits == 1 ? (firstBit % 8 + pixels + 7) / 8 : slice.GetSize(), '\0');
-  vtksys::ifstream file(slice.File.c_str(), std::ios::binary);
+  std::ifstream file = VolumeHaptics::OpenStream(slice.File);
   file.seekg(static_cast<std::streamoff>(slice.Pixels + firstBit / 8));
   if (!file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
   {

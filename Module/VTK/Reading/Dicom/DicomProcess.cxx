@@ -3,9 +3,9 @@
 #include "VTK/Reading/Dicom/DicomProcess.h"
 
 #include "Devices/Common/OwnFile.h"
+#include "VTK/Base/HapticFiles.h"
 #include "VTK/Reading/InputError.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <cerrno>
@@ -140,7 +140,7 @@ namespace Explore
 bool HasDicomMark(const std::string& path)
 {
   char mark[4] = {};
-  vtksys::ifstream file(path.c_str(), std::ios::binary);
+  std::ifstream file = VolumeHaptics::OpenStream(path);
   file.seekg(128);
   return file.read(mark, sizeof(mark)) && std::string(mark, sizeof(mark)) == "DICM";
 }

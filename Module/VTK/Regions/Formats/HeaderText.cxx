@@ -3,6 +3,7 @@
 #include "VTK/Regions/Formats/HeaderText.h"
 
 #include "Core/Math/NumberText.h"
+#include "VTK/Base/HapticFiles.h"
 
 #include <fstream>
 #include <optional>
@@ -27,7 +28,7 @@ std::string TrimBlanks(const std::string& text)
 
 HeaderText::HeaderText(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = OpenStream(path);
   std::string line;
   std::size_t size = 0;
   for (int count = 0; count < LongestHeader && std::getline(file, line); ++count)

@@ -118,7 +118,7 @@ std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::siz
 /** Returns the size (bytes) of some lines at the beginning of a file. */
 double CountLineBytes(const std::string& name, double lines)
 {
-  std::ifstream file(name, std::ios::binary);
+  std::ifstream file = OpenStream(name);
   std::string line;
   double size = 0.0;
   for (; lines >= 1.0 && std::getline(file, line); --lines)
