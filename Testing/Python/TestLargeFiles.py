@@ -11,6 +11,9 @@ import gzip
 import itertools
 import json
 import struct
+import subprocess
+import sys
+import zlib
 
 import numpy as np
 import pytest
@@ -360,6 +363,108 @@ def test_a_damaged_zarr_with_shards_ends_nothing(tmp_path):
             yield path
 
     expect_samples_or_an_error(write())
+
+
+def region_error(path):
+    """What is said when the samples of a file, whose head is good, are read; empty if they can be."""
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path))
+    with Errors(source) as errors:
+        source.ReadRegion(source.GetWholeExtent(), vtkImageData())
+    return "".join(errors)
+
+
+def castagnoli(data):
+    """CRC-32C, bit by bit, with the polynomial of RFC 3720, section 12.1."""
+    rest = 0xffffffff
+    for byte in data:
+        rest ^= byte
+        for _ in range(8):
+            rest = rest >> 1 ^ (0x82f63b78 if rest & 1 else 0)
+    return struct.pack("<I", rest ^ 0xffffffff)
+
+
+def test_a_wrong_checksum_is_told(hdf5, tmp_path):
+    assert castagnoli(b"123456789") == struct.pack("<I", 0xe3069283)  # the check value of the published catalogues of CRCs
+    array = make_array("int16", (5, 4, 7))
+    path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=(0, 6, 0, 3, 0, 4), chunk=(5, 4, 7), filters=[SUM])
+    assert not region_error(path)
+    good = path.read_bytes()
+    at = good.index(array.tobytes())
+    for place in at, at + array.nbytes // 2 + 1, at + array.nbytes - 1, at + array.nbytes + 2:
+        path.write_bytes(good[:place] + bytes([good[place] ^ 4]) + good[place + 1:])
+        assert "damaged (fletcher32)" in region_error(path)
+    # A shard by hand after Zarr's specification: two plain chunks, and an index whose entries are exchanged.
+    path = tmp_path / "a.zarr"
+    chunks = [array[:, :2], array[:, 2:]]
+    plain = [{"name": "bytes", "configuration": {"endian": "little"}}]
+    (path / "c/0/0").mkdir(parents=True)
+    (path / "zarr.json").write_text(json.dumps({
+        "zarr_format": 3, "node_type": "array", "shape": array.shape, "data_type": "int16", "fill_value": 0,
+        "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": array.shape}},
+        "chunk_key_encoding": {"name": "default", "configuration": {"separator": "/"}},
+        "codecs": [{"name": "sharding_indexed", "configuration": {
+            "chunk_shape": (5, 2, 7), "codecs": plain, "index_codecs": [*plain, {"name": "crc32c"}]}}]}))
+    size = chunks[0].nbytes
+    entries = [struct.pack("<QQ", at, size) for at in (0, size)]
+    good, exchanged = b"".join(entries), b"".join(entries[::-1])
+    for index, said in (good, ""), (exchanged, "damaged (crc32c)"):
+        (path / "c/0/0/0").write_bytes(b"".join(chunk.tobytes() for chunk in chunks) + index + castagnoli(good))
+        assert said in region_error(path) and bool(said) == bool(region_error(path))
+
+
+@pytest.mark.parametrize("codec", ["zlib", "gzip", "lz4", "blosc", "zstd"])
+def test_a_chunk_may_not_promise_more_than_its_samples(tmp_path, codec):
+    """What 64 bytes to 300 kB would unpack to, is gigabytes. A child is given 700 MB more than it has to begin with."""
+    heads = {
+        "lz4": struct.pack("<I", 0x7fffffff) + bytes(60),  # numcodecs: the size, then a block of LZ4
+        "blosc": struct.pack("<BBBBIII", 2, 1, 0, 1, 0x7fffffff, 0x7fffffff, 64) + bytes(48),  # Blosc 1, its header
+        "zstd": b"\x28\xb5\x2f\xfd\xe0" + struct.pack("<Q", 1 << 40) + bytes(40),  # RFC 8878: a single segment
+    }
+    if codec in heads:
+        packed = heads[codec]
+    else:
+        squeeze = zlib.compressobj(9, zlib.DEFLATED, 15 if codec == "zlib" else 31)
+        packed = b"".join([*(squeeze.compress(bytes(1 << 20)) for _ in range(900)), squeeze.flush()])
+    head = {"zarr_format": 2, "shape": [8, 8, 8], "chunks": [8, 8, 8], "dtype": "|u1", "compressor": {"id": codec},
+            "fill_value": 0, "order": "C", "filters": None}
+    folder = tmp_path / "a.zarr"
+    folder.mkdir()
+    (folder / ".zarray").write_text(json.dumps(head))
+    (folder / "0.0.0").write_bytes(packed)
+    program = """
+import resource, sys
+from volumehaptics import vtkHapticRegionSource
+from vtkmodules.vtkCommonDataModel import vtkImageData
+source = vtkHapticRegionSource()
+assert source.OpenFile(sys.argv[1])
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+source.ReadRegion(source.GetWholeExtent(), vtkImageData())
+print("took", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
+"""
+    done = subprocess.run([sys.executable, "-c", program, str(folder)], capture_output=True, text=True, timeout=60)
+    said = done.stdout + done.stderr
+    assert "damaged" in said or "larger than its samples" in said or "can't unpack" in said, said
+    assert int(done.stdout.split("took")[1]) < 20000  # kilobytes
+
+
+@pytest.mark.parametrize("fill, value", [("NaN", np.nan), ("-Infinity", -np.inf), ("0x7fc00000", np.nan),
+                                         ("0x7FC00001", np.nan), ("0x41280000", 10.5), (2.5, 2.5)])
+def test_fill_values_of_zarr_version_3(tmp_path, fill, value):
+    """As the specification's list of data types writes them: numbers, three words, or bits in hexadecimal digits."""
+    path = tmp_path / "a.zarr"
+    path.mkdir()
+    head = {"zarr_format": 3, "node_type": "array", "shape": [2, 2, 2], "data_type": "float32", "fill_value": fill,
+            "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [2, 2, 2]}},
+            "chunk_key_encoding": {"name": "default"},
+            "codecs": [{"name": "bytes", "configuration": {"endian": "little"}}]}
+    (path / "zarr.json").write_text(json.dumps(head))
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path))
+    assert np.array_equal(region_of(source, (0, 1, 0, 1, 0, 1)), np.full((2, 2, 2), value), equal_nan=True)
+    for wrong in "0x7fc0", "nothing", "0x7fc0000g":
+        (path / "zarr.json").write_text(json.dumps({**head, "fill_value": wrong}))
+        assert "is no number" in error_of(path)
 
 
 CODECS = {"none": None, "zlib": ("Zlib", 5), "gzip": ("GZip", 5), "lz4": ("LZ4",), "zstd": ("Zstd", 3),

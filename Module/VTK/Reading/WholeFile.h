@@ -18,7 +18,7 @@ double CountUnpacked(const std::string& file, std::size_t offset);
 /// empty if it can. VTK's readers look for an unknown type in memory beyond their list of types.
 std::string DetectFalseNiftiHeader(const std::string& header);
 
-/// Returns why a name is not one of a file: a pipe or a device, for which a reader would wait, or read
+/// Returns why a name is not that of a file: a reader would wait for a pipe, and read a device
 /// without end. Empty for a file, and for a name that does not exist, which the reader reports.
 std::string DetectDevice(const std::string& path);
 

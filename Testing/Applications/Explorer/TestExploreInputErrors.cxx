@@ -445,8 +445,8 @@ void ExpectComponents(int type, int components, const std::string& told, double 
     told + ", but the first value is " + std::to_string(used->GetComponent(0, 0)));
 }
 
-/// Names, wherever a file can name another, of a pipe, for which a reader would wait for ever, and of
-/// a device, which never ends. ctest's time limit fails this test if one is opened.
+/// Names a pipe, for which a reader would wait for ever, and a device, which never ends, wherever a
+/// file can be named, by another file, too. ctest's time limit fails this test if one is opened.
 void ExpectPipesAreRefused()
 {
   const std::string pipes = folder + "/pipes";

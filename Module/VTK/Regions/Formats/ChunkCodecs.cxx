@@ -60,7 +60,7 @@ struct Inflater
 
 } // namespace
 
-void InflateChunk(std::vector<char>& bytes)
+void InflateChunk(std::vector<char>& bytes, std::size_t most)
 {
   if (bytes.size() > std::numeric_limits<uInt>::max())
   {
@@ -70,24 +70,20 @@ void InflateChunk(std::vector<char>& bytes)
   z_stream& stream = inflater.Stream;
   stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
   stream.avail_in = static_cast<uInt>(bytes.size());
-  std::vector<char> plain(std::max<std::size_t>(4 * bytes.size(), 4096));
+  std::vector<char> plain(std::min(std::max<std::size_t>(4 * bytes.size(), 4096), most + 1));
   int state = Z_OK;
   while (state == Z_OK)
   {
     if (stream.total_out == plain.size())
     {
-      if (plain.size() > MostChunkBytes)
-      {
-        ThrowDamaged("zlib");
-      }
-      plain.resize(2 * plain.size());
+      plain.resize(std::min(2 * plain.size(), most + 1));
     }
     stream.next_out = reinterpret_cast<Bytef*>(plain.data() + stream.total_out);
     stream.avail_out = static_cast<uInt>(
       std::min<std::size_t>(plain.size() - stream.total_out, std::size_t{ 1 } << 30));
-    state = inflate(&stream, Z_NO_FLUSH);
+    state = stream.total_out > most ? Z_DATA_ERROR : inflate(&stream, Z_NO_FLUSH);
   }
-  if (state != Z_STREAM_END)
+  if (state != Z_STREAM_END || stream.total_out > most)
   {
     ThrowDamaged("zlib");
   }
@@ -149,7 +145,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, st
   return count;
 }
 
-void UnpackLz4Chunk(std::vector<char>& bytes)
+void UnpackLz4Chunk(std::vector<char>& bytes, std::size_t most)
 {
   constexpr std::size_t headSize = 4;
   if (bytes.size() < headSize || bytes.size() > MostChunkBytes)
@@ -157,7 +153,7 @@ void UnpackLz4Chunk(std::vector<char>& bytes)
     ThrowDamaged("lz4");
   }
   const std::size_t size = ReadWord(reinterpret_cast<const unsigned char*>(bytes.data()));
-  if (size > MostChunkBytes)
+  if (size > std::min(most, MostChunkBytes))
   {
     ThrowDamaged("lz4");
   }
@@ -172,7 +168,7 @@ void UnpackLz4Chunk(std::vector<char>& bytes)
 }
 
 #if defined(VOLUME_HAPTICS_HAS_BLOSC)
-void UnpackBloscChunk(std::vector<char>& bytes)
+void UnpackBloscChunk(std::vector<char>& bytes, std::size_t most)
 {
   std::size_t size = 0;
   std::size_t packed = 0;
@@ -182,7 +178,7 @@ void UnpackBloscChunk(std::vector<char>& bytes)
     blosc_cbuffer_sizes(bytes.data(), &size, &packed, &block);
   }
   // A checksum may follow after the packed bytes.
-  if (packed == 0 || packed > bytes.size() || size > MostChunkBytes ||
+  if (packed == 0 || packed > bytes.size() || size > most ||
     blosc_cbuffer_validate(bytes.data(), packed, &size) != 0)
   {
     ThrowDamaged("blosc");
@@ -196,7 +192,7 @@ void UnpackBloscChunk(std::vector<char>& bytes)
   bytes = std::move(plain);
 }
 #else
-void UnpackBloscChunk(std::vector<char>&)
+void UnpackBloscChunk(std::vector<char>&, std::size_t)
 {
   throw std::runtime_error(
     "its chunks are compressed by Blosc, which this build can't unpack. Build it with c-blosc "
@@ -206,16 +202,16 @@ void UnpackBloscChunk(std::vector<char>&)
 #endif
 
 #if defined(VOLUME_HAPTICS_HAS_ZSTD)
-void UnpackZstdChunk(std::vector<char>& bytes)
+void UnpackZstdChunk(std::vector<char>& bytes, std::size_t most)
 {
   // The size is unknown if the bytes were written as a stream.
   const unsigned long long told = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > MostChunkBytes))
+  if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > most))
   {
     ThrowDamaged("zstd");
   }
   std::vector<char> plain(told == ZSTD_CONTENTSIZE_UNKNOWN
-      ? std::max<std::size_t>(4 * bytes.size(), 4096)
+      ? std::min(std::max<std::size_t>(4 * bytes.size(), 4096), most)
       : static_cast<std::size_t>(told));
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(
     ZSTD_createDCtx(), ZSTD_freeDCtx);
@@ -231,13 +227,13 @@ void UnpackZstdChunk(std::vector<char>& bytes)
     }
     const bool isFull = out.pos == out.size;
     if (ZSTD_isError(left) || (!isFull && in.pos + out.pos == had) ||
-      (isFull && plain.size() > MostChunkBytes))
+      (isFull && plain.size() >= most))
     {
       ThrowDamaged("zstd");
     }
     if (isFull)
     {
-      plain.resize(2 * plain.size() + 1);
+      plain.resize(std::min(2 * plain.size() + 1, most));
       out = { plain.data(), plain.size(), out.pos };
     }
   }
@@ -245,7 +241,7 @@ void UnpackZstdChunk(std::vector<char>& bytes)
   bytes = std::move(plain);
 }
 #else
-void UnpackZstdChunk(std::vector<char>&)
+void UnpackZstdChunk(std::vector<char>&, std::size_t)
 {
   throw std::runtime_error(
     "its chunks are compressed by Zstandard, which this build can't unpack. Build it with zstd "
@@ -277,6 +273,46 @@ void CheckChunkSum(std::vector<char>& bytes)
     ThrowDamaged("crc32c");
   }
   bytes.resize(size);
+}
+
+void CheckFletcher(std::vector<char>& bytes)
+{
+  // As "HDF5 File Format Specification", Data Object Header Message 0x000B, filter 3, and the
+  // library define it: sums of 16-bit big-endian words, folded. An odd last byte is a high one.
+  constexpr std::size_t sumSize = 4;
+  const std::size_t size = bytes.size() - std::min(bytes.size(), sumSize);
+  const auto* const from = reinterpret_cast<const unsigned char*>(bytes.data());
+  std::uint64_t first = 0;
+  std::uint64_t second = 0;
+  const auto fold = [](std::uint64_t& sum)
+  {
+    while (sum > 0xffff)
+    {
+      sum = (sum & 0xffff) + (sum >> 16);
+    }
+  };
+  for (std::size_t i = 0; i < size; i += 2)
+  {
+    first += std::uint64_t{ from[i] } << 8 | (i + 1 < size ? from[i + 1] : 0);
+    fold(first);
+    second += first;
+    fold(second);
+  }
+  const auto sum = static_cast<std::uint32_t>(second << 16 | first);
+  // Libraries before 1.6.3 wrote the bytes of each half in the other order.
+  const std::uint32_t old = (sum & 0x00ff00ff) << 8 | (sum >> 8 & 0x00ff00ff);
+  const std::uint32_t told = bytes.size() < sumSize ? ~sum : ReadWord(from + size);
+  if (bytes.size() < sumSize || (told != sum && told != old))
+  {
+    ThrowDamaged("fletcher32");
+  }
+  bytes.resize(size);
+}
+
+std::size_t GetMostPackedBytes(std::size_t plain)
+{
+  // Deflate, LZ4, Blosc and Zstandard add less than an eighth, and heads of less than a kilobyte.
+  return plain + plain / 8 + 4096;
 }
 
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)

@@ -120,6 +120,7 @@ struct StoredChunks
   Hdf5Array Array;
   std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
   std::array<std::uint64_t, 3> Counts{}; ///< number of chunks along x, y and z
+  std::size_t Most = 0;                  ///< largest size of a chunk, packed or not (bytes)
 
   bool Load(const ChunkPlace& place, std::vector<char>& bytes) const
   {
@@ -134,7 +135,7 @@ struct StoredChunks
     }
     const OpenedFile file(this->Name);
     const Hdf5Chunk& chunk = found->second;
-    if (chunk.Size > static_cast<std::uint64_t>(file.GetSize()))
+    if (chunk.Size > static_cast<std::uint64_t>(file.GetSize()) || chunk.Size > this->Most)
     {
       Hdf5File::ThrowDamaged();
     }
@@ -150,13 +151,13 @@ struct StoredChunks
       switch (filters[f].Id)
       {
         case Hdf5Filter::Deflate:
-          InflateChunk(bytes);
+          InflateChunk(bytes, this->Most);
           break;
         case Hdf5Filter::Shuffle:
           UnshuffleChunk(bytes, filters[f].SampleSize);
           break;
         default: // a checksum follows the samples
-          bytes.resize(bytes.size() - std::min<std::size_t>(bytes.size(), 4));
+          CheckFletcher(bytes);
           break;
       }
     }
@@ -200,6 +201,7 @@ BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const s
   }
   file.ChunkSize = volume.ChunkSize;
   chunks->Name = name;
+  chunks->Most = GetMostPackedBytes(static_cast<std::size_t>(chunkBytes));
   chunks->Chunks = hdf5.LocateChunks(path, array, chunks->Counts);
   chunks->Array = std::move(array);
   volume.Load = [chunks](const ChunkPlace& place, std::vector<char>& bytes)

@@ -68,16 +68,49 @@ NumberType ReadType(const std::string& name, bool& isBig)
   return { kind, static_cast<std::size_t>(bits / 8) };
 }
 
+/**
+ * Reads the bits of a number, such as "0x7fc00000", as version 3 writes a NaN with other bits than
+ * the usual ones. Returns false for anything else.
+ */
 template <typename T>
-void PutFill(const Json::Value& value, bool isSwapped, std::vector<char>& bytes)
+bool ReadBits(const std::string& word, T& number)
+{
+  const std::size_t digits = 2 * sizeof(T);
+  if (word.size() != digits + 2 || word.find("0x") != 0 ||
+    word.find_first_not_of("0123456789abcdefABCDEF", 2) != std::string::npos)
+  {
+    return false;
+  }
+  const unsigned long long bits = std::strtoull(word.c_str() + 2, nullptr, 16);
+  if constexpr (sizeof(T) == sizeof(std::uint32_t))
+  {
+    const auto half = static_cast<std::uint32_t>(bits);
+    std::memcpy(&number, &half, sizeof(T));
+  }
+  else if constexpr (sizeof(T) == sizeof(bits))
+  {
+    std::memcpy(&number, &bits, sizeof(T));
+  }
+  return sizeof(T) == sizeof(std::uint32_t) || sizeof(T) == sizeof(bits);
+}
+
+/** Stores a fill value. Returns false if it is no number of the type. */
+template <typename T>
+bool PutFill(const Json::Value& value, bool isSwapped, std::vector<char>& bytes)
 {
   T number{};
   const std::string word = value.isString() ? value.asString() : std::string();
   if (std::is_floating_point<T>::value && !word.empty())
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     number = static_cast<T>(word == "NaN" ? std::numeric_limits<double>::quiet_NaN()
-        : word == "Infinity"              ? std::numeric_limits<double>::infinity()
-                                          : -std::numeric_limits<double>::infinity());
+        : word == "Infinity"              ? infinity
+                                          : -infinity);
+    const bool isWord = word == "NaN" || word == "Infinity" || word == "-Infinity";
+    if (!isWord && !ReadBits(word, number))
+    {
+      return false;
+    }
   }
   else if (std::is_floating_point<T>::value && value.isNumeric())
   {
@@ -97,6 +130,7 @@ void PutFill(const Json::Value& value, bool isSwapped, std::vector<char>& bytes)
   {
     std::reverse(bytes.begin(), bytes.end());
   }
+  return true;
 }
 
 void SetType(const std::string& name, const Json::Value& fill, ZarrArray& array)
@@ -105,13 +139,21 @@ void SetType(const std::string& name, const Json::Value& fill, ZarrArray& array)
   const bool isKnown = type.Kind == 'i' || type.Kind == 'u' || type.Kind == 'f';
   array.ScalarType = isKnown ? ChooseScalarType(type.Kind != 'f', type.Kind == 'i', type.Size) : 0;
   array.SampleSize = type.Size;
+  bool isFill = true;
   switch (array.ScalarType)
   {
-    vtkTemplateMacro(PutFill<VTK_TT>(fill, IsOtherByteOrder(array.IsBig), array.FillValue));
+    vtkTemplateMacro(
+      isFill = PutFill<VTK_TT>(fill, IsOtherByteOrder(array.IsBig), array.FillValue));
     default:
       Refuse(array.Folder,
         "is of type " + Printable(name) +
           ", which no volume has. Write it as integers or floating-point numbers.");
+  }
+  if (!isFill)
+  {
+    Refuse(array.Folder,
+      "has the fill value '" + Printable(fill.asString()) +
+        "', which is no number. Write it again.");
   }
 }
 
@@ -256,8 +298,8 @@ std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
   return name;
 }
 
-bool ZarrArray::LocateInShard(
-  const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const
+bool ZarrArray::LocateInShard(const std::string& name, const OpenedFile& file,
+  const ChunkPlace& place, std::uint64_t range[2]) const
 {
   // The index has two little-endian 64-bit numbers for each chunk.
   constexpr std::uint64_t entry = 2 * sizeof(std::uint64_t);
@@ -278,9 +320,20 @@ bool ZarrArray::LocateInShard(
   {
     throw std::runtime_error("a shard of it is cut off. Copy or write it again.");
   }
+  const std::uint64_t begin = this->IsIndexFirst ? 0 : size - index;
+  if (this->IndexTail > 0)
+  {
+    const std::lock_guard<std::mutex> lock(this->Checked->Access);
+    if (this->Checked->Shards.count(name) == 0)
+    {
+      std::vector<char> whole(static_cast<std::size_t>(index));
+      file.Read(whole.data(), whole.size(), static_cast<std::int64_t>(begin));
+      CheckChunkSum(whole);
+      this->Checked->Shards.insert(name);
+    }
+  }
   unsigned char bytes[entry];
-  file.Read(bytes, entry,
-    static_cast<std::int64_t>((this->IsIndexFirst ? 0 : size - index) + number * entry));
+  file.Read(bytes, entry, static_cast<std::int64_t>(begin + number * entry));
   for (std::size_t i = 0; i < 2; ++i)
   {
     range[i] = 0;
@@ -316,13 +369,19 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
   }
   const OpenedFile file(name);
   std::uint64_t range[2] = { 0, static_cast<std::uint64_t>(file.GetSize()) };
-  if (!this->ShardShape.empty() && !this->LocateInShard(file, place, range))
+  if (!this->ShardShape.empty() && !this->LocateInShard(name, file, place, range))
   {
     return false;
   }
-  if (range[1] > MostChunkBytes)
+  std::size_t most = this->SampleSize; // at most 1 GiB, as the head was checked
+  for (const std::uint64_t count : this->ChunkShape)
   {
-    throw std::runtime_error("its chunk " + name + " is larger than 1 GiB.");
+    most *= static_cast<std::size_t>(count);
+  }
+  most = GetMostPackedBytes(most);
+  if (range[1] > most)
+  {
+    throw std::runtime_error("its chunk " + name + " is larger than its samples. Write it again.");
   }
   bytes.resize(static_cast<std::size_t>(range[1]));
   file.Read(bytes.data(), bytes.size(), static_cast<std::int64_t>(range[0]));
@@ -331,16 +390,16 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
     switch (codec)
     {
       case Zlib:
-        InflateChunk(bytes);
+        InflateChunk(bytes, most);
         break;
       case Lz4:
-        UnpackLz4Chunk(bytes);
+        UnpackLz4Chunk(bytes, most);
         break;
       case Blosc:
-        UnpackBloscChunk(bytes);
+        UnpackBloscChunk(bytes, most);
         break;
       case Zstd:
-        UnpackZstdChunk(bytes);
+        UnpackZstdChunk(bytes, most);
         break;
       case Sum:
         CheckChunkSum(bytes);

@@ -10,7 +10,10 @@
 #include "VTK/Regions/Formats/ChunkedVolume.h"
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace VolumeHaptics
@@ -58,7 +61,16 @@ private:
    * Finds the first byte and the size of a chunk in its shard. Returns false if it was never
    * written.
    */
-  bool LocateInShard(const OpenedFile& file, const ChunkPlace& place, std::uint64_t range[2]) const;
+  bool LocateInShard(const std::string& name, const OpenedFile& file, const ChunkPlace& place,
+    std::uint64_t range[2]) const;
+
+  /** The shards whose index was checked, which several threads read. */
+  struct CheckedShards
+  {
+    std::mutex Access;
+    std::unordered_set<std::string> Shards;
+  };
+  std::shared_ptr<CheckedShards> Checked = std::make_shared<CheckedShards>();
 };
 
 /** Whether a folder contains an array. */
