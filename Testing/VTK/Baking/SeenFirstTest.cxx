@@ -129,3 +129,47 @@ TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)
   }
   EXPECT_GT(PassBy("MRI", ball, -2.0), 0.2) << "the ball itself is felt";
 }
+
+TEST(SeenFirst, AGradualEdgeIsFeltWhereItIsShown)
+{
+  // Values rise by 2.5 a voxel, less than what is distinct; the picture begins at 50, at y = 20.
+  const vtkSmartPointer<vtkImageData> ramp =
+    MakeVolume(41, 41, 41, VTK_FLOAT, [](int, int j, int) { return 2.5 * j; });
+  vtkNew<vtkVolumeProperty> look;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(50.0, 0.0);
+  opacity->AddPoint(52.0, 1.0);
+  look->SetScalarOpacity(opacity);
+  const auto press = [&](double strength, vtkVolumeProperty* picture)
+  {
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    filter->SetInputData(ramp);
+    vtkHapticProperty* const feel = filter->GetProperty();
+    for (const auto& [function, value] :
+      { std::pair(feel->GetStiffness(), 500.0), std::pair(feel->GetFriction(), 0.0),
+        std::pair(feel->GetViscosity(), 0.0), std::pair(feel->GetSurfaceStrength(), strength) })
+    {
+      function->RemoveAllPoints();
+      function->AddPoint(0.0, value);
+    }
+    feel->GetDistinctness()->RemoveAllPoints();
+    feel->GetDistinctness()->AddPoint(5.0, 0.0);
+    feel->GetDistinctness()->AddPoint(20.0, 1.0);
+    feel->SetVisibilityFrom(picture);
+    filter->SetPathData(MakePath(Line({ 20.3, 12.0, 20.3 }, { 20.3, 21.0, 20.3 }, 180)));
+    filter->Update();
+    vtkSmartPointer<vtkPolyData> trace = filter->GetOutput();
+    return trace;
+  };
+  EXPECT_EQ(LargestForce(press(1.0, nullptr)), 0.0) << "nothing is distinct";
+  EXPECT_EQ(LargestForce(press(0.0, look)), 0.0) << "tissue without a surface";
+  const vtkSmartPointer<vtkPolyData> trace = press(1.0, look);
+  vtkIdType tick = 0;
+  while (tick < 180 && ForceAt(trace, tick) < Felt)
+  {
+    ++tick;
+  }
+  EXPECT_NEAR(trace->GetPoint(tick)[1], 20.0, 0.05) << "where the picture begins";
+  EXPECT_LE(LargestForce(trace), 0.15 + 1e-9);
+  EXPECT_NEAR(LargestForce(press(0.12, look)), 0.12, 1e-6) << "no stronger than the tissue";
+}

@@ -124,11 +124,14 @@ PrecisePoint PreciseSurroundings::Look(
   FarWalk walk;
   const ValuePair values =
     this->ComputeValues(index, slope, isDescending, distinct[0] * fade, touched, voxels, walk);
-  const auto join = [&](const ValuePair& sides, MaterialPoint& material)
+  const auto joinWith =
+    [&](const DistinctnessTable::Values& factors, const ValuePair& sides, MaterialPoint& material)
   {
     Law::JoinMaterials(this->Model, sides, baked.Materials(sides.Ahead),
-      baked.Materials(sides.Behind), distinct, fade, 1.0, material);
+      baked.Materials(sides.Behind), factors, fade, 1.0, material);
   };
+  const auto join = [&](const ValuePair& sides, MaterialPoint& material)
+  { joinWith(distinct, sides, material); };
   MaterialPoint material;
   material.Normal = slope.Normal;
   material.GradientMagnitude = slope.Magnitude;
@@ -139,6 +142,10 @@ PrecisePoint PreciseSurroundings::Look(
   if (baked.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
   {
     this->Align(index, slope, isDescending, join, point);
+  }
+  if (this->Hides)
+  {
+    this->HoldWhatIsSeen(index, slope, { 1.0, distinct[1] }, joinWith, point);
   }
   if (this->LeavesMedium)
   {
@@ -174,8 +181,11 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   FarWalk walk;
   const ValuePair values =
     this->ComputeValues(index, slope, isDescending, fraction, touched, voxels, walk);
+  const auto joinWith =
+    [&](const DistinctnessTable::Values& factors, const ValuePair& sides, MaterialPoint& material)
+  { Law::SetMaterials(this->Model, index, surface, factors, sides, this->Labels, material); };
   const auto join = [&](const ValuePair& sides, MaterialPoint& material)
-  { Law::SetMaterials(this->Model, index, surface, distinct, sides, this->Labels, material); };
+  { joinWith(distinct, sides, material); };
   PrecisePoint point;
   join(values, point);
   point.Value = surface.Value;
@@ -188,6 +198,10 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
     point.SurfaceStrength > 0.0)
   {
     this->Align(index, slope, isDescending, join, point);
+  }
+  if (this->Hides && !surface.IsWall)
+  {
+    this->HoldWhatIsSeen(index, slope, { 1.0, distinct[1] }, joinWith, point);
   }
   if (this->HasWalks && surface.IsWall && !surface.IsOneSided)
   {
@@ -275,6 +289,22 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     ramp = material.SurfaceStrength;
   }
   point.SurfaceStrength = edge + even * (ramp - edge);
+}
+
+template <typename JoinWith>
+void PreciseSurroundings::HoldWhatIsSeen(const Vector3& index, const Law::Slope& slope,
+  const DistinctnessTable::Values& whole, const JoinWith& joinWith,
+  PrecisePoint& point) const noexcept
+{
+  if (point.SurfaceStrength >= LeastSeen || !(slope.Magnitude > 0.0) || !this->IsShown(index) ||
+    this->IsSeen(this->Field.Values(index, slope.Reach).Behind))
+  {
+    return;
+  }
+  MaterialPoint there;
+  joinWith(whole, { point.SurfaceValue, point.MediumValue }, there);
+  point.SurfaceStrength =
+    std::max(point.SurfaceStrength, std::min(there.SurfaceStrength, LeastSeen));
 }
 
 bool PreciseSurroundings::IsSeen(double value) const noexcept

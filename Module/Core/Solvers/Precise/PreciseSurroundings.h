@@ -156,6 +156,8 @@ private:
   static constexpr int VisibilityChannel = 4; ///< channel of MaterialTable
   /** Largest distance (voxels) of a proxy from its level. */
   static constexpr double FarthestLevel = 0.25;
+  /** Least strength (N) of an edge that is seen: a hand feels 0.1 N. */
+  static constexpr double LeastSeen = 0.15;
 
   /** The result of a walk: PrecisePoint::Far and PrecisePoint::FarLasts. */
   struct FarWalk
@@ -211,6 +213,15 @@ private:
    * the faces of its voxels, which the picture shows.
    */
   bool IsThinAndSeen(const Vector3& index, const Surface& surface) const noexcept;
+  /**
+   * Lets an edge from hidden to visible values hold a force that can be felt, however gradually the
+   * values rise there, if the tissue behind it has a surface at all. What is seen is felt.
+   * `joinWith` returns the material between two values for a distinctness, of which `whole` is 1.
+   */
+  template <typename JoinWith>
+  void HoldWhatIsSeen(const Vector3& index, const Law::Slope& slope,
+    const DistinctnessTable::Values& whole, const JoinWith& joinWith,
+    PrecisePoint& point) const noexcept;
   /**
    * Takes drag and strength from a proxy that is at a hidden value or outside the volume. Walls
    * hold from in front of what is visible, so they keep their strength.
