@@ -82,6 +82,23 @@ std::string Label(const std::string& key)
   return label == labels.end() ? key : label->second;
 }
 
+/** X11's names (keysymdef.h) of ASCII codes that are no letters or digits. */
+const std::map<char, const char*>& CodeNames()
+{
+  static const std::map<char, const char*> names{ { '\b', "BackSpace" }, { '\t', "Tab" },
+    { '\n', "Return" }, { '\r', "Return" }, { '\x1b', "Escape" }, { ' ', "space" },
+    { '\x7f', "Delete" }, { '?', "question" }, { '+', "plus" }, { '-', "minus" }, { ',', "comma" },
+    { '.', "period" }, { '<', "less" }, { '>', "greater" } };
+  return names;
+}
+
+bool HasCode(const std::string& key)
+{
+  const auto& names = CodeNames();
+  return key.size() == 1 ||
+    std::any_of(names.begin(), names.end(), [&](const auto& one) { return key == one.second; });
+}
+
 /** A line of the list: its actions, by their default keys, and what they do. */
 struct KeyLine
 {
@@ -154,19 +171,27 @@ std::string KeyMap::FindName(const char* symbol, char code, bool hasShift)
   {
     return symbol;
   }
-  // ASCII codes and X11 names (keysymdef.h) of keys that are no letters or digits.
-  static const std::map<char, const char*> names{ { '\b', "BackSpace" }, { '\t', "Tab" },
-    { '\n', "Return" }, { '\r', "Return" }, { '\x1b', "Escape" }, { ' ', "space" },
-    { '\x7f', "Delete" }, { '?', "question" }, { '+', "plus" }, { '-', "minus" }, { ',', "comma" },
-    { '.', "period" }, { '<', "less" }, { '>', "greater" } };
-  const auto name = names.find(code);
-  if (name != names.end())
+  if (hasShift && (code == '/' || code == '='))
+  {
+    return code == '/' ? "question" : "plus";
+  }
+  const auto name = CodeNames().find(code);
+  if (name != CodeNames().end())
   {
     return name->second;
   }
   const bool isCapital = code >= 'A' && code <= 'Z';
   const char letter = isCapital && !hasShift ? static_cast<char>(code - 'A' + 'a') : code;
   return letter == '\0' ? std::string() : std::string(1, letter);
+}
+
+void KeyMap::RecordPress(const char* symbol, char code)
+{
+  const bool hasName = symbol && *symbol;
+  if (hasName || code != '\0')
+  {
+    this->HasNames = hasName;
+  }
 }
 
 bool KeyMap::Set(const std::string& action, const std::string& keys, std::string& error)
@@ -241,7 +266,8 @@ std::string KeyMap::Describe(const std::vector<std::string>& defaultKeys) const
       for (const std::string& key : Split(this->Get(action.Name)))
       {
         // Skip keys of the keypad, which repeat other keys, unless the application has set them.
-        if (key.rfind("KP_", 0) != 0 || this->Changed.count(action.Name) > 0)
+        const bool isWanted = key.rfind("KP_", 0) != 0 || this->Changed.count(action.Name) > 0;
+        if (isWanted && (this->HasNames || HasCode(key)))
         {
           text += (text.empty() ? "" : "  ") + Label(key);
         }

@@ -29,9 +29,16 @@ public:
 
   /**
    * Returns the name of an event's key: its symbol, or if the toolkit sends no symbol, X11's name
-   * for its code. A letter without Shift is lower case, although wx sends capital letters.
+   * for its code. A letter without Shift is lower case, although wx sends capital letters. wx also
+   * sends the code that a key has without Shift: `?` and `+` are found for a US keyboard.
    */
   static std::string FindName(const char* symbol, char code, bool hasShift);
+
+  /**
+   * Records whether the toolkit names keys. If it sends only codes, as wx does, keys without a
+   * code, such as End and F1, never arrive, and are not described.
+   */
+  void RecordPress(const char* symbol, char code);
 
   /**
    * Sets the keys of an action: X11's names, separated by spaces; an empty text disables the
@@ -50,12 +57,13 @@ public:
   std::string Name(const std::string& defaultKey) const;
   /**
    * Returns the texts that users see for all keys of the actions with these default keys, such as
-   * "?  F1"; empty if none of them has a key.
+   * "?  F1"; empty if none of them has a key that can arrive.
    */
   std::string Describe(const std::vector<std::string>& defaultKeys) const;
 
 private:
   std::map<std::string, std::string> Changed; ///< action -> keys
+  bool HasNames = true;                       ///< whether the last key that was pressed had a name
 };
 
 /**

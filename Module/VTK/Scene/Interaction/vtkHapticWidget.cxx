@@ -167,6 +167,7 @@ public:
     {
       this->HeldKey = name;
       this->HeldInTouch = this->GetTouchMode();
+      this->HeldWithShift = this->Interactor->GetShiftKey() != 0;
       this->Abort();
     }
   }
@@ -174,7 +175,9 @@ public:
   {
     const std::string name = this->GetKeyName();
     this->GetInteraction().ReleaseKey(name);
-    if (!this->HeldKey.empty() && this->HeldKey == name)
+    // if Shift was released before, the release has another name than the press: p for P
+    const bool isUnshifted = this->HeldWithShift && this->Interactor->GetShiftKey() == 0;
+    if (!this->HeldKey.empty() && (this->HeldKey == name || isUnshifted))
     {
       this->HeldKey.clear();
       this->Abort();
@@ -261,6 +264,7 @@ private:
   /// bits of the buttons whose press, and later their release, is kept from the program
   unsigned int UsedButtons = 0;
   std::string HeldKey; ///< the last key that was used; its repeats are not passed to the program
+  bool HeldWithShift = false;
   bool HeldInTouch = false; ///< whether the touch mode was on after that key was used
 };
 

@@ -570,8 +570,10 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 //------------------------------------------------------------------------------
 std::string vtkInteractorStyleHaptic::GetKeyName()
 {
-  return KeyMap::FindName(this->Interactor->GetKeySym(), this->Interactor->GetKeyCode(),
-    this->Interactor->GetShiftKey() != 0);
+  const char* const symbol = this->Interactor->GetKeySym();
+  const char code = this->Interactor->GetKeyCode();
+  this->Internals->Interaction.Keys.RecordPress(symbol, code);
+  return KeyMap::FindName(symbol, code, this->Interactor->GetShiftKey() != 0);
 }
 
 //------------------------------------------------------------------------------

@@ -79,10 +79,10 @@ protected:
     this->Interactor->InvokeEvent(event);
   }
   /// As toolkits send it: the key, then what was typed. How many of both the program has got.
-  int Press(const char* symbol, char code = '\0')
+  int Press(const char* symbol, char code = '\0', int shift = 0)
   {
     this->Seen.clear();
-    this->Interactor->SetKeyEventInformation(0, 0, code, 1, symbol);
+    this->Interactor->SetKeyEventInformation(0, shift, code, 1, symbol);
     this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     this->Interactor->InvokeEvent(vtkCommand::CharEvent);
     return this->Seen[vtkCommand::KeyPressEvent] + this->Seen[vtkCommand::CharEvent];
@@ -375,6 +375,14 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
   EXPECT_EQ(this->Press(nullptr, 'T'), 0);
   EXPECT_EQ(this->Release(nullptr, 'T'), 0);
   EXPECT_TRUE(this->Widget->GetTouchMode());
+  // End and F1 have codes above 255 there, which never arrive.
+  const std::string listed = this->Widget->GetStyle()->GetKeys();
+  EXPECT_NE(listed.find("Escape\t"), std::string::npos);
+  EXPECT_NE(listed.find("?\t"), std::string::npos);
+  EXPECT_EQ(listed.find("End"), std::string::npos);
+  EXPECT_EQ(listed.find("F1"), std::string::npos);
+  EXPECT_EQ(this->Press(nullptr, '/', 1), 0); // ? of a US keyboard
+  EXPECT_TRUE(this->Widget->GetHeadUpDisplay()->GetHelpVisibility());
   EXPECT_EQ(this->Press(nullptr, 'X'), 2);
   EXPECT_EQ(this->Press(nullptr, '\x1b'), 0);
   this->ExpectLetGo();
@@ -387,6 +395,20 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
   this->PushIn();
   EXPECT_EQ(this->Press("End"), 0);
   this->ExpectLetGo();
+}
+
+TEST_F(HapticWidget, TakesACapitalLetterAgainWhoseShiftWasReleasedFirst)
+{
+  // Then the release has the name of the small letter.
+  this->SwitchOn();
+  this->PushIn();
+  ASSERT_TRUE(this->Widget->GetStyle()->SetKey("Graph", "G"));
+  const bool isShown = this->Widget->GetHeadUpDisplay()->GetPlotVisibility();
+  EXPECT_EQ(this->Press("G", 'G', 1), 0);
+  EXPECT_NE(this->Widget->GetHeadUpDisplay()->GetPlotVisibility(), isShown);
+  EXPECT_EQ(this->Release("g", 'g'), 0);
+  EXPECT_EQ(this->Press("G", 'G', 1), 0);
+  EXPECT_EQ(this->Widget->GetHeadUpDisplay()->GetPlotVisibility(), isShown);
 }
 
 TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)
