@@ -271,6 +271,17 @@ def test_the_hint_names_each_key_that_lets_go(program):
             assert haptics.head_up_display.GetHint().endswith(words)
 
 
+def test_keys_that_a_scene_of_mayavi_keeps_to_itself_are_not_listed(program):
+    scene = type("Scene", (), {"__module__": "tvtk.pyface.tvtk_scene", "interactor": program.interactor})()
+    for target in (scene, types.SimpleNamespace(scene=scene)):
+        with volumehaptics.add_haptics(target) as haptics:
+            listed = [line.split("\t")[0] for line in haptics.style.GetKeys().splitlines()]
+            assert "End" in listed and "t" in listed
+            assert not any("Escape" in line for line in listed)
+    with volumehaptics.add_haptics(types.SimpleNamespace(scene=program.interactor)) as haptics:
+        assert "Escape  End\t" in haptics.style.GetKeys()
+
+
 def luminance(color):
     """Relative luminance of WCAG 2.1 (sRGB 0 to 255)."""
     share = numpy.asarray(color) / 255.0

@@ -27,6 +27,8 @@ from .vtkVolumeHaptics import (
 
 # Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
+# Keys of tvtk.pyface's scenes.
+_KEPT_BY_TVTK = ("Escape", "s", "p", "l", "R", "Left", "Right", "plus", "KP_Add", "minus", "KP_Subtract")
 _DEPTH = 4  # largest number of attributes in a row, such as figure.scene.interactor
 
 
@@ -134,6 +136,16 @@ def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInterac
     return next(filter(None, (_find_interactor(one, depth - 1) for one in candidates)), None)
 
 
+def _remove_kept_keys(target: Any, style: vtkInteractorStyleHaptic) -> None:
+    """Removes the keys that a scene of tvtk (Mayavi) handles before VTK, so that the display lists only keys that arrive."""
+    scenes = (target, getattr(target, "scene", None))
+    if not any(kind.__module__.split(".")[0] == "tvtk" for scene in scenes for kind in type(scene).__mro__):
+        return
+    actions = style.GetKeyActions()
+    for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
+        style.SetKey(action, " ".join(key for key in style.GetKey(action).split() if key not in _KEPT_BY_TVTK))
+
+
 def _find_volume(volume: Any) -> vtkVolume:
     """Returns the volume inside a program's object, which is found through its attributes."""
     for one in (volume, getattr(volume, "actor", None)):  # objects of vedo have an actor
@@ -211,6 +223,7 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
             haptics._choose_device(device)
             widget.SetInteractor(interactor)
             widget.On()
+            _remove_kept_keys(target, haptics.style)
         if errors:
             raise ValueError("; ".join(errors))
     except BaseException:

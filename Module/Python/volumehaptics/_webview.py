@@ -133,6 +133,8 @@ class View:
         self._writer.SetQuality(QUALITY)
         self._tag = self.interactor.AddObserver("RenderEvent", self.draw)
         haptics.style.AutoAdjustOffScreenOn()
+        # Browsers open their own help by F1, too.
+        haptics.style.SetKey("Help", " ".join(key for key in haptics.style.GetKey("Help").split() if key != "F1"))
         haptics.device.SetAttentionTime(SILENCE)  # if the server stands still, the force fades
         self.ui = self._make_page()
         controller = server.controller
