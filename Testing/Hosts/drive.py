@@ -18,6 +18,7 @@ import json
 import math
 import os
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -93,8 +94,28 @@ class Program:
 
         self.wait("a first look", is_looked_at, START)
 
+        if self.runs_code and self.state()["serves"]:
+            self.find_scene()
         self.wait_until_steady("a window at its place", lambda state: state["middle"], 10, START)
         self.place = self.state()["middle"]
+
+    def find_scene(self):
+        """The corner of a scene in a page: the scene follows the pointer, which is known on the screen."""
+        self.run("probe.corner = (0, 0)")
+        place = {}
+
+        def follows():
+            seen = []
+            for x in (250, 270):
+                xdotool("mousemove", "--window", self.window, x, x + 50)
+                self.let_run()
+                screen = [int(word[2:]) for word in xdotool("getmouselocation", "--shell").split()[:2]]
+                seen.append([a - b for a, b in zip(screen, self.state()["pointer"][1:])])
+            place["corner"] = seen[0]
+            return math.dist(*seen) < 1.5  # whole pixels
+
+        self.wait("a scene that follows the pointer", follows, START)
+        self.run(f"probe.corner = {place['corner']}")
 
     def state(self):
         return json.loads((self.folder / "state.json").read_text())
@@ -197,6 +218,22 @@ class Program:
         self.check("the force points outwards", sum(a * b for a, b in zip(state["force"], out)) > 0.0)
         self.check("the program did not get t", self.state()["keys"] == keys)
 
+    def lists_keys_that_arrive(self):
+        """Each listed key that shows this list, or lets go, does so."""
+        if not self.runs_code:
+            return
+        lines = dict(line.split("\t")[::-1] for line in self.state()["listed"].splitlines() if "\t" in line)
+        theirs = len(self.state()["keys"])
+        for key in lines["these keys"].split():
+            was_shown = self.state()["help"]
+            xdotool("key", {"?": "question"}.get(key, key))
+            self.wait_state(f"the list of keys by {key}", lambda state: state["help"] != was_shown)
+        got = set(self.state()["keys"][theirs:])
+        self.check("the program got no more than Shift", got <= {"Shift_L", ""})  # vedo gives it no name
+        for key in lines["let go, force off"].split():
+            self.let_go(key)
+            self.touch()
+
     def press(self):
         """By a step of the wheel, once the steps before are done: the wall of a ball breaks at 2 N, 4 mm deep."""
         before = self.state()["tip"]
@@ -228,9 +265,9 @@ class Program:
     def feels_nothing(self, why):
         self.wait_state(f"no force: {why}", lambda state: norm(state["force"]) == 0.0)
 
-    def let_go(self):
+    def let_go(self, key=None):
         keys = self.state()["keys"]
-        xdotool("key", self.state()["lets_go"])
+        xdotool("key", key or self.state()["lets_go"])
         self.wait_state("the end of the touch mode", lambda state: not state["touch"] and norm(state["force"]) == 0.0)
         self.let_run()
         self.check("the program goes on after Escape", self.process.poll() is None)
@@ -247,10 +284,14 @@ class Program:
 
     def close(self):
         self.close_window()
+        serves = self.runs_code and self.state()["serves"]
+        if serves:  # a page, and others may come
+            self.feels_nothing("closed")
+            self.process.send_signal(signal.SIGINT)
         end = time.monotonic() + PATIENCE
         while self.process.poll() is None and time.monotonic() < end:
             time.sleep(0.1)
-        self.check("the program ended by itself", self.process.poll() == 0)
+        self.check("the program ended by itself", self.process.poll() in ((0, -signal.SIGINT) if serves else (0,)))
         text = (self.folder / "program.log").read_text()
         self.check("nothing complains", "Traceback" not in text and not re.search(r"Haptic.*ERR", text))
 
@@ -298,6 +339,8 @@ def minimise(program, radius=RADIUS):
     program.feels_nothing("minimised")
     program.wait_state("the end of the touch mode", lambda state: not state["touch"])
     program.focus()  # the window manager shows it again
+    if program.runs_code and program.state()["serves"]:
+        xdotool("click", 1)  # before that, Chromium gives no keys to the page
     program.touch(radius)
     step("minimised, nothing is felt; then it is touched again")
 
@@ -314,6 +357,8 @@ def main(python, name, folder):
     program.hears("u")
     program.drag()
     step("it has its keys and its slider while that is touched")
+    program.lists_keys_that_arrive()
+    step("the display lists keys that arrive")
     program.let_go()
     program.hears("u")
     program.drag(back=True)
@@ -359,9 +404,10 @@ def main(python, name, folder):
         program.focus()
         xdotool("click", 1)
         program.hears("u")
-        program.touch()
+        ball = radius if program.state()["serves"] else RADIUS
+        program.touch(ball)
         program.let_go()
-        program.touch()
+        program.touch(ball)
         step("closed while it is touched, nothing is felt; another window of the program is touched")
     program.close()
     step("closed while it is touched, the program ends")

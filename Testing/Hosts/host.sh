@@ -17,7 +17,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=../Window/own-screen.sh
 source "$here/../Window/own-screen.sh"
 require_programs "xvfb xauth openbox xdotool wmctrl x11-utils imagemagick" xvfb-run openbox xdotool wmctrl import
-declare -A packages=([wx]=python3-wxgtk4.0 [tk]=python3-tk [invesalius]=invesalius [f3d]=f3d)
+declare -A packages=([wx]=python3-wxgtk4.0 [tk]=python3-tk [invesalius]=invesalius [f3d]=f3d [trame]=chromium)
 if [[ -n ${packages[$2]:-} ]] && ! dpkg -s "${packages[$2]}" > /dev/null 2>&1
 then
   echo "SKIPPED: this takes Debian's package ${packages[$2]}"

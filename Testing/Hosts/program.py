@@ -14,14 +14,16 @@ hear(key)   what the program calls from its own handler of keys
 make_volume a vtkVolume of an image
 page        the lines
 change_style  what sets another style, as the program does it
-lets_go     key that ends the touch (optional)
+lets_go     key that ends the touch, if the program keeps Escape to itself (optional)
 again       what opens another window of the program, which goes on when the first one is closed (optional)
 probe       has watch_widget(), for lines that have no add_haptics()
+server      of trame, which shows the window in a page (optional); it ends by SIGINT
 
 While it runs, FOLDER/state.json has what is felt, and FOLDER/command the next statement that it runs, in its own thread of
 the GUI, between two events: as its own code would.
 """
 
+import asyncio
 import json
 import os
 import re
@@ -79,6 +81,7 @@ class Probe:
     def __init__(self, folder, names):
         self.folder, self.names, self.keys = folder, names, []
         self.haptics, self.answer, self.runs, self.looks, self.center = None, None, 0, 0, (0.0, 0.0, 0.0)
+        self.corner = (0, 0)  # of a scene in a page, on the screen; drive.py finds it
 
     def hear(self, key):
         self.keys.append(key)
@@ -95,6 +98,8 @@ class Probe:
     def begin(self, target):
         """A timer of the toolkit, by what it has; or one of VTK."""
         self.target = getattr(target, "plotter", target)
+        if "server" in self.names:
+            return self.names["server"].controller.on_server_ready.add(self.repeat_in_loop)
         bindings = [name for name in ("PySide6", "PyQt6", "PyQt5") if f"{name}.QtWidgets" in sys.modules]
         if bindings:
             self.timer = sys.modules[f"{bindings[0]}.QtCore"].QTimer()
@@ -112,6 +117,10 @@ class Probe:
     def repeat_in_tk(self, widget):
         self.look()
         widget.after(PERIOD, lambda: self.repeat_in_tk(widget))
+
+    def repeat_in_loop(self, **_):
+        self.look()
+        asyncio.get_running_loop().call_later(PERIOD / 1000.0, self.repeat_in_loop)
 
     def volume(self):
         """What the window shows."""
@@ -132,6 +141,8 @@ class Probe:
             return 0, 0, 0
         width, height = window.GetSize()
         x, y = int(x * width), int((1.0 - y) * height)
+        if "server" in self.names:
+            return 0, self.corner[0] + x, self.corner[1] + y
         if hasattr(self.target, "mapToGlobal"):
             try:
                 corner = self.target.mapToGlobal(self.target.rect().topLeft())
@@ -195,6 +206,8 @@ class Probe:
             "looks": self.looks,
             "said": self.names.get("said", []), "middle": self.middle(), "pointer": self.pointer(),
             "center": self.center, "again": "again" in self.names, "lets_go": self.names.get("lets_go", "Escape"),
+            "serves": "server" in self.names, "listed": self.haptics.style.GetKeys(),
+            "help": bool(self.haptics.style.GetHeadUpDisplay().GetHelpVisibility()),
         }
         if "drag" in self.names:
             state["drag"] = [self.on_screen(*place) for place in self.names["drag"]]
