@@ -382,6 +382,7 @@ for _words, _changed in {
     "Check its head": dict(shape=[9, 9, -9]), "Write it as integers or floating-point numbers.": dict(dtype="<c8"),
     "has a head that is not as Zarr wants it. Write it again": dict(compressor={"id": {}}),
     "Write it with chunks such as 64 x 64 x 64": dict(chunks=[1024, 1024, 1024]),
+    "', which is no number. Write it again": dict(dtype="<f4", fill_value="nothing"),
 }.items():
     @case(_words)
     def _(folder, changed=_changed):
@@ -448,6 +449,23 @@ def _(folder):
     (path / "0.0.0").write_bytes(ARRAY.tobytes()[:100])
     yield path
     yield zarr(folder)
+
+
+@case("is larger than its samples. Write it again")
+def _(folder):
+    path = zarr(folder)
+    (path / "0.0.0").write_bytes(ARRAY.tobytes() * 9)
+    yield path
+    yield zarr(folder)
+
+
+@case("its spacing is no finite number above zero. Correct the spacing in its header")
+def _(folder):
+    path = folder / "a.mha"
+    for spacing in "0", "2":
+        path.write_bytes(f"NDims = 3\nDimSize = 20 12 18\nElementType = MET_SHORT\nElementSpacing = 1 {spacing} 1\n"
+                         "ElementDataFile = LOCAL\n".encode() + ARRAY.tobytes())
+        yield path
 
 
 @case("it may not have been copied. Copy it, or check the name")

@@ -22,6 +22,7 @@ from volumehaptics._touch import Errors
 from volumehaptics.arrays import arrays
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkMetaImageReader
 
 EXTENT = (2, 21, -3, 8, 5, 22)  # 20 x 12 x 18
 SHAPE = (18, 12, 20)
@@ -465,6 +466,48 @@ def test_fill_values_of_zarr_version_3(tmp_path, fill, value):
     for wrong in "0x7fc0", "nothing", "0x7fc0000g":
         (path / "zarr.json").write_text(json.dumps({**head, "fill_value": wrong}))
         assert "is no number" in error_of(path)
+
+
+@pytest.mark.parametrize("word", ["True", "1", "t", "False", "0", "f"])
+def test_words_of_a_meta_image(tmp_path, word):
+    """What is true: MetaIO, by which VTK and ITK read, looks at the first letter (metaImage.cxx). VTK's reader agrees."""
+    array, path = make_array(">i2" if word in "True 1 t" else "<i2"), tmp_path / "a.mha"
+    head = "ObjectType = Image\nNDims = 3\nDimSize = 20 12 18\nElementType = MET_SHORT\nElementSpacing = 1 2 3\n"
+
+    def told(line, data):
+        path.write_bytes((head + line + "\nElementDataFile = LOCAL\n").encode() + data)
+    told(f"BinaryData = True\nBinaryDataByteOrderMSB = {word}", array.tobytes())
+    expect_samples(path, array)
+    reader = vtkMetaImageReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert np.array_equal(vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()), array.ravel())
+    if word not in "True 1 t":  # numbers as text
+        told(f"BinaryData = {word}", " ".join(map(str, array.ravel())).encode())
+        assert "region by region" in error_of(path)
+    told("CompressedData = " + word, zlib.compress(array.tobytes()) if word in "True 1 t" else array.tobytes())
+    if word in "True 1 t":
+        assert "region by region" in error_of(path)
+    else:
+        expect_samples(path, array)
+
+
+@pytest.mark.parametrize("spacing", ["0", "-1", "nan", "inf", "1e-320"])
+def test_a_spacing_that_none_has_is_told(tmp_path, spacing):
+    samples, path = make_array("uint8", (3, 3, 3)).tobytes(), tmp_path / "a.mha"
+    path.write_bytes(f"NDims = 3\nDimSize = 3 3 3\nElementType = MET_UCHAR\nElementSpacing = 1 {spacing} 1\n"
+                     "ElementDataFile = LOCAL\n".encode() + samples)
+    assert "spacing is no finite number above zero" in error_of(path)
+    path = tmp_path / "a.zarr"
+    path.mkdir()
+    head = {"zarr_format": 2, "shape": [3, 3, 3], "chunks": [3, 3, 3], "dtype": "|u1", "compressor": None,
+            "fill_value": 0, "order": "C", "filters": None}
+    (path / "0").mkdir()
+    (path / "0/.zarray").write_text(json.dumps(head))
+    (path / ".zattrs").write_text('{"multiscales": [{"axes": [{"name": "z"}, {"name": "y"}, {"name": "x"}], "datasets": [{'
+                                  '"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [1, SPACING, 1]}]'
+                                  '}]}]}'.replace("SPACING", spacing.replace("nan", "NaN").replace("inf", "1e999")))
+    assert error_of(path)
 
 
 CODECS = {"none": None, "zlib": ("Zlib", 5), "gzip": ("GZip", 5), "lz4": ("LZ4",), "zstd": ("Zstd", 3),

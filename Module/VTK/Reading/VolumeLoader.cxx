@@ -176,12 +176,9 @@ double CountHeld(const std::string& path, const std::string& samples)
   const std::string lower = vtksys::SystemTools::LowerCase(path);
   const bool isMeta = EndsWith(lower, ".mhd") || EndsWith(lower, ".mha");
   const VolumeHaptics::HeaderText meta(isMeta ? path : std::string());
-  const bool isPacked = isMeta
-    ? vtksys::SystemTools::LowerCase(meta.Value({ "CompressedData" })) == "true"
-    : IsNifti(lower) && IsPacked(samples);
-  const bool isRaw = isMeta
-    ? vtksys::SystemTools::LowerCase(meta.Value({ "BinaryData" })) != "false"
-    : IsNifti(lower);
+  const bool isPacked =
+    isMeta ? meta.IsTrue({ "CompressedData" }) : IsNifti(lower) && IsPacked(samples);
+  const bool isRaw = isMeta ? meta.IsTrue({ "BinaryData" }, true) : IsNifti(lower);
   // Files with packed data after a header of a given size are not checked.
   const bool isHere = samples == path && isMeta;
   const bool isPlain = meta.Value({ "HeaderSize" }).empty();

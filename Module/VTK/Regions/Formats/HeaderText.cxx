@@ -65,6 +65,12 @@ std::string HeaderText::Value(const std::vector<std::string>& keys) const
   return {};
 }
 
+bool HeaderText::IsTrue(const std::vector<std::string>& keys, bool otherwise) const
+{
+  const std::string value = this->Value(keys);
+  return value.empty() ? otherwise : std::string("Tt1").find(value[0]) != std::string::npos;
+}
+
 std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) const
 {
   std::vector<double> numbers;

@@ -24,6 +24,12 @@ public:
   /** Returns the value of the first of these keys that exists; empty if none does. */
   std::string Value(const std::vector<std::string>& keys) const;
 
+  /**
+   * Whether a value is true by MetaIO's rule: it begins with T, t or 1. Without a value, returns
+   * `otherwise`.
+   */
+  bool IsTrue(const std::vector<std::string>& keys, bool otherwise = false) const;
+
   /** Returns the numbers in the value; words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 

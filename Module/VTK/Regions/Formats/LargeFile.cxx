@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -86,6 +87,18 @@ const KnownFormat* FindFormat(const std::string& name)
                                                                     : nullptr;
 }
 
+void CheckSpacing(const LargeFile& file)
+{
+  for (const double along : file.Spacing)
+  {
+    if (!std::isnormal(along) || !(along > 0.0))
+    {
+      throw std::runtime_error("its spacing is no finite number above zero. Correct the spacing in "
+                               "its header.");
+    }
+  }
+}
+
 } // namespace
 
 std::string GetFormatName(const std::string& name)
@@ -99,7 +112,9 @@ LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
   const KnownFormat* const format = FindFormat(name);
   if (format)
   {
-    return format->Open(name, mayBeWhole);
+    LargeFile file = format->Open(name, mayBeWhole);
+    CheckSpacing(file);
+    return file;
   }
   if (vtksys::SystemTools::FileIsDirectory(name))
   {

@@ -94,11 +94,6 @@ std::string FindBeside(const std::string& name, const std::string& data)
   return data.empty() || data.front() == '/' ? data : GetFolder(MakeAbsolute(name)) + "/" + data;
 }
 
-bool IsTrue(const std::string& word)
-{
-  return LowerCase(word) == "true";
-}
-
 /** Returns the nine numbers of the first three axes, from a matrix of any number of axes. */
 std::vector<double> ExtractThreeAxes(const std::vector<double>& matrix, std::size_t axes)
 {
@@ -175,12 +170,12 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
       " volumes along the axes after the third one, such as times, the first one is used");
   }
   header.Type = FindMetaType(text.Value({ "ElementType" }));
-  header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
+  header.IsBig = text.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" });
   const std::string data = text.Value({ "ElementDataFile" });
   header.IsKnown = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
-    LowerCase(text.Value({ "BinaryData" })) != "false" &&
+    text.IsTrue({ "BinaryData" }, true) &&
     NumberOr(text.Numbers({ "ElementNumberOfChannels" }), 1.0) == 1.0;
-  const bool isPacked = IsTrue(text.Value({ "CompressedData" }));
+  const bool isPacked = text.IsTrue({ "CompressedData" });
   header.IsPlain = header.IsKnown && !isPacked;
   header.Encoding = isPacked ? WholeSamples::Packed : WholeSamples::Raw;
   const bool isHere = LowerCase(data) == "local";
