@@ -18,8 +18,11 @@ esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
 optimisation=${3:--O1} # of a build
-readers=(TouchDicom TouchHdf TouchLabelFile TouchMetaImage TouchNifti TouchNrrd TouchTiff TouchVti TouchZarr)
-targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels TouchPad "${readers[@]}")
+# The targets are the functions that the headers declare.
+mapfile -t readers < <(sed -n 's/^void \(Touch[A-Za-z]*\)(.*/\1/p' "$root/Testing/Fuzz/TouchFiles.h")
+mapfile -t plain < <(find "$root/Testing/Fuzz" -name 'Touch*.h' -not -name TouchFiles.h -printf '%f\n' |
+  sed 's/\.h$//' | sort)
+targets=("${plain[@]}" "${readers[@]}")
 
 # All at once. What each found, and that one failed, is told at the end.
 if [ "$step" = search ]; then
@@ -65,8 +68,8 @@ while read -r source; do
     clang++ "${options[@]}" "$optimisation" -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done < <(find "$root"/Module/VTK/Base/{HapticFiles,LengthUnit,NrrdHeader}.cxx "$root"/Module/VTK/Material/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
-  "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
+done < <(sed "s|^|$root/Module/VTK/|" "$root/Testing/Fuzz/labels.txt"
+  find "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
   \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 "$root/Testing/Data/Formats/formats.sh" "$build_dir" seeds
 # What reads files, by VTK's readers, too.
@@ -82,7 +85,7 @@ cmake --build "$build_dir/readers" --target "${readers[@]}" >> "$build_dir/reade
 for job in $(jobs -p); do
   wait "$job"
 done
-for target in "${targets[@]:0:7}"; do
+for target in "${plain[@]}"; do
   clang++ "${options[@]}" -fsanitize=fuzzer "$optimisation" -DVOLUME_HAPTICS_FUZZ_TARGET="$target" \
     -o "$build_dir/$target" "${objects[@]}" "$build_dir/FieldKernels.o" \
     "$root/Testing/Fuzz/LibFuzzer.cxx" "$root/Testing/Fuzz/$target.cxx"
