@@ -16,9 +16,9 @@ Usage: Examples/explore.sh [VOLUME] [options]
 
 Opens a window in which VOLUME can be touched with the mouse or a device. Without a display, or
 with --pictures, feels its way over it and writes a picture of the volume with the proxy's trail, a
-plot of the force, the trace (.vtp, .csv) and a summary. VOLUME is a .vti .mhd .mha .nii .nii.gz .nrrd file, a folder of
-DICOM slices, or one that may be larger than memory: .vtkhdf, a folder .zarr, or .mhd .nhdr with raw samples; without
-one, a real head CT is fetched from Debian's package invesalius-examples. On Debian, missing packages are installed (apt-get, with sudo if need be).
+plot of the force, the trace (.vtp, .csv) and a summary. VOLUME is a .vti .nii .nrrd file, a folder of DICOM slices, or
+another format, also one larger than memory, that volumehaptics-explore --help lists; without one, a real head CT is
+fetched from Debian's package invesalius-examples. On Debian, missing packages are installed (apt-get, with sudo if need be).
 Everything is built and written in build/explore.
 
 Some options, passed on to volumehaptics-explore, which lists all of them with --help:

@@ -106,8 +106,7 @@ bool vtkPVHapticLargeFile::Open()
     this->IsOpen = false;
     if (!this->FileName || !*this->FileName)
     {
-      vtkErrorMacro(<< "No file is chosen. Set FileName to a .vtkhdf, .mhd, .mha, .nhdr, .nrrd or "
-                       ".tif file, or a .zarr folder.");
+      vtkErrorMacro(<< "No file is chosen. Set FileName to a file or folder that holds a volume.");
       return false;
     }
     std::string error;

@@ -318,8 +318,8 @@ def open_large(
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy accepts: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
-        OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), of a TIFF file with a page for each slice (.tif,
-        .tiff), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd) without compression. An OME-Zarr image with times or channels gives the first of each.
+        OME-Zarr image, of a .npy file, or of a file that vtkHapticRegionSource.OpenFile() reads. An OME-Zarr image
+        with times or channels gives the first of each.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in mm if
         its axes name a unit of OME-NGFF, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
