@@ -208,7 +208,7 @@ struct HaplyService::Server
         this->MakeMessage(view.IsWhole, view, this->Sessions[session].Forces.size());
       const HaplyFault fault = this->Arms.Fault;
       lock.unlock();
-      if (fault == HaplyFault::Slow)
+      if (fault == HaplyFault::Slow || fault == HaplyFault::SlowBlind)
       {
         std::this_thread::sleep_for(std::chrono::milliseconds(60));
       }

@@ -171,7 +171,7 @@ HaplyState::Members HaplyState::MakeArm(
     { "body_orientation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
     { "current_cursor_force", write.Vector(view.ToSession(force)) },
     { "control_mode", "\"idle\"" } };
-  if (this->Fault != HaplyFault::Blind)
+  if (this->Fault != HaplyFault::Blind && this->Fault != HaplyFault::SlowBlind)
   {
     state.insert(state.begin(),
       { "cursor_position",

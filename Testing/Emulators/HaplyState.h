@@ -48,14 +48,15 @@ struct HaplyShape
 enum class HaplyFault
 {
   None,
-  Silent,   ///< accepts messages and answers none
-  Slow,     ///< delays each state by 60 ms
-  Junk,     ///< sends states that are no JSON
-  Blind,    ///< sends states without a position
-  NoNumber, ///< a coordinate is NaN, which nlohmann's library writes as null
-  NoScale,  ///< the transform's scale is null
-  Deep,     ///< sends states with a further member: HaplyState::DeepJson
-  Twice     ///< answers each message twice
+  Silent,    ///< accepts messages and answers none
+  Slow,      ///< delays each state by 60 ms
+  Junk,      ///< sends states that are no JSON
+  Blind,     ///< sends states without a position
+  SlowBlind, ///< delays them by 60 ms, too
+  NoNumber,  ///< a coordinate is NaN, which nlohmann's library writes as null
+  NoScale,   ///< the transform's scale is null
+  Deep,      ///< sends states with a further member: HaplyState::DeepJson
+  Twice      ///< answers each message twice
 };
 
 /// The axes of a session's vectors.

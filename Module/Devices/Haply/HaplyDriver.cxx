@@ -128,7 +128,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
   this->Untold = 0;
   this->Note.clear();
   this->Request = nullptr;
-  this->ToldAt = this->SentAt = ServoClock::Now();
+  this->ToldAt = this->HeardAt = this->SentAt = ServoClock::Now();
   this->Awaited = 1;
   if (!this->States.Send(WriteHaplyGreeting(this->Address), SendTime))
   {
@@ -284,6 +284,7 @@ void HaplyDriver::ReceiveStates(HardwareExchange& exchange)
   {
     return;
   }
+  this->HeardAt = ServoClock::Now();
   if (const char* const fault = ReadHaplyMessage(this->Newest, this->Message))
   {
     return this->Lose(
@@ -320,7 +321,7 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   {
     ++this->Untold;
     this->EmptyWaits = 0;
-    this->ToldAt = ServoClock::Now();
+    this->ToldAt = this->HeardAt;
     return this->UpdateStatus(exchange, arm);
   }
   this->Untold = 0;
@@ -335,7 +336,7 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   this->Tip = tip;
   this->HasTip = true;
   this->Transform = transform;
-  this->ToldAt = ServoClock::Now();
+  this->ToldAt = this->HeardAt;
   this->EmptyWaits = 0;
   if (transform.IsScaled())
   {
@@ -454,7 +455,7 @@ void HaplyDriver::CheckSilence(HardwareExchange& exchange)
   if (this->EmptyWaits > SilentWaits && ServoClock::SecondsSince(this->ToldAt) > SilenceTime)
   {
     this->Lose(exchange,
-      this->Awaited > 0
+      this->HeardAt == this->ToldAt
         ? "is gone: the Inverse service does not answer. Start it again, then Home() and Arm() "
           "again."
         : "is gone: the Inverse service does not tell its position. Look after its cable and its "

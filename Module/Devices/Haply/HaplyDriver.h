@@ -130,7 +130,8 @@ private:
   bool HasSentRelief = false;
   int Awaited = 0; ///< number of messages whose state has not come yet
   std::int64_t SentAt = 0;
-  std::int64_t ToldAt = 0; ///< time at which the last position came
+  std::int64_t HeardAt = 0; ///< time at which the last state came
+  std::int64_t ToldAt = 0;  ///< time at which the last state with a position came
   int EmptyWaits = 0;
   int Settled = 0; ///< number of consecutive positions without a step
   Vector3 Tip;     ///< last position along the device's axes

@@ -140,6 +140,13 @@ TEST_F(HaplyFaults, ThePositionIsNotTold)
   this->ExpectLost("does not tell its position");
 }
 
+TEST_F(HaplyFaults, ThePositionIsNotToldAndTheServiceIsSlow)
+{
+  // It answers: a message is nearly always under way.
+  this->Service->Break(HaplyFault::SlowBlind);
+  this->ExpectLost("does not tell its position");
+}
+
 TEST_F(HaplyFaults, TheArmIsUnplugged)
 {
   this->Service->Unplug();
