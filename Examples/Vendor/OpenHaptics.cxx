@@ -16,7 +16,9 @@
 //
 // The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
-// commas, as vendor:openhaptics:1 and so on. One of them can be open at a time.
+// commas, as vendor:openhaptics:1 and so on. Several of them can be open. One callback serves them
+// all. While one is opened or closed, the scheduler stands still: the others get a zero force
+// before, and have to be armed again afterwards.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"
@@ -30,6 +32,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -70,14 +73,14 @@ struct Order
   double Force[3] = {};  // N
   double Torque[3] = {}; // N m
   std::int64_t Time = 0;
+  unsigned Pause = 0; // number of the last pause that the writer has seen
 };
 
 struct Device
 {
   HHD Handle = 0;
-  HDSchedulerHandle Callback = 0;
-  double MaximumTorque = 0.0;
-  double MaximumForce = 0.0;    // N
+  std::string Serial;
+  VolumeHapticsVendorLimits Limits{};
   double ContinuousForce = 0.0; // N, which the motors give for ever
   Latest<Report> Reports;
   Latest<Order> Orders;
@@ -87,11 +90,24 @@ struct Device
   unsigned Error = HD_SUCCESS;
   double Spent = 0.0; // the part of FadeTime for which the force was above the continuous one
   std::int64_t Ticked = 0;
-  std::int64_t Opened = 0;
+  // Used by the reader only.
+  unsigned Pause = 0; // number of the last pause that was reported
   std::string Text;
 };
 
-bool isOpen = false;
+// Open devices, and the callback that serves them. The list changes only while the scheduler stands
+// still.
+struct Service
+{
+  std::mutex Mutex; // held while a device is opened or closed; never by the callback
+  std::vector<Device*> Devices;
+  HDSchedulerHandle Callback = 0;
+  std::atomic<bool> Pauses{ false };
+  std::atomic<unsigned> Pause{ 0 };       // number of pauses so far
+  std::atomic<std::int64_t> Resumed{ 0 }; // time of the last start
+  std::atomic<unsigned long> Rounds{ 0 }; // number of calls of the callback
+};
+Service service;
 
 std::string& OpenError()
 {
@@ -165,22 +181,39 @@ void LimitForce(Device& device, std::int64_t now, double force[3])
   device.Spent = std::clamp(device.Spent + (isAbove ? step : -step), 0.0, 1.0);
   // Without limit for the first half.
   const double faded = std::max(0.0, 2.0 * device.Spent - 1.0);
-  const double most = device.MaximumForce - faded * (device.MaximumForce - device.ContinuousForce);
+  const double peak = device.Limits.MaximumForce;
+  const double most = peak - faded * (peak - device.ContinuousForce);
   for (int axis = 0; norm > most && axis < 3; ++axis)
   {
     force[axis] *= most / norm;
   }
 }
 
-HDCallbackCode HDCALLBACK OnTick(void* data)
+// Stores the faults of libHD's stack, each with its device; one of an unknown device with all.
+void TakeFaults()
 {
-  auto& device = *static_cast<Device*>(data);
+  for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
+  {
+    const bool isKnown = std::any_of(service.Devices.begin(), service.Devices.end(),
+      [&error](const Device* one) { return one->Handle == error.hHD; });
+    for (Device* const device : service.Devices)
+    {
+      // Keep the first one until the user tries again.
+      const bool isIts = !isKnown || device->Handle == error.hHD;
+      device->Error = isIts && device->Error == HD_SUCCESS ? error.errorCode : device->Error;
+    }
+  }
+}
+
+void Serve(Device& device)
+{
   Report report;
   if (device.Forgives.exchange(false, std::memory_order_acq_rel))
   {
     device.Error = HD_SUCCESS;
     device.IsCalibrated = false;
   }
+  hdMakeCurrentDevice(device.Handle);
   hdBeginFrame(device.Handle);
   if (!device.IsCalibrated)
   {
@@ -192,8 +225,9 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
   report.Time = Now();
   device.Orders.Update();
   const Order& order = device.Orders.Get();
-  const bool flows =
-    device.IsCalibrated && device.Error == HD_SUCCESS && report.Time - order.Time < LongestForce;
+  const bool flows = device.IsCalibrated && device.Error == HD_SUCCESS &&
+    report.Time - order.Time < LongestForce && !service.Pauses.load() &&
+    order.Pause == service.Pause.load();
   double force[3] = {};
   double torque[3] = {};
   for (int axis = 0; flows && axis < 3; ++axis)
@@ -203,28 +237,39 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
   }
   LimitForce(device, report.Time, force);
   hdSetDoublev(HD_CURRENT_FORCE, force);
-  if (device.MaximumTorque > 0.0)
+  if (device.Limits.MaximumTorque > 0.0)
   {
     hdSetDoublev(HD_CURRENT_TORQUE, torque);
   }
   hdEndFrame(device.Handle);
-  // libHD keeps a stack of faults. Store the first one until the user tries again.
-  for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
-  {
-    device.Error = device.Error == HD_SUCCESS ? error.errorCode : device.Error;
-  }
+  TakeFaults();
   report.IsCalibrated = device.IsCalibrated;
   report.Error = device.Error;
   device.Reports.Write(report);
+}
+
+HDCallbackCode HDCALLBACK OnTick(void* /*data*/)
+{
+  for (Device* const device : service.Devices)
+  {
+    Serve(*device);
+  }
+  service.Rounds.fetch_add(1, std::memory_order_release);
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits until the callback has reported, but at most LongestSilence.
-void WaitForTick(Device& device)
+// Waits for a call of the callback that has begun after this one, but at most LongestSilence for
+// each of two.
+void WaitForRound()
 {
-  for (const std::int64_t end = Now() + LongestSilence; !device.Reports.Update() && Now() < end;)
+  for (int i = 0; i < 2; ++i)
   {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    const unsigned long before = service.Rounds.load(std::memory_order_acquire);
+    for (const std::int64_t end = Now() + LongestSilence;
+         service.Rounds.load(std::memory_order_acquire) == before && Now() < end;)
+    {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
   }
 }
 
@@ -237,20 +282,97 @@ void ForgetFaults()
   }
 }
 
+// Stops the scheduler if it runs, after a zero force for every device.
+void Pause()
+{
+  service.Pauses.store(true);
+  service.Pause.fetch_add(1);
+  if (!service.Devices.empty())
+  {
+    WaitForRound();
+    hdStopScheduler();
+  }
+}
+
+// Starts the scheduler for the open devices, or takes away the callback if there is none. Returns
+// libHD's fault.
+HDErrorInfo Resume()
+{
+  ForgetFaults();
+  if (service.Devices.empty())
+  {
+    if (service.Callback != 0)
+    {
+      hdUnschedule(service.Callback);
+    }
+    service.Callback = 0;
+  }
+  else
+  {
+    service.Resumed.store(Now());
+    hdSetSchedulerRate(SchedulerRate);
+    if (service.Callback == 0)
+    {
+      service.Callback = hdScheduleAsynchronous(&OnTick, nullptr, HD_MAX_SCHEDULER_PRIORITY);
+    }
+    hdStartScheduler();
+  }
+  service.Pauses.store(false);
+  return service.Devices.empty() ? HDErrorInfo{} : hdGetError();
+}
+
+// Closes a device while the scheduler stands still.
 void Disable(Device* device)
 {
+  auto& all = service.Devices;
+  all.erase(std::remove(all.begin(), all.end(), device), all.end());
+  if (all.empty() && service.Callback != 0)
+  {
+    hdUnschedule(service.Callback);
+    service.Callback = 0;
+  }
   hdDisableDevice(device->Handle);
   delete device;
-  isOpen = false;
+}
+
+// Reads the limits of the current device.
+void ReadLimits(Device& device)
+{
+  VolumeHapticsVendorLimits& limits = device.Limits;
+  HDint outputs = 0;
+  double stiffness = 0.0; // N/mm
+  double damping = 0.0;   // N s/mm
+  double box[6] = {};     // mm, smallest and largest x, y, z
+  hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
+  hdGetDoublev(HD_NOMINAL_MAX_FORCE, &limits.MaximumForce);
+  hdGetDoublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &device.ContinuousForce);
+  hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
+  hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
+  hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
+  if (device.ContinuousForce > 0.0)
+  {
+    // The default force, half of the maximum, is then one that the motors give for ever.
+    limits.MaximumForce = std::min(limits.MaximumForce, 2.0 * device.ContinuousForce);
+  }
+  else
+  {
+    device.ContinuousForce = limits.MaximumForce;
+  }
+  // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
+  limits.MaximumTorque = outputs == 6 ? 0.17 : 0.0;
+  limits.MaximumStiffness = 1000.0 * stiffness;
+  limits.MaximumDamping = 1000.0 * damping;
+  limits.MaximumSpeed = 2.5;
+  const double least = std::min({ box[3] - box[0], box[4] - box[1], box[5] - box[2] });
+  limits.WorkspaceRadius = 0.5e-3 * std::max(0.0, least);
+  limits.ForceAxes = 7;
+  const HDstring serial = hdGetString(HD_DEVICE_SERIAL_NUMBER);
+  device.Serial = serial ? serial : "";
 }
 
 void* Open(int number)
 {
-  if (isOpen)
-  {
-    OpenError() = "can't be opened beside another one of this library. Close() that one.";
-    return nullptr;
-  }
+  const std::lock_guard<std::mutex> lock(service.Mutex);
   const std::string name = Names()[static_cast<size_t>(number)];
   // Some installations have no default, but its name of today or before.
   std::vector<HDstring> tries{ name.c_str() };
@@ -258,6 +380,7 @@ void* Open(int number)
   {
     tries = { HD_DEFAULT_DEVICE, "Default Device", "Default PHANToM" };
   }
+  Pause();
   HHD handle = 0;
   HDErrorInfo error{};
   for (const HDstring one : tries)
@@ -270,45 +393,30 @@ void* Open(int number)
       break;
     }
   }
-  if (HD_DEVICE_ERROR(error))
+  const bool isKnown = std::any_of(service.Devices.begin(), service.Devices.end(),
+    [handle](const Device* one) { return one->Handle == handle; });
+  if (HD_DEVICE_ERROR(error) || isKnown)
   {
-    OpenError() = "can't be opened (" + std::string(hdGetErrorString(error.errorCode)) +
+    OpenError() = "can't be opened (" +
+      std::string(isKnown ? "open by another name" : hdGetErrorString(error.errorCode)) +
       "). Plug it in, pair it by the vendor's setup program as \"" + name +
       "\", and close other programs that use it.";
+    Resume();
     return nullptr;
   }
   auto* const device = new Device;
-  isOpen = true;
   device->Handle = handle;
-  device->Opened = Now();
   hdMakeCurrentDevice(handle);
-  HDint outputs = 0;
-  hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
-  // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
-  device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
-  hdGetDoublev(HD_NOMINAL_MAX_FORCE, &device->MaximumForce);
-  hdGetDoublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &device->ContinuousForce);
-  if (device->ContinuousForce > 0.0)
-  {
-    // The default force, half of the maximum, is then one that the motors give for ever.
-    device->MaximumForce = std::min(device->MaximumForce, 2.0 * device->ContinuousForce);
-  }
-  else
-  {
-    device->ContinuousForce = device->MaximumForce;
-  }
-  ForgetFaults(); // a device that does not know the parameter gives no torque
+  ReadLimits(*device);
   hdEnable(HD_FORCE_OUTPUT);
-  hdSetSchedulerRate(SchedulerRate);
-  device->Callback = hdScheduleAsynchronous(&OnTick, device, HD_MAX_SCHEDULER_PRIORITY);
-  hdStartScheduler();
-  const HDErrorInfo started = hdGetError();
+  device->Pause = service.Pause.load();
+  service.Devices.push_back(device);
+  const HDErrorInfo started = Resume();
   if (HD_DEVICE_ERROR(started))
   {
     OpenError() = "can't be started (" + std::string(hdGetErrorString(started.errorCode)) +
       "). Plug it in again.";
     hdStopScheduler();
-    hdUnschedule(device->Callback);
     Disable(device);
     return nullptr;
   }
@@ -317,40 +425,31 @@ void* Open(int number)
 
 int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
 {
-  auto& device = *static_cast<Device*>(handle);
-  *limits = {};
-  hdMakeCurrentDevice(device.Handle);
-  double stiffness = 0.0; // N/mm
-  double damping = 0.0;   // N s/mm
-  double box[6] = {};     // mm, smallest and largest x, y, z
-  limits->MaximumForce = device.MaximumForce;
-  hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
-  hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
-  hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
-  limits->MaximumTorque = device.MaximumTorque;
-  limits->MaximumStiffness = 1000.0 * stiffness;
-  limits->MaximumDamping = 1000.0 * damping;
-  limits->MaximumSpeed = 2.5;
-  const double least = std::min({ box[3] - box[0], box[4] - box[1], box[5] - box[2] });
-  limits->WorkspaceRadius = 0.5e-3 * std::max(0.0, least);
-  limits->ForceAxes = 7;
+  *limits = static_cast<Device*>(handle)->Limits;
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
 int GetSerial(void* handle, char* serial, size_t size)
 {
-  hdMakeCurrentDevice(static_cast<Device*>(handle)->Handle);
-  const HDstring text = hdGetString(HD_DEVICE_SERIAL_NUMBER);
-  std::snprintf(serial, size, "%s", text ? text : "");
+  std::snprintf(serial, size, "%s", static_cast<Device*>(handle)->Serial.c_str());
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
 int Read(void* handle, VolumeHapticsVendorPose* pose)
 {
   auto& device = *static_cast<Device*>(handle);
+  const unsigned pause = service.Pause.load();
+  const bool isOver = !service.Pauses.load();
+  if (!isOver || device.Pause != pause)
+  {
+    // A pause that is over is reported once, so that the force does not come back by itself.
+    device.Pause = isOver ? pause : device.Pause;
+    device.Text = "waits while another device of this library is opened or closed.";
+    return VOLUME_HAPTICS_VENDOR_WAITS;
+  }
   const bool isNew = device.Reports.Update();
   const Report& report = device.Reports.Get();
-  const std::int64_t age = Now() - std::max(report.Time, device.Opened);
+  const std::int64_t age = Now() - std::max(report.Time, service.Resumed.load());
   if (age > LongestSilence)
   {
     device.Text = "is not read any more: the library's scheduler stands still. Open() it again.";
@@ -390,22 +489,20 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
 
 int Write(void* handle, const double force[3], const double torque[3])
 {
+  auto& device = *static_cast<Device*>(handle);
   Order order;
   std::copy(force, force + 3, order.Force);
   std::copy(torque, torque + 3, order.Torque);
   order.Time = Now();
-  static_cast<Device*>(handle)->Orders.Write(order);
+  order.Pause = device.Pause;
+  device.Orders.Write(order);
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
 int Home(void* handle)
 {
-  auto& device = *static_cast<Device*>(handle);
-  device.Forgives.store(true, std::memory_order_release);
-  // Wait twice until the callback reports the new try, because the first report may have begun
-  // earlier.
-  WaitForTick(device);
-  WaitForTick(device);
+  static_cast<Device*>(handle)->Forgives.store(true, std::memory_order_release);
+  WaitForRound();
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
@@ -416,14 +513,10 @@ const char* LastError(void* device)
 
 void Close(void* handle)
 {
-  auto* const device = static_cast<Device*>(handle);
-  // The last order was zero. Wait twice, because a tick that began before the order may have missed
-  // it.
-  WaitForTick(*device);
-  WaitForTick(*device);
-  hdStopScheduler();
-  hdUnschedule(device->Callback);
-  Disable(device);
+  const std::lock_guard<std::mutex> lock(service.Mutex);
+  Pause();
+  Disable(static_cast<Device*>(handle));
+  Resume();
 }
 
 } // namespace

@@ -304,7 +304,7 @@ TEST_F(OpenHaptics, FaultsOfAFailureToOpenAreForgotten)
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
 }
 
-TEST_F(OpenHaptics, NamedDevicesAreCountedAndOneIsOpenAtATime)
+TEST_F(OpenHaptics, NamedDevicesAreCounted)
 {
   setenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES", "Left,Right", 1);
   const std::vector<DeviceListing> all = ListVendors();
@@ -312,7 +312,99 @@ TEST_F(OpenHaptics, NamedDevicesAreCountedAndOneIsOpenAtATime)
   EXPECT_EQ(all[2].Name, "OpenHaptics \"Right\"");
   ASSERT_TRUE(this->Bench.Open("vendor:openhaptics:1")) << this->Bench.Error;
   EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }), "init Left");
-  EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:2"), "Close() that one"));
+}
+
+TEST_F(OpenHaptics, TwoArmsHaveEachItsOwnPoseAndForce)
+{
+  setenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES", "Right", 1);
+  this->With(
+    [](FakeOpenHaptics& fake)
+    {
+      fake.Hand.Place({ 0.01, 0.02, 0.03 });
+      fake.Right.Hand.Place({ -0.01, 0.0, 0.02 });
+    });
+  DeviceBench right;
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(right.Open("vendor:openhaptics:1")) << right.Error;
+  EXPECT_EQ(right.Device->GetIdentity(), "vendor:openhaptics:HD_0816");
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  ASSERT_TRUE(right.WaitFor(DeviceStage::Ready)) << right.Text();
+  DeviceSample first;
+  DeviceSample second;
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Bench.Device->Read(0.001, first);
+      right.Device->Read(0.001, second);
+      this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
+      right.Device->Write({ 0.0, 0.25, 0.0 });
+      return this->With(
+        [](const FakeOpenHaptics& fake) {
+          return fake.Force == Triple{ 0.5, 0.0, 0.0 } &&
+            fake.Right.Force == Triple{ 0.0, 0.25, 0.0 };
+        });
+    }));
+  EXPECT_GE(first.Tip.X, 0.01);
+  EXPECT_NEAR(first.Tip.Y, 0.02, 1e-9);
+  EXPECT_NEAR(second.Tip.X, -0.01, 1e-9);
+  EXPECT_NEAR(second.Tip.Z, 0.02, 1e-9);
+
+  // A fault of one is not the other's.
+  this->With([](FakeOpenHaptics& fake) { fake.Right.Faults.push_back(HD_WARM_MOTORS); });
+  EXPECT_TRUE(right.WaitForText("Motors too warm"));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Bench.Device->Read(0.001, first);
+      this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
+      return this->With(
+        [](const FakeOpenHaptics& fake) {
+          return fake.Force == Triple{ 0.5, 0.0, 0.0 } && fake.Right.Force == Triple{};
+        });
+    }));
+}
+
+TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
+{
+  setenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES", "Right", 1);
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  const auto expectDisarmed = [&]
+  {
+    EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    EXPECT_TRUE(Eventually([&] { return !this->Bench.State().IsArmed(); }));
+    EXPECT_TRUE(this->Bench.WaitForTicks(100));
+    EXPECT_FALSE(this->Bench.State().IsArmed());
+    EXPECT_EQ(this->Force(), Triple{}) << "not by itself";
+  };
+  const auto feelAgain = [&]
+  {
+    // Out first: a loop that begins below the floor feels it from below.
+    this->Bench.Stop();
+    this->Lead({ 0.0, Height + 0.005, 0.0 });
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        return this->With([](const FakeOpenHaptics& fake) { return fake.Hand.Tip[1]; }) >
+          Height + 0.004;
+      }));
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+  };
+  {
+    DeviceBench right;
+    ASSERT_TRUE(right.Open("vendor:openhaptics:1")) << right.Error;
+    EXPECT_TRUE(right.WaitFor(DeviceStage::Ready)) << right.Text();
+    expectDisarmed();
+    feelAgain();
+  }
+  expectDisarmed();
+  feelAgain();
+  // One that can't be opened, too.
+  this->With([](FakeOpenHaptics& fake) { fake.IsPluggedIn = false; });
+  EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:1"), "Communication error"));
+  expectDisarmed();
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesAtTheEnd; }), 0);
 }
 
 TEST_F(OpenHaptics, ADeviceThatIsNotThereIsAnErrorWithACure)

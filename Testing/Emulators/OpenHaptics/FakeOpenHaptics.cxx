@@ -11,10 +11,12 @@
 
 namespace
 {
+using emulated::FakeArm;
 using emulated::FakeOpenHaptics;
 using emulated::Triple;
 
-constexpr HHD TheHandle = 3;
+constexpr HHD FirstHandle = 3;
+constexpr HHD RightHandle = 4;
 
 struct Scheduler
 {
@@ -24,20 +26,27 @@ struct Scheduler
   void* Data = nullptr;
 };
 Scheduler scheduler;
-bool isOpen = false;
-bool isForceEnabled = false;
-bool isInFrame = false; // used by the scheduler thread
-Triple frameForce{};
-Triple frameTorque{};
+HHD current = FirstHandle;
 
 FakeOpenHaptics& Fake()
 {
   return FakeOpenHaptics::Get();
 }
 
+FakeArm& Arm(HHD handle)
+{
+  return handle == RightHandle ? Fake().Right : Fake();
+}
+
+bool IsOpen(HHD handle)
+{
+  return (handle == FirstHandle || handle == RightHandle) && Arm(handle).IsOpen;
+}
+
+// A fault is one of the current device's.
 void Push(HDerror fault)
 {
-  Fake().Faults.push_back(fault);
+  Arm(current).Faults.push_back(fault);
 }
 
 void RunScheduler()
@@ -56,7 +65,11 @@ void RunScheduler()
       const int steps = 1 + static_cast<int>(time / 1e-3);
       for (int i = 0; i < steps; ++i)
       {
-        Fake().Hand.Step(time / steps, isForceEnabled ? Fake().Force : Triple{});
+        for (const HHD handle : { FirstHandle, RightHandle })
+        {
+          FakeArm& arm = Arm(handle);
+          arm.Hand.Step(time / steps, arm.IsForceEnabled ? arm.Force : Triple{});
+        }
       }
       standsStill = Fake().StandsStill;
     }
@@ -81,65 +94,83 @@ extern "C"
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
     Fake().Calls.push_back(std::string("init ") + (name ? name : "default"));
-    const bool isNamed = Fake().Name.empty() || (name != nullptr && Fake().Name == name);
-    if (!Fake().IsPluggedIn || isOpen || !isNamed)
+    const bool isRight = name != nullptr && std::string(name) == "Right";
+    const bool isNamed = isRight || Fake().Name.empty() || (name != nullptr && Fake().Name == name);
+    const HHD handle = isRight ? RightHandle : FirstHandle;
+    if (scheduler.Runs)
+    {
+      Push(HD_INVALID_OPERATION);
+      return 0;
+    }
+    if (!Fake().IsPluggedIn || Arm(handle).IsOpen || !isNamed)
     {
       Push(HD_COMM_ERROR);
       return 0;
     }
-    isOpen = true;
-    return TheHandle;
+    Arm(handle).IsOpen = true;
+    current = handle;
+    return handle;
   }
 
   void hdDisableDevice(HHD device)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
     Fake().Calls.emplace_back("disable");
-    if (device != TheHandle)
+    if (!IsOpen(device))
     {
       Push(HD_BAD_HANDLE);
+      return;
     }
-    isOpen = isForceEnabled = false;
+    if (scheduler.Runs)
+    {
+      Push(HD_INVALID_OPERATION);
+    }
+    Arm(device).IsOpen = Arm(device).IsForceEnabled = false;
   }
 
   void hdMakeCurrentDevice(HHD device)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    if (device != TheHandle)
+    if (!IsOpen(device))
     {
       Push(HD_BAD_HANDLE);
+      return;
     }
+    current = device;
   }
 
   void hdEnable(HDenum capability)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    isForceEnabled = isForceEnabled || capability == HD_FORCE_OUTPUT;
+    bool& isEnabled = Arm(current).IsForceEnabled;
+    isEnabled = isEnabled || capability == HD_FORCE_OUTPUT;
   }
 
   void hdBeginFrame(HHD device)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    if (device != TheHandle || isInFrame)
+    FakeArm& arm = Arm(device);
+    if (!IsOpen(device) || arm.IsInFrame)
     {
       Push(HD_FRAME_ERROR);
     }
-    isInFrame = true;
-    frameForce = frameTorque = {};
+    arm.IsInFrame = true;
+    arm.FrameForce = arm.FrameTorque = {};
   }
 
   void hdEndFrame(HHD device)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    if (device != TheHandle || !isInFrame)
+    FakeArm& arm = Arm(device);
+    if (!IsOpen(device) || !arm.IsInFrame)
     {
       Push(HD_FRAME_ERROR);
     }
-    isInFrame = false;
-    Fake().Force = frameForce;
-    Fake().Torque = frameTorque;
+    arm.IsInFrame = false;
+    arm.Force = arm.FrameForce;
+    arm.Torque = arm.FrameTorque;
     ++Fake().Frames;
-    const bool isZero = frameForce == Triple{};
+    const bool isZero = arm.FrameForce == Triple{};
     Fake().ForcesBeforeZero += !isZero && Fake().Calibration != HD_CALIBRATION_OK ? 1 : 0;
   }
 
@@ -152,7 +183,7 @@ extern "C"
       case HD_CURRENT_POSITION:
         for (int axis = 0; axis < 3; ++axis)
         {
-          values[axis] = 1000.0 * Fake().Hand.Tip[axis];
+          values[axis] = 1000.0 * Arm(current).Hand.Tip[axis];
         }
         values[1] = Fake().TellsNonsense ? std::numeric_limits<double>::infinity() : values[1];
         break;
@@ -161,7 +192,7 @@ extern "C"
         for (int column = 0; column < 3; ++column)
         {
           std::copy(&Fake().Turn[3 * column], &Fake().Turn[3 * column] + 3, values + 4 * column);
-          values[12 + column] = 1000.0 * Fake().Hand.Tip[column];
+          values[12 + column] = 1000.0 * Arm(current).Hand.Tip[column];
         }
         values[15] = 1.0;
         break;
@@ -196,30 +227,36 @@ extern "C"
   void hdSetDoublev(HDenum name, const HDdouble* values)
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    if (!isInFrame)
+    FakeArm& arm = Arm(current);
+    if (!arm.IsInFrame)
     {
       Push(HD_FRAME_ERROR);
       return;
     }
-    Triple& target = name == HD_CURRENT_FORCE ? frameForce : frameTorque;
+    Triple& target = name == HD_CURRENT_FORCE ? arm.FrameForce : arm.FrameTorque;
     std::copy(values, values + 3, target.begin());
   }
 
   HDstring hdGetString(HDenum)
   {
-    return "HD 0815=7";
+    const std::lock_guard<std::mutex> lock(Fake().Mutex);
+    return current == RightHandle ? "HD 0816" : "HD 0815=7";
   }
 
   HDErrorInfo hdGetError()
   {
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
-    HDErrorInfo error{ HD_SUCCESS, 0, TheHandle };
-    if (!Fake().Faults.empty())
+    for (const HHD handle : { FirstHandle, RightHandle })
     {
-      error.errorCode = Fake().Faults.back();
-      Fake().Faults.pop_back();
+      std::vector<unsigned>& faults = Arm(handle).Faults;
+      if (!faults.empty())
+      {
+        const HDErrorInfo error{ faults.back(), 0, handle };
+        faults.pop_back();
+        return error;
+      }
     }
-    return error;
+    return { HD_SUCCESS, 0, current };
   }
 
   HDstring hdGetErrorString(HDerror error)
@@ -268,7 +305,8 @@ extern "C"
     }
     const std::lock_guard<std::mutex> lock(Fake().Mutex);
     Fake().Calls.emplace_back("stop");
-    Fake().ForcesAtTheEnd += Fake().Force == Triple{} ? 0 : 1;
+    const bool isZero = Fake().Force == Triple{} && Fake().Right.Force == Triple{};
+    Fake().ForcesAtTheEnd += isZero ? 0 : 1;
   }
 
   HDSchedulerHandle hdScheduleAsynchronous(HDSchedulerCallback callback, void* data, HDushort)

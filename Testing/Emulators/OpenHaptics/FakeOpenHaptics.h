@@ -14,6 +14,12 @@
  * copies it). Nominal forces of a Touch are 3.3 N and, continuously, 0.88 N, as its library prints
  * them in published programs. A device may answer to its own name only ("Default Device", or
  * "Default PHANToM" before; pyOpenHaptics issue 10).
+ *
+ * A second arm answers to the name "Right" only. As in jhu-saw/sawSensablePhantom
+ * (components/code/mtsSensableHD.cpp, 0f16f47), all arms are initialized before the one scheduler
+ * starts, and the current device, which hdMakeCurrentDevice() sets and hdBeginFrame() does not, is
+ * the one that is read and set. Initializing or disabling an arm while the scheduler runs is an
+ * error here.
  */
 #ifndef FakeOpenHaptics_h
 #define FakeOpenHaptics_h
@@ -29,8 +35,26 @@
 namespace emulated
 {
 
-struct FakeOpenHaptics
+struct FakeArm
 {
+  bool IsOpen = false;
+  bool IsForceEnabled = false;
+  bool IsInFrame = false;
+  std::vector<unsigned> Faults; ///< the stack of faults
+  EmulatedHand Hand;            ///< m
+  Triple Force{};               ///< N, from the last frame
+  Triple Torque{};              ///< mN m
+  ///@{
+  /// Set in the frame that has begun.
+  Triple FrameForce{};
+  Triple FrameTorque{};
+  ///@}
+};
+
+/// Has the first arm, and one more.
+struct FakeOpenHaptics : FakeArm
+{
+  FakeArm Right;
   std::mutex Mutex;
   bool IsPluggedIn = true;
   bool StandsStill = false; ///< the scheduler does not run its callbacks
@@ -39,16 +63,12 @@ struct FakeOpenHaptics
   int Styles = 5;                ///< bits of the ways to calibrate it: a Touch's
   std::string Name;              ///< the device's only name; empty: the default, too
   double ContinuousForce = 0.88; ///< N; 0: not known to the library
-  std::vector<unsigned> Faults;  ///< the stack of faults
   int Buttons = 0;
   bool TellsNonsense = false;
   /// The stylus: three columns of a rotation.
   std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  EmulatedHand Hand;              ///< m
-  Triple Force{};                 ///< N, from the last frame
-  Triple Torque{};                ///< mN m
   int ForcesBeforeZero = 0;       ///< set in frames before it knew its zero
-  int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force
+  int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force of any arm
   std::vector<std::string> Calls; ///< set outside frames
   std::atomic<long> Frames{ 0 };
 
