@@ -177,6 +177,11 @@ int vtkHapticVolumeReader::RequestData(
   vtkInformation* const out = outputVector->GetInformationObject(0);
   vtkImageData* const output = vtkImageData::GetData(outputVector);
   vtkImageData* image = volume.Image;
+  if (!image) // ParaView asks for data even after an error
+  {
+    output->Initialize();
+    return 0;
+  }
   if (volume.TimeSteps && out->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
     volume.TimeSteps->UpdateTimeStep(
