@@ -95,7 +95,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     along a hand that sticks to them
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
                     summary lists them, and key F3 of the window), or which volume along the fourth axis of a
-                    NIfTI file, such as a channel (default: all, as times). Key F2, or a file that is dropped on
+                    NIfTI file, such as a channel (default: all, as times), or which component of the voxels of
+                    another file (default: the first). Key F2, or a file that is dropped on
                     the window, opens another volume
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm: its labels
                     have names in the window, and materials of their own

@@ -21,7 +21,7 @@ struct Options
   bool Json = false;         // write this description as JSON, for programs
   bool Large = false;        // always read the volume only around the hand, whatever its size
   std::string VolumePath;
-  int Series = 0;                     // number of the series in a DICOM folder; 0: the largest
+  int Series = 0;                     // see vtkHapticVolumeReader::SetSeries()
   std::string Array;                  // name of the array to show and feel
   std::vector<std::string> MorePaths; // further time steps of a moving volume
   std::string Displacements;          // name of the array with the displacements of its material

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from .vtkVolumeHaptics import vtkHapticVolumeReader
 
 # Patterns of explorer options in the reader's texts, and the arguments that replace them here.
-_OPTIONS = ((r"--series (\w+)", r"series=\1"), (r"--labels ([^\s:]+)", r"labels='\1'"))
+_OPTIONS = ((r"--series (\w+)", r"series=\1"), )
 
 
 def _in_python(text: str) -> str:

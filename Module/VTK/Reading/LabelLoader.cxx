@@ -39,7 +39,7 @@ Volume ReadSegmentation(const std::string& path)
   const std::string error = VolumeHaptics::ReadSegmentation(path, volume.Image, volume.LabelTable);
   if (!error.empty())
   {
-    throw InputError("--labels " + path, error, "name another file");
+    throw InputError(path, error, "name another file");
   }
   return volume;
 }

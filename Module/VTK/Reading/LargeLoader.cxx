@@ -13,7 +13,6 @@
 #include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
-#include <iostream>
 #include <sstream>
 
 namespace
@@ -58,7 +57,6 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
 
 void MakeCoarse(const std::string& path, vtkHapticRegionSource* source)
 {
-  std::cout << "Making a coarse level of it for the picture" << std::endl;
   const Explore::MessageCapture capture;
   if (!source->MakeCoarseImage(MOST_COARSE_VOXELS))
   {
@@ -135,6 +133,7 @@ Volume LoadLargeVolume(const std::string& path)
   if (!volume.Large->GetCoarseImage())
   {
     MakeCoarse(path, volume.Large);
+    volume.Notes.emplace_back("it has no coarse level: one was made of all of it, for the picture");
   }
   volume.Image = volume.Large->GetCoarseImage();
   CheckVolume(path, volume);

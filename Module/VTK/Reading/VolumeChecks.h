@@ -18,9 +18,9 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 bool MayBeHounsfield(const std::string& modality);
 
 /// Throws InputError unless the volume can be touched. If there are no active scalars, activates
-/// the first point array, or a cell array; reduces the scalars to their first component, with a
-/// note.
-void CheckVolume(const std::string& path, Volume& volume);
+/// the first point array, or a cell array; reduces the scalars to one component, with a note. For
+/// `chosen`, see vtkHapticVolumeReader::SetSeries().
+void CheckVolume(const std::string& path, Volume& volume, int chosen = 0);
 } // namespace Explore
 
 #endif

@@ -625,7 +625,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
     volume.IsField = true;
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }
-  CheckVolume(path, volume);
+  CheckVolume(path, volume, series);
   judge(volume);
   AlignVolume(volume);
   fields.GiveTo(volume.Image);

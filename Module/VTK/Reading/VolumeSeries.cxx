@@ -307,6 +307,11 @@ Volume LoadVolumes(
     {
       throw InputError("--array " + array, "is for volumes in memory", "leave it out");
     }
+    if (dicomSeries > 0)
+    {
+      throw InputError(
+        "--series " + std::to_string(dicomSeries), "is for volumes in memory", "leave it out");
+    }
     return LoadLargeVolume(paths.front());
   }
   return LoadIntoMemory(paths, dicomSeries, array);

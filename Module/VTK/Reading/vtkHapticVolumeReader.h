@@ -52,9 +52,9 @@ public:
 
   ///@{
   /**
-   * The number of a series of a DICOM folder, or of a volume along the fourth axis of a NIfTI file,
-   * from 1 on. 0 (default): the series with most pixels, or all volumes as time steps. The notes
-   * list what there is.
+   * The number of a series of a DICOM folder, of a volume along the fourth axis of a NIfTI file, or
+   * of a component of the voxels of another file, from 1 on. 0 (default): the series with most
+   * pixels, all volumes as time steps, or the first component. The notes list what there is.
    */
   vtkSetClampMacro(Series, int, 0, VTK_INT_MAX);
   vtkGetMacro(Series, int);

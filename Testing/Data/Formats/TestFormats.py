@@ -6,6 +6,7 @@ import fnmatch
 import json
 import os
 import re
+import shutil
 import subprocess
 import warnings
 from pathlib import Path
@@ -14,7 +15,9 @@ import numpy as np
 import pytest
 from phantom import CENTRE, Grid, distance, values
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
 
 try:
     import volumehaptics
@@ -155,6 +158,93 @@ def test_there_is_one_truth_in_every_front_end(tmp_path):
         assert np.array_equal(*[vtk_to_numpy(one.GetPointData().GetArray("Force")) for one in traces]), case["name"]
 
 
+def in_the_patient():
+    """The cases of ONE_OF_EACH whose files say where the patient is."""
+    return [one for one in CASES if one["name"] in ONE_OF_EACH and not one["steps"]]
+
+
+@pytest.mark.parametrize("case", in_the_patient(), ids=lambda case: case["name"])
+def test_lengths_and_sides_are_the_patients_in_the_scene(touch, case):
+    """What is felt is measured, shown by the head-up display and lies in the slices where the phantom is; the letters at
+    the sides are the patient's."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        traces = [touch(case["path"], along_x(begin, 0.0), "CT contrast") for begin in (35.0, -28.0)]
+    touched = []
+    for trace in traces:
+        force = np.linalg.norm(vtk_to_numpy(trace.GetPointData().GetArray("Force")), axis=1)
+        touched.append(np.array(trace.GetPoint(np.flatnonzero(force > 0.0)[0])))
+    measured = volumehaptics.vtkHapticMeasurements()
+    measured.AddDistance(*touched)
+    assert measured.GetUnit(0) == "mm"
+    assert abs(measured.GetValue(0) - 47.0) < 2.0  # from the tip of the left knob to the right of the ball
+    display = volumehaptics.vtkHapticHeadUpDisplay()
+    display.SetMeasurements(measured)
+    assert re.search(rf"Distance 1: {measured.GetValue(0):.1f}\d* mm", display.GetText()), display.GetText()
+
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(case["path"])
+    reader.Update()
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetSize(300, 900)
+    slices = volumehaptics.vtkHapticSliceView()
+    slices.SetImage(reader.GetOutput())
+    slices.SetAnatomical(True)
+    slices.SetShare(0.9)
+    slices.SetColorWindow(1000.0)
+    slices.SetColorLevel(-500.0)
+    slices.SetRenderWindow(window)
+    slices.SetPosition(CENTRE)
+    window.Render()
+    # As radiologists look: the patient's right at the left, the front or the head at the top; from the left side.
+    for number, (right, up, letters) in enumerate((("L", "A", "RLPA"), ("L", "S", "RLIS"), ("P", "S", "APIS"))):
+        renderer = slices.GetRenderer(number)
+        (x, y), (width, height) = renderer.GetOrigin(), renderer.GetSize()
+        pixels = vtkUnsignedCharArray()
+        window.GetPixelData(x, y, x + width - 1, y + height - 1, 0, pixels)
+        shown = vtk_to_numpy(pixels).reshape(height, width, 3)
+        bright = dark = wrong = 0
+        at = [0.0, 0.0, 0.0]
+        for i in range(width // 6, width * 5 // 6, 5):
+            for j in range(height // 6, height * 5 // 6, 5):
+                assert slices.FindPosition(number, x + i, y + j, at)
+                far = distance(at)
+                if abs(far) > 1.5 and np.ptp(shown[j, i]) == 0:  # neither an edge nor the crosshair's colours
+                    bright, dark = bright + (far < 0.0), dark + (far > 0.0)
+                    wrong += (shown[j, i, 0] > 128) != (far < 0.0)
+        assert bright > 20 and dark > 20 and wrong <= 0.02 * (bright + dark), (number, bright, dark, wrong)
+        ends = []
+        for i, j in ((width // 4, height // 2), (width * 3 // 4, height // 2), (width // 2, height // 4),
+                     (width // 2, height * 3 // 4)):
+            slices.FindPosition(number, x + i, y + j, at)
+            ends.append(np.array(at))
+        ways = {"L": (1, 0, 0), "P": (0, 1, 0), "A": (0, -1, 0), "S": (0, 0, 1)}
+        for way, (begin, end) in ((right, ends[:2]), (up, ends[2:])):
+            assert (end - begin) @ ways[way] > 0.7 * np.linalg.norm(end - begin), (number, way)
+        actors = renderer.GetActors2D()
+        texts = {actor.GetInput(): actor.GetPosition() for actor in map(actors.GetItemAsObject, range(
+            actors.GetNumberOfItems())) if isinstance(actor, vtkTextActor)}
+        left_of, right_of, below, above = (texts[letter] for letter in letters)
+        assert left_of[0] < width / 2 < right_of[0] and below[1] < height / 2 < above[1]
+    slices.SetRenderWindow(None)
+
+
+def test_a_written_volume_is_read_back_as_it_was(tmp_path):
+    if volumehaptics is None:
+        pytest.skip("the module was not wrapped")
+    for case in in_the_patient():
+        written = [tmp_path / f"{case['name']}{i}.vti" for i in range(2)]
+        for source, target in zip((case["path"], written[0]), written):
+            subprocess.run([EXPLORE, source, "--write-volume", str(target)], capture_output=True, check=True)
+        (_, first, place), (_, second, other) = map(read, written)
+        np.testing.assert_array_equal(first, second)
+        np.testing.assert_array_equal(place, other)
+        facts = [volumehaptics.inspect(one) for one in (case["path"], *written)]
+        for key in ("size", "spacing", "origin", "direction", "unit", "meters_per_unit", "type", "range"):
+            assert facts[0][key] == facts[1][key] == facts[2][key], (case["name"], key)
+
+
 @pytest.fixture
 def touch():
     """volumehaptics.touch(), where it was wrapped."""
@@ -184,6 +274,31 @@ def test_python_feels_a_folder_where_the_patient_is(touch, name, told):
         trace = touch(folder, along_x(-28.0, -12.0), preset="CT contrast")
     assert told in "".join(str(one.message) for one in caught)
     assert 18.0 < first_touch(trace) < 22.0
+
+
+def test_without_the_program_that_reads_dicom_it_is_refused_with_the_cure(tmp_path):
+    """The explorer and its library stand in a folder of their own, without volumehaptics-dicom beside them."""
+    place = tmp_path / "away"
+    place.mkdir(mode=0o755)
+    linked = subprocess.run(["ldd", EXPLORE], capture_output=True, text=True, check=True).stdout
+    for file in (EXPLORE, *re.findall(r"=> (\S*libvtkVolumeHaptics\S*)", linked)):
+        shutil.copy(file, place)
+    folder = next(case["path"] for case in CASES if case["name"] == "dicom-plain")
+
+    def read_dicom():
+        return subprocess.run([place / Path(EXPLORE).name, folder, "--write-volume", str(tmp_path / "out.vti")],
+                              env={**os.environ, "LD_LIBRARY_PATH": str(place)}, capture_output=True, text=True, check=False)
+
+    said = read_dicom()
+    assert said.returncode == 2 and "volumehaptics-dicom that reads it is missing" in said.stderr, said
+    assert "Cure: build it with GDCM (package libgdcm-dev)" in said.stderr
+    shutil.copy(Path(EXPLORE).parent / "volumehaptics-dicom", place)
+    place.chmod(0o777)
+    said = read_dicom()
+    assert said.returncode == 2 and "another user could have written it" in said.stderr, said
+    place.chmod(0o755)
+    said = read_dicom()
+    assert said.returncode == 0, said
 
 
 def test_python_takes_a_segmentation_for_labels_by_their_names(touch):

@@ -5,9 +5,10 @@
 # Writes files as other people have them, by independent libraries from PyPI, and compares what the explorer reads
 # with the phantom's formula.
 #
-# usage: Testing/Data/Formats/formats.sh BUILD_DIR [seeds]
+# usage: Testing/Data/Formats/formats.sh BUILD_DIR [seeds | only FOLDER NAME...]
 #
-# With seeds, only writes small files into BUILD_DIR/formats/seeds, for the fuzzer. BUILD_DIR/formats holds the
+# With seeds, only writes small files into BUILD_DIR/formats/seeds, for the fuzzer; with only, only writes the cases
+# with these names into a folder. BUILD_DIR/formats holds the
 # libraries, and is kept. $VOLUMEHAPTICS_EXPLORE is the explorer.
 set -euo pipefail
 
@@ -15,6 +16,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build_dir=$(cd "$1" && pwd)/formats
 libraries=$build_dir/libraries
 mkdir -p "$build_dir"
+exec {lock}> "$build_dir/lock"
+flock $lock
 if ! cmp -s "$here/requirements.txt" "$libraries/requirements.txt"; then
   rm -rf "$libraries"
   python3 -m venv "$libraries"
@@ -25,6 +28,11 @@ if [ "${2:-}" = seeds ]; then
   rm -rf "$build_dir/seeds"
   PYTHONDONTWRITEBYTECODE=1 exec "$libraries/bin/python" "$here/seeds.py" "$build_dir/seeds"
 fi
+if [ "${2:-}" = only ]; then
+  rm -rf "$3"
+  PYTHONDONTWRITEBYTECODE=1 exec "$libraries/bin/python" "$here/write.py" "${@:3}"
+fi
+flock -u $lock
 rm -rf "$build_dir/files"
 PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"
 VOLUMEHAPTICS_FORMATS=$build_dir/files PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m pytest "$here/TestFormats.py" -q \

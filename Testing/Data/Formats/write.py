@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the input of each case into a folder of its own, and what is right into cases.json: write.py FOLDER."""
+"""Writes the input of each case, or of those named, into a folder of its own, and what is right into cases.json:
+write.py FOLDER [NAME...]."""
 
 import json
 import sys
@@ -14,7 +15,7 @@ from cases import CASES
 
 folder = Path(sys.argv[1]).resolve()
 written = []
-for one in CASES:
+for one in [case for case in CASES if not sys.argv[2:] or case.name in sys.argv[2:]]:
     place = folder / one.name
     place.mkdir(parents=True)
     named = one.write(place)

@@ -193,6 +193,11 @@ for name, make in (("4d", SimpleITK.JoinSeries), ("vector", SimpleITK.Compose)):
     meta_case(f"{name}-as-nrrd", lambda make=make: make([itk_image(), itk_image()]), "head.nrrd", told=("first",),
               source="SimpleITK writes NRRD")
 meta_case("vector", lambda: SimpleITK.Compose([itk_image(), itk_image()]), told=("component|channel|first",))
+meta_case("vector-of-which-the-second-is-chosen", lambda: SimpleITK.Compose([itk_image() * 0, itk_image()]),
+          told=("component 1 used",), options=("--series", "2"), source="DATA.md: a chooser where there are several")
+meta_case("vector-of-which-none-is-chosen", lambda: SimpleITK.Compose([itk_image(), itk_image()]),
+          refused="has 2 components, and none with the number 3", options=("--series", "3"))
+meta_case("no-other-to-choose", itk_image, refused="has one volume, of which none can be chosen", options=("--series", "2"))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
 meta_case("cut-off", itk_image, change=lambda path: path.write_bytes(path.read_bytes()[:-3000]),

@@ -7,7 +7,7 @@ import gzip
 import nibabel
 import numpy as np
 from cases import case
-from phantom import Grid, turned, values
+from phantom import TISSUE, Grid, turned, values
 
 GRID = Grid()
 TO_RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
@@ -154,7 +154,8 @@ unit_case("meter", 0.001)
 
 @case("nifti-4d-times", told=("frames|time",))
 def times(folder):
-    return save(folder, image(voxels=np.repeat(GRID.sample()[..., None], 3, axis=3)))
+    """Softer from time to time."""
+    return save(folder, image(voxels=np.stack([GRID.sample(tissue=TISSUE - 100.0 * t) for t in range(3)], axis=3)))
 
 
 @case("nifti-4d-channels", source="BraTS, MSD: channels in the 4th dimension", told=("channel",))

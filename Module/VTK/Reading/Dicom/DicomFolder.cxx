@@ -444,8 +444,8 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
     const DicomHeader& slice = other.Slices.front();
     if (&other != &series && slice.IsSegmentation())
     {
-      volume.Notes.push_back(NameOf(slice) + " is a segmentation (SEG): --labels " + NameOf(slice) +
-        " takes its labels");
+      volume.Notes.push_back(
+        NameOf(slice) + " is a segmentation (SEG), which can be given as labels");
     }
   }
   return volume;

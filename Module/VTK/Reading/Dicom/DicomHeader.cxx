@@ -55,8 +55,8 @@ constexpr const char* NAME_IMAGES = "name the folder of its images";
 constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.5.1.4.1.1.481.3",
     "an RT structure set (RTSTRUCT), whose contours have no voxels",
-    "make labels of it first, e.g. with plastimatch convert or 3D Slicer, and name them with "
-    "--labels" },
+    "make labels of it first, e.g. with plastimatch convert or 3D Slicer, and name them as "
+    "labels" },
   { "1.2.840.10008.5.1.4.1.1.481.5", "an RT plan (RTPLAN)", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.481.8", "an RT ion plan (RTPLAN)", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.481.", "an RT record", NAME_IMAGES },
