@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestTimerless = 1.0; // s of input without an update before the warning
+constexpr double LongestTimerless = 1.0; // s of events without an update before the warning
 /// The longest time between two events that counts (s), because no events come while a slow frame
 /// is drawn.
 constexpr double LongestGap = 0.1;
@@ -34,13 +34,10 @@ TimerWatch::TimerWatch(vtkInteractorStyleHaptic* style)
   : Style(style)
 {
   // active observers get no events while another observer has grabbed the focus
-  this->InputObserver->PassiveObserverOn();
-  this->InputObserver->SetClientData(this);
-  this->InputObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<TimerWatch*>(self)->OnInput(); });
-  this->FrameObserver->SetClientData(this);
-  this->FrameObserver->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<TimerWatch*>(self)->Update(); });
+  this->Observer->PassiveObserverOn();
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<TimerWatch*>(self)->OnEvent(); });
 }
 
 //------------------------------------------------------------------------------
@@ -54,14 +51,27 @@ void TimerWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
 {
   this->Leave();
   this->Interactor = interactor;
-  this->LastInput = 0;
+  this->LastEvent = 0;
   this->Waited = 0.0;
+  this->IsNeeded = false;
   for (const unsigned long event : InputEvents)
   {
     if (interactor)
     {
-      interactor->AddObserver(event, this->InputObserver);
+      interactor->AddObserver(event, this->Observer);
     }
+  }
+  this->WatchWindow();
+}
+
+//------------------------------------------------------------------------------
+void TimerWatch::WatchWindow()
+{
+  vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  if (window && !this->Window)
+  {
+    this->Window = window;
+    window->AddObserver(vtkCommand::EndEvent, this->Observer);
   }
 }
 
@@ -79,52 +89,50 @@ void TimerWatch::Leave()
 {
   if (this->Interactor)
   {
-    this->Interactor->RemoveObserver(this->InputObserver);
+    this->Interactor->RemoveObserver(this->Observer);
   }
   if (this->Window)
   {
-    this->Window->RemoveObserver(this->FrameObserver);
+    this->Window->RemoveObserver(this->Observer);
   }
   this->Interactor = nullptr;
   this->Window = nullptr;
 }
 
 //------------------------------------------------------------------------------
-void TimerWatch::OnInput()
+void TimerWatch::OnEvent()
 {
-  if (this->Window)
+  if (this->IsUpdating || !this->Interactor)
   {
-    this->Update();
-    return;
+    return; // an update may draw a frame or a notice
   }
-  const double gap = this->LastInput == 0 ? 0.0 : ServoClock::SecondsSince(this->LastInput);
-  this->LastInput = ServoClock::Now();
-  this->Waited += std::min(gap, LongestGap);
-  vtkRenderWindow* const window = this->Interactor->GetRenderWindow();
-  vtkHapticDevice* const device = this->Style->GetDevice();
-  if (this->Waited < LongestTimerless || !window || !device || !device->IsRunning())
+  this->WatchWindow();
+  if (!this->IsNeeded)
   {
-    return;
+    const double gap = this->LastEvent == 0 ? 0.0 : ServoClock::SecondsSince(this->LastEvent);
+    this->LastEvent = ServoClock::Now();
+    this->Waited += std::min(gap, LongestGap);
+    vtkHapticDevice* const device = this->Style->GetDevice();
+    if (this->Waited < LongestTimerless || !this->Window || !device || !device->IsRunning())
+    {
+      return;
+    }
+    this->IsNeeded = true;
+    vtkWarningWithObjectMacro(this->Style,
+      "This window's loop of events sends no timer events, so that the picture, the display and "
+      "changes of the volume follow only while the mouse moves or something is drawn. Cure: call "
+      "DrawHaptics() of this style 60 times a second by a timer of the program.");
   }
-  this->Window = window;
-  window->AddObserver(vtkCommand::EndEvent, this->FrameObserver);
-  vtkWarningWithObjectMacro(this->Style,
-    "This window's loop of events sends no timer events, so that the picture, the display and "
-    "changes of the volume follow only while the mouse moves or something is drawn. Cure: call "
-    "DrawHaptics() of this style 60 times a second by a timer of the program.");
   this->Update();
 }
 
 //------------------------------------------------------------------------------
 void TimerWatch::Update()
 {
-  if (!this->IsUpdating) // an update may draw a notice, which would call this again
-  {
-    const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this->Style);
-    this->IsUpdating = true;
-    this->Window->CheckInRenderStatus() ? this->Style->UpdateHaptics() : this->Style->DrawHaptics();
-    this->IsUpdating = false;
-  }
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this->Style);
+  this->IsUpdating = true;
+  this->Window->CheckInRenderStatus() ? this->Style->UpdateHaptics() : this->Style->DrawHaptics();
+  this->IsUpdating = false;
 }
 
 } // namespace VolumeHaptics

@@ -24,8 +24,8 @@ namespace VolumeHaptics
 /**
  * Updates the haptics in programs whose timers do not work. A server, or a toolkit whose interactor
  * was not initialised, passes mouse and key events to VTK, but no timer events. If a second of such
- * events passes without an update, this class warns once. From then on it updates the haptics with
- * each of these events and with each frame of the window, until an update comes from elsewhere.
+ * events, or of frames that the program draws, passes without an update, this class warns once.
+ * From then on it updates the haptics with each of them, until an update comes from elsewhere.
  */
 class TimerWatch
 {
@@ -45,17 +45,18 @@ public:
   void RecordUpdate();
 
 private:
-  void OnInput();
+  void OnEvent();
   void Update();
+  void WatchWindow();
   void Leave();
 
   vtkInteractorStyleHaptic* const Style;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
-  vtkWeakPointer<vtkRenderWindow> Window; ///< the window whose frames update the haptics
-  vtkNew<vtkCallbackCommand> InputObserver;
-  vtkNew<vtkCallbackCommand> FrameObserver;
-  std::int64_t LastInput = 0; ///< ServoClock: time of the last input; 0 before the first
-  double Waited = 0.0;        ///< duration of input without an update (s)
+  vtkWeakPointer<vtkRenderWindow> Window; ///< the window whose frames are watched
+  vtkNew<vtkCallbackCommand> Observer;
+  std::int64_t LastEvent = 0; ///< ServoClock: time of the last event or frame; 0 before the first
+  double Waited = 0.0;        ///< duration of events and frames without an update (s)
+  bool IsNeeded = false;      ///< whether events and frames update the haptics
   bool IsUpdating = false;
 };
 

@@ -459,6 +459,27 @@ TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
   this->ExpectLetGo();
 }
 
+TEST_F(HapticWidget, TellsThatTimersAreMissingInAProgramThatOnlyDraws)
+{
+  MessageLog told(this->Widget->GetStyle());
+  this->SwitchOn();
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Window->Render(); // a loop of the program's own, as for a haptic device without a mouse
+      return !told.Warnings.empty();
+    }));
+  EXPECT_NE(told.Warnings[0].find("Cure: call DrawHaptics()"), std::string::npos);
+  const vtkIdType tick = this->Widget->GetDevice()->GetState()->GetTick();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Window->Render();
+      return this->Widget->GetDevice()->GetState()->GetTick() > tick;
+    }));
+  EXPECT_EQ(told.Warnings.size(), 1U);
+}
+
 TEST_F(HapticWidget, HasAnotherKeyAndADeviceOfTheProgram)
 {
   vtkNew<vtkHapticDevice> device;
