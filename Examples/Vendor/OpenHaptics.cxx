@@ -294,20 +294,12 @@ void Pause()
   }
 }
 
-// Starts the scheduler for the open devices, or takes away the callback if there is none. Returns
-// libHD's fault.
+// Starts the scheduler if a device is open. Returns libHD's fault.
 HDErrorInfo Resume()
 {
   ForgetFaults();
-  if (service.Devices.empty())
-  {
-    if (service.Callback != 0)
-    {
-      hdUnschedule(service.Callback);
-    }
-    service.Callback = 0;
-  }
-  else
+  HDErrorInfo fault{};
+  if (!service.Devices.empty())
   {
     service.Resumed.store(Now());
     hdSetSchedulerRate(SchedulerRate);
@@ -316,12 +308,13 @@ HDErrorInfo Resume()
       service.Callback = hdScheduleAsynchronous(&OnTick, nullptr, HD_MAX_SCHEDULER_PRIORITY);
     }
     hdStartScheduler();
+    fault = hdGetError();
   }
   service.Pauses.store(false);
-  return service.Devices.empty() ? HDErrorInfo{} : hdGetError();
+  return fault;
 }
 
-// Closes a device while the scheduler stands still.
+// Closes a device while the scheduler stands still, and takes the callback away after the last one.
 void Disable(Device* device)
 {
   auto& all = service.Devices;

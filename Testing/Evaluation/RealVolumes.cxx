@@ -424,8 +424,7 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
     "hides is not felt, as in the explorer's window: what is unfelt there is hidden, or it is seen "
     "within 2 voxels of the isosurface, and counted apart. A ray that grazes a strand sees it, and "
-    "a "
-    "press slides off it: straight are the rays that meet what they see within 45 degrees of its "
+    "a press slides off it: straight are the rays that meet what they see within 45 degrees of its "
     "normal, too, and at 0.01 N is for all rays the first place with that force.",
     { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
       "from any (%)", "unfelt in window", "though seen", "from any (%)", "seen behind", "95 %",

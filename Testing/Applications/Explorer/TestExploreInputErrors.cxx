@@ -64,17 +64,25 @@ std::string Image(const std::string& name, vtkImageData* image)
   return path;
 }
 
-void ExpectRefusal(const std::string& path, const std::string& fault)
+/// Returns what is said if something is refused; "nothing" otherwise.
+template <typename Action>
+std::string TellRefusal(const Action& action)
 {
-  std::string message = "nothing";
   try
   {
-    Explore::ExploreVolume(Explore::LoadVolume(path), Explore::Settings());
+    action();
+    return "nothing";
   }
   catch (const Explore::InputError& error)
   {
-    message = error.what();
+    return error.what();
   }
+}
+
+void ExpectRefusal(const std::string& path, const std::string& fault)
+{
+  const std::string message =
+    TellRefusal([&] { Explore::ExploreVolume(Explore::LoadVolume(path), Explore::Settings()); });
   if (message.find(fault) == std::string::npos || message.find("Cure: ") == std::string::npos ||
     message.find(path) == std::string::npos)
   {
@@ -192,18 +200,11 @@ void ExpectWrittenVolumes()
   {
     std::string words[] = { "explore", "head.vti", "--write-volume", file };
     char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
-    try
-    {
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(2, 2, 2);
-      image->AllocateScalars(VTK_SHORT, 1);
-      Explore::WriteImage(image, Explore::ParseOptions(4, arguments).WrittenVolume);
-      return std::string("nothing");
-    }
-    catch (const Explore::InputError& error)
-    {
-      return std::string(error.what());
-    }
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 2);
+    image->AllocateScalars(VTK_SHORT, 1);
+    return TellRefusal(
+      [&] { Explore::WriteImage(image, Explore::ParseOptions(4, arguments).WrittenVolume); });
   };
   Expect(answer("head.vtk").find("take one that ends in .vti") != std::string::npos,
     "a volume is written as .vti only");
@@ -309,15 +310,7 @@ void ExpectNewtons()
   isRead("-3,4", -3.0, 4.0);
   for (const char* const wrong : { "", "2,", ",2", "1,2,3", "101", "1,nan", "strong" })
   {
-    std::string message = "nothing";
-    try
-    {
-      ParseNewtons(wrong);
-    }
-    catch (const Explore::InputError& error)
-    {
-      message = error.what();
-    }
+    const std::string message = TellRefusal([&] { ParseNewtons(wrong); });
     if (message.find("as in 2.5,0 for a wheel") == std::string::npos)
     {
       std::cerr << "--newtons '" << wrong << "' said: " << message << "\n";
@@ -332,15 +325,7 @@ void ExpectWindowFiles()
   {
     std::string words[] = { "explore", "head.vti", std::move(option), std::move(value) };
     char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
-    std::string message = "nothing";
-    try
-    {
-      Explore::ParseOptions(4, arguments);
-    }
-    catch (const Explore::InputError& error)
-    {
-      message = error.what();
-    }
+    const std::string message = TellRefusal([&] { Explore::ParseOptions(4, arguments); });
     if (message.find(wanted) == std::string::npos || message.find("Cure: ") == std::string::npos)
     {
       std::cerr << words[2] << " '" << words[3] << "' said: " << message << "\n";
@@ -401,15 +386,8 @@ void ExpectPresetFiles(vtkImageData* head)
       { "no preset", "or a file that ends in .json" } })
   {
     settings.Preset = wrong;
-    std::string message = "nothing";
-    try
-    {
-      Explore::ExploreVolume(Explore::LoadVolume(volume), settings);
-    }
-    catch (const Explore::InputError& error)
-    {
-      message = error.what();
-    }
+    const std::string message =
+      TellRefusal([&] { Explore::ExploreVolume(Explore::LoadVolume(volume), settings); });
     if (message.find(words) == std::string::npos || message.find("Cure: ") == std::string::npos ||
       message.find("--preset") != 0)
     {
@@ -464,15 +442,7 @@ void ExpectPipesAreRefused()
   };
   const auto refuse = [](const std::string& path, const std::string& fault)
   {
-    std::string message = "nothing";
-    try
-    {
-      Explore::LoadVolumes({ path }, false);
-    }
-    catch (const Explore::InputError& error)
-    {
-      message = error.what();
-    }
+    const std::string message = TellRefusal([&] { Explore::LoadVolumes({ path }, false); });
     if (message.find(fault) == std::string::npos || message.find("Cure: ") == std::string::npos)
     {
       std::cerr << path << " should say '" << fault << "', but said: " << message << "\n";
@@ -503,7 +473,7 @@ void ExpectPipesAreRefused()
     write("meta/one.nhdr",
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: pipe.raw\n"),
     "regular file");
-  // Of a pair, either file may be the pipe.
+  // Either file of a pair may be the pipe.
   vtkNew<vtkRTAnalyticSource> wavelet;
   vtkNew<vtkNIFTIImageWriter> nifti;
   nifti->SetInputConnection(wavelet->GetOutputPort());

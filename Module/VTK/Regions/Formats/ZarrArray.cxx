@@ -373,12 +373,7 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
   {
     return false;
   }
-  std::size_t most = this->SampleSize; // at most 1 GiB, as the head was checked
-  for (const std::uint64_t count : this->ChunkShape)
-  {
-    most *= static_cast<std::size_t>(count);
-  }
-  most = GetMostPackedBytes(most);
+  const std::size_t most = GetMostPackedBytes(this->ChunkBytes);
   if (range[1] > most)
   {
     throw std::runtime_error("its chunk " + name + " is larger than its samples. Write it again.");
@@ -458,6 +453,7 @@ ZarrArray OpenZarrArray(const std::string& folder)
   {
     Refuse(folder, "has chunks larger than 1 GiB. Write it with chunks such as 64 x 64 x 64.");
   }
+  array.ChunkBytes = static_cast<std::size_t>(size);
   return array;
 }
 

@@ -36,6 +36,7 @@ struct ZarrArray
   std::string Folder;
   std::vector<std::uint64_t> Shape;
   std::vector<std::uint64_t> ChunkShape;
+  std::size_t ChunkBytes = 0; ///< size of the samples of a chunk
   int ScalarType = 0;
   std::size_t SampleSize = 0;
   bool IsBig = false;
