@@ -72,11 +72,27 @@ run_tests()
   live+='Hosts|VTK[.](Emulated|Endings|Scene)|Wheel[.](Hosts|PyVista|Python))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
+  keep_failures "$1"
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
     return 1
   fi
   echo "== Once more, alone: tests of a live servo, on a machine that may have stood still"
-  with_own_screen ctest "${on[@]}" -j 1 --rerun-failed
+  with_own_screen ctest "${on[@]}" -j 1 --rerun-failed && return
+  keep_failures "$1"
+  return 1
+}
+
+# usage: keep_failures BUILD_DIR
+# Keeps what the tests wrote that failed just now, for the end of this run.
+failures=$build_dir-failures.log
+keep_failures()
+{
+  local name
+  while read -r name; do
+    echo "== Failed, in $1: $name"
+    awk -v begin="Testing: $name" '/^[0-9]+\/[0-9]+ Testing: / { on = substr($0, index($0, "Testing: ")) == begin } on' \
+      "$1/Testing/Temporary/LastTest.log" | tail -n 60
+  done < <(cut -d: -f2- "$1/Testing/Temporary/LastTestsFailed.log") >> "$failures"
 }
 
 declare -A beside
@@ -86,8 +102,13 @@ stop_all()
   for group in "${beside[@]}"; do
     kill -- -"$group" 2> /dev/null || true
   done
+  if [ -s "$failures" ]; then
+    echo "== All that failed, be it for once"
+    cat "$failures"
+  fi
 }
 trap stop_all EXIT
+rm -f "$failures"
 
 # usage: start NAME COMMAND [ARGUMENT...]
 # Runs a command beside the following, in the time that this leaves over, once the one that was started before it has

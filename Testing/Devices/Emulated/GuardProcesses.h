@@ -17,6 +17,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,7 @@ class GuardedProgram
 public:
   explicit GuardedProgram(const std::string& way, const std::string& device = "falcon")
   {
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // the application's guard is this process's child afterwards
     int input[2];
     if (pipe2(input, O_CLOEXEC) != 0)
     {
@@ -74,6 +76,11 @@ public:
     this->Signal(SIGKILL);
     this->Wait();
     close(this->Input);
+    // umockdev aborts if a process that listens to it ends while the device is being unplugged.
+    while (const pid_t guard = FindGuard())
+    {
+      waitpid(guard, nullptr, 0);
+    }
   }
   void Tell() const { EXPECT_EQ(write(this->Input, "x", 1), 1); }
   void Signal(int number) const
