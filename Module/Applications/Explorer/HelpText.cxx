@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 
 #include "vtkHapticProperty.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkStringArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -36,12 +37,11 @@ dense inside, drags it there, and says what a hand would feel. Then, if there is
 window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
 pictures, the trace and a summary.
 
-VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series; a folder of DICOM slices or of
-         folders of them, or its DICOMDIR; a .tif with a page for each slice, or a folder of .tif slices; or one that may
-         be larger than memory:
-         .vtkhdf, a folder .zarr (of a Zarr array or an OME-Zarr image), or raw samples behind .mhd .mha .nrrd
-         .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
-         files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
+VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of DICOM slices or of folders of
+         them, or its DICOMDIR; a folder of .tif slices; or )" +
+    std::string(vtkHapticRegionSource::GetFileEndings()) + R"(,
+         which may be larger than memory if they are not compressed as a whole: then they are felt from the file, and
+         the window shows a coarse level. A volume that moves is several of these files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
          names; a .pvd file with times (s); or a NIfTI file with several times. The window plays it: space holds,
          arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart.
          Grids, .vtu .vtr .vts .vtm .vtmb .vtk, OpenFOAM's .foam and EnSight's .case, are resampled; if they
@@ -131,8 +131,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     moves, the first frame)
   --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
                     there is recorded in live.vtp and shown in the pictures
-  --large           read .mhd .mha .nrrd .nhdr where the hand is (default: if they take more than half of the
-                    free memory)
+  --large           read a file that may be larger than memory where the hand is (default: if it takes more
+                    than half of the free memory)
   --check-display   do nothing but test whether the display can draw pictures: exit status 0 if it can;
                     if not, VTK may crash
   --help            this text

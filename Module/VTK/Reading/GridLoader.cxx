@@ -96,11 +96,20 @@ using Files = vtksys::SystemTools;
 /// Largest number of samples of the image. More samples would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
+/// What a file of a format is to its reader, and so what has to be checked before it is read.
+enum class FileKind
+{
+  XML,    ///< text that may be cut off
+  LEGACY, ///< a file whose reader finds out itself what is wrong
+  CASE    ///< the name of one of the files beside it, which its reader opens
+};
+
 struct Format
 {
   const char* Ending;
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
+  FileKind Kind;
   double MetersPerUnit = 0.001; // OpenFOAM uses metres; other formats do not define a unit
 };
 
@@ -122,14 +131,14 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
 }
 
 const Format FORMATS[] = {
-  { ".vtu", "VTK unstructured grid", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtr", "VTK rectilinear grid", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vts", "VTK structured grid", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
-  { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader> },
-  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader>, 1.0 },
-  { ".case", "EnSight case", MakeEnSightReader },
+  { ".vtu", "VTK unstructured grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vtr", "VTK rectilinear grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vts", "VTK structured grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader>, FileKind::LEGACY },
+  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader>, FileKind::CASE, 1.0 },
+  { ".case", "EnSight case", MakeEnSightReader, FileKind::CASE },
 };
 
 const Format* FindFormat(const std::string& path)
@@ -145,12 +154,10 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
   // Before the reader's first look, because for that it opens other files, which these name.
-  const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
-  const bool isCase =
-    format.MakeReader == &MakeEnSightReader || format.MakeReader == &MakeReader<vtkOpenFOAMReader>;
-  std::string detail = isXml ? Explore::DetectMissingEnd(path)
-    : isCase ? Explore::DetectDeviceIn(Files::GetFilenamePath(Files::CollapseFullPath(path)))
-             : std::string();
+  std::string detail = format.Kind == FileKind::XML ? Explore::DetectMissingEnd(path)
+    : format.Kind == FileKind::CASE
+    ? Explore::DetectDeviceIn(Files::GetFilenamePath(Files::CollapseFullPath(path)))
+    : std::string();
   const auto chooseTime = [&]
   {
     using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -284,7 +291,15 @@ std::string FindActive(const std::vector<vtkDataSet*>& parts)
 
 namespace Explore
 {
-const char* const GRID_ENDINGS = ".vtu .vtr .vts .vtm .vtmb .vtk .foam .case";
+std::string ListGridEndings()
+{
+  std::string list;
+  for (const Format& format : FORMATS)
+  {
+    list += (list.empty() ? "" : " ") + std::string(format.Ending);
+  }
+  return list;
+}
 
 bool IsGrid(const std::string& path)
 {

@@ -9,8 +9,8 @@
 
 namespace Explore
 {
-/// The endings of grid files, for messages.
-extern const char* const GRID_ENDINGS;
+/// Returns the endings of grid files, for messages.
+std::string ListGridEndings();
 
 /// Whether a file's name is that of a data set that is not an image: a rectilinear, structured or
 /// unstructured grid, or several of them.

@@ -77,9 +77,8 @@ constexpr UnreadableFile UNREADABLE[] = {
 
 std::string ListKnown()
 {
-  return std::string(
-           ".vti .mhd .mha .nii .nii.gz .hdr .img .nrrd .nhdr .tif .vtkhdf .pvd, a grid (") +
-    Explore::GRID_ENDINGS + "), a folder .zarr, DICOM or TIFF slices, or a folder of them";
+  return ".vti .nii .nii.gz .hdr .img .pvd " + vtkHapticRegionSource::GetFileEndings() +
+    ", a grid (" + Explore::ListGridEndings() + "), DICOM or TIFF slices, or a folder of them";
 }
 
 bool EndsWith(const std::string& text, const std::string& ending)

@@ -123,6 +123,12 @@ std::string vtkHapticRegionSource::GetFileFormat(const char* fileName)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHapticRegionSource::GetFileEndings()
+{
+  return ListFileEndings();
+}
+
+//------------------------------------------------------------------------------
 double vtkHapticRegionSource::GetMillimetersPerUnit(const char* unit)
 {
   return MillimetresPerUnit(unit ? unit : "");

@@ -226,11 +226,16 @@ public:
   ///@}
 
   /**
-   * Get the format of a file, by its ending, or of a folder, by the kind of most of its files:
-   * "VTKHDF", "MetaImage", "NRRD", "TIFF" or "Zarr"; empty if OpenFile() does not know it. The file
-   * need not exist.
+   * Get the format of a file, by its ending, or of a folder, by the kind of most of its files, such
+   * as "NRRD"; empty if OpenFile() does not know it. The file need not exist.
    */
   static std::string GetFileFormat(const char* fileName);
+
+  /**
+   * Get the endings of the files and folders that OpenFile() reads, such as ".nrrd .tif", with a
+   * blank between them.
+   */
+  static std::string GetFileEndings();
 
   /**
    * Get the length (mm) of a unit from its name or symbol in files, such as "um", "micrometer" or

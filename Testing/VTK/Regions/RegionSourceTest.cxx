@@ -12,6 +12,8 @@
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 
+#include <map>
+#include <sstream>
 #include <stdexcept>
 
 using namespace largetest;
@@ -276,6 +278,26 @@ TEST(RegionSourceSettings, ThatAreMissingAreOneErrorWithTheCure)
   source->SetScalarType(VTK_DOUBLE);
   source->SetWholeExtent(0, 2147483646, 0, 2147483646, 0, 2147483646);
   expect(source, "more samples than can be counted");
+}
+
+TEST(RegionSourceSettings, TheEndingsAreThoseOfTheFormats)
+{
+  std::istringstream endings(vtkHapticRegionSource::GetFileEndings());
+  const std::map<std::string, std::string> formats = { { ".vtkhdf", "VTKHDF" },
+    { ".hdf", "VTKHDF" }, { ".mhd", "MetaImage" }, { ".mha", "MetaImage" }, { ".nrrd", "NRRD" },
+    { ".nhdr", "NRRD" }, { ".tif", "TIFF" }, { ".tiff", "TIFF" }, { ".zarr", "Zarr" },
+    { ".zarr/", "Zarr" } };
+  std::size_t count = 1; // ".zarr/" is no ending of its own
+  for (std::string ending; endings >> ending; ++count)
+  {
+    EXPECT_EQ(formats.count(ending), 1U) << ending;
+  }
+  EXPECT_EQ(count, formats.size());
+  for (const auto& [ending, format] : formats)
+  {
+    EXPECT_EQ(vtkHapticRegionSource::GetFileFormat(("a" + ending).c_str()), format) << ending;
+  }
+  EXPECT_EQ(vtkHapticRegionSource::GetFileFormat("a.abc"), "");
 }
 
 TEST(RegionSourceSettings, BeforeAnythingIsReadTheOutputIsAFewZerosInTheMiddle)

@@ -63,13 +63,16 @@ constexpr KnownFormat FORMATS[] = {
   TIFF_STACK,
   { ".tiff", "TIFF", OpenTiffFile },
   ZARR_FOLDER,
-  { ".zarr/", "Zarr", OpenZarrFolder },
 };
 
 /** Returns the format of a file by its ending, or of a folder by its files; null if unknown. */
 const KnownFormat* FindFormat(const std::string& name)
 {
   using Files = vtksys::SystemTools;
+  if (HasEnding(name, std::string(ZARR_FOLDER.Ending) + "/"))
+  {
+    return &ZARR_FOLDER;
+  }
   const auto holds = [&name](const char* file) { return Files::PathExists(name + "/" + file); };
   const auto found = std::find_if(std::begin(FORMATS), std::end(FORMATS),
     [&name](const KnownFormat& format) { return HasEnding(name, format.Ending); });
@@ -107,6 +110,16 @@ std::string GetFormatName(const std::string& name)
   return format ? format->Name : "";
 }
 
+std::string ListFileEndings()
+{
+  std::string list;
+  for (const KnownFormat& format : FORMATS)
+  {
+    list += (list.empty() ? "" : " ") + std::string(format.Ending);
+  }
+  return list;
+}
+
 LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
 {
   const KnownFormat* const format = FindFormat(name);
@@ -121,9 +134,8 @@ LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
     return IsTiffName(name) ? OpenTiff(name) : OpenZarr(name); // Zarr groups have any name
   }
   throw std::runtime_error(
-    "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr, .nrrd, .tif or .tiff file or "
-    "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
-    "and spacing.");
+    "its ending is not known. Give a file or folder with one of the endings " + ListFileEndings() +
+    "; or, if it is raw, SetFileName() with extent, type and spacing.");
 }
 
 int ChooseScalarType(bool isInteger, bool isSigned, std::size_t size)

@@ -40,10 +40,13 @@ struct LargeFile
 LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole = false);
 
 /**
- * Returns the format of a file, by its ending, or of a folder, by its files: "VTKHDF", "MetaImage",
- * "NRRD", "TIFF" or "Zarr"; empty if it is none of these.
+ * Returns the format of a file, by its ending, or of a folder, by its files, such as "NRRD"; empty
+ * if it is of none.
  */
 std::string GetFormatName(const std::string& name);
+
+/** Returns the endings of all formats, such as ".nrrd .tif", with a blank between them. */
+std::string ListFileEndings();
 
 /**
  * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Never throws.
