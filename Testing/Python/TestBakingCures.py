@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of errors about what moves, surfaces, modes, tools and paths are tried on the bench of TestModuleCures.py."""
+"""Cures of errors about what moves, surfaces, modes, tools and paths are tried on the bench of cure_bench.py."""
 
 import math
 import re
@@ -8,8 +8,8 @@ import re
 import numpy as np
 import pytest
 from TestCures import RAMP
-from TestModuleCures import FORCES, TOLD, Bench, Calls, Cases, ball, filtered, hold_ball, table, times, told
-from TestModuleCures import try_calls, try_case, vectors
+from cure_bench import FORCES, TOLD, Bench, Calls, Cases, ball, filtered, hold_ball, table, times, told
+from cure_bench import try_calls, try_case, vectors
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource

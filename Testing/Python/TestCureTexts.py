@@ -9,11 +9,13 @@ import subprocess
 from pathlib import Path
 
 import TestBakingCures
+import TestCallCures
 import TestCures
 import TestExplorerCures
 import TestFileCures
+import TestFilterCures
 import TestLargeCures
-import TestModuleCures
+import TestRegionCures
 import TestSceneCures
 import TestShownAndTold
 import volumehaptics
@@ -92,8 +94,10 @@ TRIED = {
     "Python/TestExplorerCures.py": {"run the program as 'xvfb-run -a": "run the program as"},
     "Python/TestLargeCures.py": {
         "Close it there; if its writer has ended, run h5clear -s FILE": "run h5clear -s FILE",
-        "Convert it with h5repack --high=2 IN OUT": "--high=", "Read a smaller one": "Read a smaller one",
-        "bytes. Lower MemoryLimit": "bytes. Lower MemoryLimit",
+        "Convert it with h5repack --high=2 IN OUT": "--high=",
+    },
+    "Python/TestRegionCures.py": {
+        "Read a smaller one": "Read a smaller one", "bytes. Lower MemoryLimit": "bytes. Lower MemoryLimit",
     },
     "VTK/Material/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
     "VTK/Regions/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
@@ -314,13 +318,13 @@ def find_cures(root, folder):
                     yield file.relative_to(root).as_posix(), text
 
 
-MODULES = TestModuleCures, TestBakingCures, TestFileCures, TestLargeCures, TestSceneCures
+MODULES = TestCallCures, TestBakingCures, TestFileCures, TestRegionCures, TestSceneCures
 FOLDERS = ("Module/Core", "Module/VTK", "Module/Devices", "Module/Applications", "Plugin")
 TEXTS = [one for folder in FOLDERS for one in find_cures(ROOT, folder)]
 
 
 def test_each_cure_is_tried():
-    tried = [word for module in (TestModuleCures, TestBakingCures) for word in module.case]
+    tried = [word for module in (TestFilterCures, TestBakingCures) for word in module.case]
     tried += [word for words in TestLargeCures.FILES for word in words] + list(TestLargeCures.CONVERTED)
     tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndTold.TOLD]
     tried += [word for module in MODULES for words in module.result for word in words]

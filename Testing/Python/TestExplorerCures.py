@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from TestCures import RAMP
 from TestFileCures import recorder, wait
-from TestModuleCures import line_to
+from cure_bench import line_to
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter

@@ -10,7 +10,7 @@ import struct
 import numpy as np
 import pytest
 from TestCures import RAMP
-from TestModuleCures import TOLD, Bench, Calls, line_to, told, try_calls
+from cure_bench import TOLD, Bench, Calls, line_to, told, try_calls
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkImageData, vtkPolyData, vtkTable

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cures of warnings about what is seen and felt, and of errors of devices, are tried on the bench of TestModuleCures.py."""
+"""Cures of warnings about what is seen and felt, and of errors of devices, are tried on the bench of cure_bench.py."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - the windows
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401 - the mappers
 from TestCures import RAMP
 from TestFileCures import drilled, recorder, wait
-from TestModuleCures import TOLD, Bench, Calls, told, try_calls
+from cure_bench import TOLD, Bench, Calls, told, try_calls
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPlane
