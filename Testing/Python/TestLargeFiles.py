@@ -17,7 +17,7 @@ import zlib
 
 import numpy as np
 import pytest
-from volumehaptics import image, open_large, touch, vtkHapticRegionSource
+from volumehaptics import _files, image, open_large, touch, vtkHapticRegionSource
 from volumehaptics._touch import Errors
 from volumehaptics.arrays import arrays
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -328,6 +328,63 @@ def test_a_damaged_nrrd_ends_nothing(tmp_path, encoding):
             yield path
 
     expect_samples_or_an_error(write())
+
+
+@pytest.mark.parametrize("encoding", ["raw", "gzip", "ascii"])
+@pytest.mark.parametrize("axis", range(4))
+def test_a_volume_among_layers(tmp_path, encoding, axis):
+    """What is felt of a NRRD file with an axis of layers, wherever it stands: the first of them, as numpy cuts it out."""
+    layers = np.moveaxis(np.random.default_rng(7).integers(-999, 999, (5, *SHAPE), "<i2"), 0, 3 - axis)
+    first = np.ascontiguousarray(np.moveaxis(layers, 3 - axis, 0)[0])
+    plain, kinds = np.ascontiguousarray(layers).tobytes(), ["domain"] * 3
+    kinds.insert(axis, "list")
+    sizes = " ".join(map(str, layers.shape[::-1]))
+    path = tmp_path / "a.nrrd"
+    path.write_bytes(f"NRRD0004\ntype: short\nendian: little\ndimension: 4\nsizes: {sizes}\nkinds: {' '.join(kinds)}\n"
+                     f"encoding: {encoding}\n\n".encode()
+                     + {"raw": plain, "gzip": gzip.compress(plain),
+                        "ascii": " ".join(map(str, np.ascontiguousarray(layers).ravel())).encode()}[encoding])
+    source, region = vtkHapticRegionSource(), vtkImageData()
+    assert source.OpenWholeFile(str(path)) and source.ReadRegion((2, 9, 3, 8, 5, 12), region)
+    assert np.array_equal(vtk_to_numpy(region.GetPointData().GetScalars()).reshape(8, 6, 8), first[5:13, 3:9, 2:10])
+
+
+def test_layers_take_no_memory(tmp_path):
+    """Half a megabyte with 2,000 layers, which unpack to half a gigabyte, for a volume of a quarter of a megabyte."""
+    path, noise = tmp_path / "a.seg.nrrd", np.random.default_rng(7).integers(0, 9, (64, 64, 64), "u1")
+    layers = np.zeros((1000, 64, 64, 64), "u1")
+    layers[0] = noise
+    path.write_bytes(b"NRRD0004\ntype: uint8\ndimension: 4\nsizes: 64 64 64 2000\nkinds: domain domain domain list\n"
+                     b"encoding: gzip\n\n" + gzip.compress(layers.tobytes())
+                     + gzip.compress(bytes(layers.size)))
+    program = """
+import resource, sys
+from volumehaptics import vtkHapticRegionSource
+from vtkmodules.vtkCommonDataModel import vtkImageData
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+source, region = vtkHapticRegionSource(), vtkImageData()
+assert source.OpenWholeFile(sys.argv[1]) and source.ReadRegion(source.GetWholeExtent(), region)
+print(region.GetScalarRange(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
+"""
+    told = subprocess.run([sys.executable, "-c", program, path], check=True, capture_output=True, text=True).stdout
+    assert told.startswith("(0.0, 8.0)") and int(told.split()[-1]) < 65536, told  # KiB
+
+
+@pytest.mark.parametrize("name", ["a.mha", "a.mhd", "a.nrrd", "a.nhdr"])
+def test_a_file_of_holes_is_told(tmp_path, name):
+    """What takes 4 KiB of the disk, and 100 MiB of memory. Read by regions it is as small as they are."""
+    side = 464
+    file, data, word = tmp_path / name, tmp_path / "a.raw", "a.raw" if name[-2:] == "hd" or name[-3:] == "hdr" else ""
+    head = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {side} {side} {side}\nencoding: raw\n" + (
+        f"data file: {word}\n\n" if word else "\n") if "n" in name else (
+        f"NDims = 3\nDimSize = {side} {side} {side}\nElementType = MET_UCHAR\nElementDataFile = {word or 'LOCAL'}\n")
+    file.write_text(head)
+    with (data if word else file).open("ab") as samples:
+        samples.truncate(side**3 + (0 if word else len(head)))
+    with pytest.raises(ValueError, match="holes for the rest"):
+        _files.read(file)
+    source, region = vtkHapticRegionSource(), vtkImageData()
+    assert source.OpenFile(str(file)) and source.ReadRegion((0, 9, 0, 9, 0, 9), region)
 
 
 def test_a_damaged_zarr_with_shards_ends_nothing(tmp_path):

@@ -3,6 +3,7 @@
 #include "VTK/Base/HapticFiles.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -246,6 +247,35 @@ bool CheckRegular(const std::string& file, std::string& error)
     return false;
   }
   return true;
+}
+
+std::string DetectHoles(const std::string& file)
+{
+  constexpr std::int64_t smallest = std::int64_t{ 64 } << 20;
+  constexpr std::int64_t largestCompression =
+    1032; // of zeros by deflate (zlib's technical details)
+  struct stat status;
+  const int descriptor = OpenToRead(file);
+  if (descriptor < 0)
+  {
+    return {};
+  }
+  const std::int64_t size =
+    fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? std::int64_t{ status.st_size } : 0;
+  std::int64_t stored = 0;
+  bool hasMore = size > smallest;
+  for (off_t at = 0; hasMore && stored < size / largestCompression;)
+  {
+    const off_t data = lseek(descriptor, at, SEEK_DATA);
+    at = data < 0 ? data : lseek(descriptor, data, SEEK_HOLE);
+    hasMore = at >= 0;
+    // ENXIO: no data follow. Another error: the file system tells nothing.
+    stored = hasMore ? stored + (at - data) : errno == ENXIO ? stored : size;
+  }
+  close(descriptor);
+  return size > smallest && stored < size / largestCompression ? "has " + std::to_string(stored) +
+      " of its " + std::to_string(size) + " bytes on the disk, and holes for the rest"
+                                                               : std::string();
 }
 
 std::ifstream OpenStream(const std::string& file)

@@ -79,6 +79,14 @@ bool CopyPermissions(int descriptor, const struct stat& other);
 bool CheckRegular(const std::string& file, std::string& error);
 
 /**
+ * Returns why a file of more than 64 MiB can't be what it seems: almost all of it are holes, which
+ * take no room on the disk and gigabytes of memory. A file may have 1032 times the size of what is
+ * stored, as one that is packed by deflate may. Empty for other files, and on a file system that
+ * does not tell holes.
+ */
+std::string DetectHoles(const std::string& file);
+
+/**
  * Reads a regular file of at most `most` bytes. Returns false, with the reason and the cure in
  * `error`, on failure.
  */

@@ -226,6 +226,11 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
   {
     return device;
   }
+  const std::string holes = VolumeHaptics::DetectHoles(samples);
+  if (!holes.empty())
+  {
+    return vtksys::SystemTools::GetFilenameName(samples) + " " + holes;
+  }
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
     return {}; // the reader reports the fault
@@ -548,6 +553,11 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     if (!VolumeHaptics::CheckRegular(path, fault))
     {
       throw InputError(path, fault, "copy its contents into a file, and name that");
+    }
+    const std::string holes = VolumeHaptics::DetectHoles(path);
+    if (!holes.empty())
+    {
+      throw InputError(path, holes, "copy or download it again");
     }
     if (!vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_READ))
     {

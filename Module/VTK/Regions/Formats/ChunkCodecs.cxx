@@ -91,13 +91,13 @@ void InflateChunk(std::vector<char>& bytes, std::size_t most)
   bytes = std::move(plain);
 }
 
-std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size)
+std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t size,
+  const std::function<void(const char* part, std::size_t size)>& take)
 {
   constexpr std::size_t partSize = std::size_t{ 1 } << 18;
   const auto length = static_cast<std::size_t>(file.GetSize());
   std::vector<char> packed(partSize);
-  // memory for bytes beyond the wanted ones, which are only unpacked for the checksum
-  std::vector<char> rest(partSize);
+  std::vector<char> plain(partSize);
   Inflater inflater;
   z_stream& stream = inflater.Stream;
   std::size_t count = 0;
@@ -125,12 +125,13 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, st
       hasAny = true;
       inflateReset(&stream);
     }
-    const bool isWanted = count < size;
-    const std::size_t room = isWanted ? std::min(size - count, std::size_t{ 1 } << 30) : partSize;
-    stream.next_out = reinterpret_cast<Bytef*>(isWanted ? to + count : rest.data());
-    stream.avail_out = static_cast<uInt>(room);
+    stream.next_out = reinterpret_cast<Bytef*>(plain.data());
+    stream.avail_out = static_cast<uInt>(partSize);
     state = inflate(&stream, Z_NO_FLUSH);
-    count += isWanted ? room - stream.avail_out : 0;
+    // Bytes beyond the wanted ones are only unpacked for the checksum.
+    const std::size_t got = std::min(partSize - stream.avail_out, size - count);
+    take(plain.data(), got);
+    count += got;
     if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
     {
       break;

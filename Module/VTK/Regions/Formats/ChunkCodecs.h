@@ -8,6 +8,7 @@
 #define ChunkCodecs_h
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace VolumeHaptics
@@ -49,11 +50,12 @@ void CheckFletcher(std::vector<char>& bytes);
 std::size_t GetMostPackedBytes(std::size_t plain);
 
 /**
- * Unpacks the bytes of zlib or gzip from an offset to the end of a file into memory. Returns the
- * number of bytes of memory that are filled. Throws std::runtime_error if the packed bytes are
- * damaged or cut off.
+ * Unpacks the bytes of zlib or gzip from an offset to the end of a file, and passes on the first
+ * `size` bytes in parts. Returns the number of bytes that were passed on. Throws std::runtime_error
+ * if the packed bytes are damaged or cut off.
  */
-std::size_t InflateFile(const OpenedFile& file, std::size_t offset, char* to, std::size_t size);
+std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t size,
+  const std::function<void(const char* part, std::size_t size)>& take);
 
 /**
  * Undoes the shuffle filter, which stores the first bytes of all samples, then all second bytes,

@@ -360,9 +360,18 @@ BoxReader ReadInBoxes(const RawHeader& header, RawVolumeFile samples)
 }
 
 /** Returns a reader that reads all samples at its first call. */
-BoxReader ReadAtOnce(const RawHeader& header, const RawVolumeFile& samples)
+BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
 {
   const auto whole = std::make_shared<WholeSamples>();
+  std::size_t contiguous = 1;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    whole->Size[a] = static_cast<std::size_t>(header.Size[a]);
+    whole->Steps[a] =
+      samples.Steps[a] > 0 ? static_cast<std::size_t>(samples.Steps[a]) : contiguous;
+    contiguous *= whole->Size[a];
+  }
+  samples.Steps = {}; // only the volume is kept
   for (const std::string& name : header.Data)
   {
     whole->Files.push_back(MakeAbsolute(name));
@@ -400,6 +409,16 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole)
           "uncompressed "
           "into one raw file, or read the whole volume into memory.");
   }
+  for (const std::string& samples : header.Data)
+  {
+    // Only a reader of boxes never has all samples in memory.
+    const std::string holes = mayBeWhole ? DetectHoles(samples) : std::string();
+    if (!holes.empty())
+    {
+      throw std::runtime_error(
+        samples + " " + holes + ". Check that the copy of that file is complete.");
+    }
+  }
   LargeFile file;
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -415,8 +434,8 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole)
   samples.SampleSize = static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type));
   samples.Steps = header.Steps;
   samples.IsSwapped = header.Encoding != WholeSamples::Text && IsOtherByteOrder(header.IsBig);
-  file.Read =
-    header.IsPlain ? ReadInBoxes(header, std::move(samples)) : ReadAtOnce(header, samples);
+  file.Read = header.IsPlain ? ReadInBoxes(header, std::move(samples))
+                             : ReadAtOnce(header, std::move(samples));
   return file;
 }
 

@@ -99,7 +99,59 @@ void WholeSamples::Check() const
   }
 }
 
-void WholeSamples::LoadFile(const std::string& name, char* to, std::size_t size) const
+/** Takes the samples of all files, one part after the other, and keeps those of the volume. */
+class WholeSamples::Volume
+{
+public:
+  explicit Volume(const WholeSamples& samples)
+    : Samples(samples)
+    , SampleSize(static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(samples.ScalarType)))
+    , RunLength(samples.Steps[0] == 1 ? samples.Size[0] : 1)
+    , Bytes(samples.Size[0] * samples.Size[1] * samples.Size[2] * this->SampleSize)
+  {
+  }
+
+  void Take(const char* part, std::size_t size)
+  {
+    const std::size_t run = this->RunLength * this->SampleSize; // bytes
+    while (this->Done < this->Bytes.size())
+    {
+      const std::size_t inRun = this->Done % run;
+      const std::size_t from = this->FindRun(this->Done / run) + inRun;
+      if (from >= this->At + size)
+      {
+        break;
+      }
+      const std::size_t count = std::min(run - inRun, this->At + size - from);
+      std::memcpy(this->Bytes.data() + this->Done, part + (from - this->At), count);
+      this->Done += count;
+    }
+    this->At += size;
+  }
+
+  std::vector<char> MoveBytes() { return std::move(this->Bytes); }
+
+private:
+  /** Returns the position (bytes) of a run of samples that follow each other in the files, too. */
+  std::size_t FindRun(std::size_t number) const
+  {
+    const std::size_t sample = number * this->RunLength;
+    const std::size_t x = sample % this->Samples.Size[0];
+    const std::size_t y = sample / this->Samples.Size[0] % this->Samples.Size[1];
+    const std::size_t z = sample / this->Samples.Size[0] / this->Samples.Size[1];
+    const std::array<std::size_t, 3>& steps = this->Samples.Steps;
+    return (x * steps[0] + y * steps[1] + z * steps[2]) * this->SampleSize;
+  }
+
+  const WholeSamples& Samples;
+  const std::size_t SampleSize;
+  const std::size_t RunLength; ///< samples
+  std::vector<char> Bytes;
+  std::size_t Done = 0; ///< number of bytes that are kept
+  std::size_t At = 0;   ///< position (bytes) of the next part
+};
+
+void WholeSamples::LoadFile(const std::string& name, std::size_t size, Volume& volume) const
 {
   const OpenedFile file(name);
   const auto length = static_cast<std::size_t>(file.GetSize());
@@ -109,39 +161,47 @@ void WholeSamples::LoadFile(const std::string& name, char* to, std::size_t size)
     throw std::runtime_error(DescribeMissingSamples(name));
   }
   const std::size_t offset = isAtEnd ? length - size : this->Offset;
-  if (this->Encoding == Raw)
-  {
-    file.Read(to, size, static_cast<std::int64_t>(offset));
-    return;
-  }
   if (this->Encoding == Packed)
   {
-    if (InflateFile(file, offset, to, size) < size)
+    const auto take = [&volume](const char* part, std::size_t count) { volume.Take(part, count); };
+    if (InflateFile(file, offset, size, take) < size)
     {
       throw std::runtime_error(DescribeMissingSamples(name));
     }
     return;
   }
+  if (this->Encoding == Raw)
+  {
+    constexpr std::size_t partSize = std::size_t{ 1 } << 20;
+    std::vector<char> part(std::min(size, partSize));
+    for (std::size_t at = 0; at < size; at += part.size())
+    {
+      part.resize(std::min(size - at, partSize));
+      file.Read(part.data(), part.size(), static_cast<std::int64_t>(offset + at));
+      volume.Take(part.data(), part.size());
+    }
+    return;
+  }
   std::string text(length - offset, '\0');
   file.Read(text.data(), text.size(), static_cast<std::int64_t>(offset));
+  std::vector<char> samples(size);
   switch (this->ScalarType)
   {
-    vtkTemplateMacro(ParseSamples<VTK_TT>(text, name, to, size));
+    vtkTemplateMacro(ParseSamples<VTK_TT>(text, name, samples.data(), size));
   }
+  volume.Take(samples.data(), size);
 }
 
 void WholeSamples::Load()
 {
   const auto each = static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->ScalarType) *
     this->Count / static_cast<double>(this->Files.size()));
-  std::vector<char> bytes(each * this->Files.size());
-  char* to = bytes.data();
+  Volume volume(*this);
   for (const std::string& name : this->Files)
   {
-    this->LoadFile(name, to, each);
-    to += each;
+    this->LoadFile(name, each, volume);
   }
-  this->Bytes = std::move(bytes);
+  this->Bytes = volume.MoveBytes();
 }
 
 void WholeSamples::Copy(void* to, std::size_t size, std::size_t from)

@@ -7,6 +7,7 @@
 #ifndef WholeSamples_h
 #define WholeSamples_h
 
+#include <array>
 #include <cstddef>
 #include <mutex>
 #include <string>
@@ -15,7 +16,11 @@
 namespace VolumeHaptics
 {
 
-/** Holds all samples of some files, which are read when the first sample is requested. */
+/**
+ * Holds a volume of some files, which are read when the first sample is requested. Samples that do
+ * not belong to the volume, such as other layers, are left out, as they may be thousands of times
+ * more.
+ */
 class WholeSamples
 {
 public:
@@ -31,7 +36,9 @@ public:
   std::size_t Offset = 0; ///< number of bytes in each file before its samples; -1: the samples are
                           ///< at the end of the file
   int ScalarType = 0;
-  double Count = 0.0; ///< number of samples in all files
+  double Count = 0.0;                 ///< number of samples in all files
+  std::array<std::size_t, 3> Size{};  ///< number of the volume's samples along x, y and z
+  std::array<std::size_t, 3> Steps{}; ///< distances between neighbours (samples), which increase
 
   /**
    * Checks that the files can contain this number of samples before memory is allocated for them.
@@ -40,15 +47,17 @@ public:
   void Check() const;
 
   /**
-   * Copies `size` bytes, beginning at an offset. Several threads may call it at once. Throws
-   * std::runtime_error, with the cure.
+   * Copies `size` bytes of the volume, x fastest and z slowest, from an offset. Several threads may
+   * call it at once. Throws std::runtime_error, with the cure.
    */
   void Copy(void* to, std::size_t size, std::size_t from);
 
 private:
+  class Volume;
+
   void Load();
-  /** Reads the samples of one file into memory of the size that each file fills. */
-  void LoadFile(const std::string& name, char* to, std::size_t size) const;
+  /** Reads `size` bytes of samples from one file. */
+  void LoadFile(const std::string& name, std::size_t size, Volume& volume) const;
 
   std::mutex Mutex;
   std::vector<char> Bytes;

@@ -13,6 +13,8 @@
 
 #include "Rigs/FullDisk.h"
 
+#include "VTK/Device/Recording/HapticJournal.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <pthread.h>
@@ -134,6 +136,33 @@ TEST_F(Journal, IsNotWrittenOverItself)
   EXPECT_EQ(Load(this->Part), whole);
   EXPECT_EQ(Load(this->Folder + "/b.vtp"), whole);
   EXPECT_TRUE(WriteRecording(this->Part, this->File, error)) << error;
+  EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), 600);
+}
+
+/// A megabyte behind the last chunk in which a head begins every 24 bytes: 44,000 checksums of up
+/// to a megabyte each took five minutes, and found nothing. That this is no clean end is told.
+TEST_F(Journal, OfManyFalseHeadsIsReadSoon)
+{
+  this->Leave(600);
+  std::string whole = Load(this->Part);
+  const std::uint64_t size = 1 << 20;
+  std::string heads;
+  Put(heads, TicksChunk);
+  Put(heads, std::uint32_t{ 0 });
+  Put(heads, std::uint64_t{ 4 * size }); // cut off
+  Put(heads, std::uint64_t{ 0 });
+  for (std::uint64_t left = size - HeadSize; left > HeadSize; left -= HeadSize)
+  {
+    Put(heads, TicksChunk);
+    Put(heads, std::uint32_t{ 0 });
+    Put(heads, left - HeadSize);
+    Put(heads, std::uint64_t{ 0 });
+  }
+  heads.append(4 * HeadSize, 'x');
+  std::ofstream(this->Part, std::ios::binary) << whole << heads;
+  std::string error;
+  EXPECT_FALSE(WriteRecording(this->Part, this->File, error));
+  EXPECT_NE(error.find("bytes there have changed"), std::string::npos) << error;
   EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), 600);
 }
 
