@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/LargeFile.h"
 
-#include "VTK/Regions/Formats/RawHeader.h"
-#include "VTK/Regions/Formats/TiffFile.h"
-#include "VTK/Regions/Formats/VtkHdfFile.h"
-#include "VTK/Regions/Formats/ZarrFile.h"
-
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -27,41 +22,25 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-///@{
-/** Open formats that are always read in boxes. */
-LargeFile OpenVtkHdfFile(const std::string& name, bool)
-{
-  return OpenVtkHdf(name);
-}
-LargeFile OpenTiffFile(const std::string& name, bool)
-{
-  return OpenTiff(name);
-}
-LargeFile OpenZarrFolder(const std::string& name, bool)
-{
-  return OpenZarr(name);
-}
-///@}
-
 /** A format: the ending of its files or folders, and what opens it. */
 struct KnownFormat
 {
   const char* Ending;
   const char* Name;
-  LargeFile (*Open)(const std::string& name, bool mayBeWhole);
+  LargeFileOpener* Open;
 };
 
-constexpr KnownFormat TIFF_STACK{ ".tif", "TIFF", OpenTiffFile };
-constexpr KnownFormat ZARR_FOLDER{ ".zarr", "Zarr", OpenZarrFolder };
+constexpr KnownFormat TIFF_STACK{ ".tif", "TIFF", OpenTiff };
+constexpr KnownFormat ZARR_FOLDER{ ".zarr", "Zarr", OpenZarr };
 constexpr KnownFormat FORMATS[] = {
-  { ".vtkhdf", "VTKHDF", OpenVtkHdfFile },
-  { ".hdf", "VTKHDF", OpenVtkHdfFile },
+  { ".vtkhdf", "VTKHDF", OpenVtkHdf },
+  { ".hdf", "VTKHDF", OpenVtkHdf },
   { ".mhd", "MetaImage", OpenRawHeader },
   { ".mha", "MetaImage", OpenRawHeader },
   { ".nrrd", "NRRD", OpenRawHeader },
   { ".nhdr", "NRRD", OpenRawHeader },
   TIFF_STACK,
-  { ".tiff", "TIFF", OpenTiffFile },
+  { ".tiff", "TIFF", OpenTiff },
   ZARR_FOLDER,
 };
 
@@ -131,7 +110,8 @@ LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
   }
   if (vtksys::SystemTools::FileIsDirectory(name))
   {
-    return IsTiffName(name) ? OpenTiff(name) : OpenZarr(name); // Zarr groups have any name
+    return IsTiffName(name) ? OpenTiff(name, mayBeWhole)
+                            : OpenZarr(name, mayBeWhole); // Zarr groups have any name
   }
   throw std::runtime_error(
     "its ending is not known. Give a file or folder with one of the endings " + ListFileEndings() +

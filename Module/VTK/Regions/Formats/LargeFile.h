@@ -48,6 +48,48 @@ std::string GetFormatName(const std::string& name);
 /** Returns the endings of all formats, such as ".nrrd .tif", with a blank between them. */
 std::string ListFileEndings();
 
+/** Opens what is in a file or folder, as OpenLargeFile() does, whatever its ending. */
+using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole);
+
+/** Opens the active array of the image in a VTKHDF file, following VTK's specification. */
+LargeFileOpener OpenVtkHdf;
+
+/**
+ * Opens a MetaImage or NRRD file: a header, and samples after it or in other files. If mayBeWhole,
+ * the samples may be compressed, text, or in several files. The volume gets the position in the
+ * world that ITK gives it: left-posterior-superior if the header names a space.
+ */
+LargeFileOpener OpenRawHeader;
+
+/**
+ * Opens a TIFF file with a page for each slice, as micro-CT scanners and microscopes write it, or a
+ * folder of files with one page each. Files are ordered by the numbers in their names. Pages of
+ * other sizes, such as previews, are left out.
+ *
+ * The distance between voxels comes from OME-XML (PhysicalSizeX, Y, Z), from ImageJ's description
+ * (unit, spacing) with the resolution of the pages, or from the resolution alone, for all three
+ * axes; it is converted to mm. Of several channels and times, the first one is read. The notes list
+ * what was assumed.
+ */
+LargeFileOpener OpenTiff;
+
+/**
+ * Whether a name ends with .tif or .tiff, or is that of a folder that contains TIFF files but no
+ * Zarr.
+ */
+bool IsTiffName(const std::string& name);
+
+/**
+ * Whether most files of a folder are TIFF files. A folder of DICOM slices may contain some as well.
+ */
+bool IsTiffFolder(const std::string& folder);
+
+/**
+ * Opens a Zarr array, or an OME-Zarr image with its coarser levels, following their specifications.
+ * Of several times and channels, reads the first one.
+ */
+LargeFileOpener OpenZarr;
+
 /**
  * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Never throws.
  */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Regions/Formats/TiffFile.h"
+#include "VTK/Regions/Formats/LargeFile.h"
 
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
@@ -759,7 +759,7 @@ bool IsTiffFolder(const std::string& folder)
     2 * ListFiles(folder).size() > all.GetNumberOfFiles() - links;
 }
 
-LargeFile OpenTiff(const std::string& name)
+LargeFile OpenTiff(const std::string& name, bool)
 {
   const std::string path = MakeAbsolute(name);
   const auto stack = std::make_shared<TiffStack>();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Regions/Formats/VtkHdfFile.h"
+#include "VTK/Regions/Formats/LargeFile.h"
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
@@ -236,7 +236,7 @@ BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::s
 
 } // namespace
 
-LargeFile OpenVtkHdf(const std::string& name)
+LargeFile OpenVtkHdf(const std::string& name, bool)
 {
   const Hdf5File file(name);
   CheckMember(file, RootGroup);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Regions/Formats/ZarrFile.h"
+#include "VTK/Regions/Formats/LargeFile.h"
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
@@ -224,7 +224,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
 
 } // namespace
 
-LargeFile OpenZarr(const std::string& name)
+LargeFile OpenZarr(const std::string& name, bool)
 {
   const std::string folder = MakeAbsolute(name);
   if (IsZarrArray(folder))
