@@ -89,7 +89,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   {
     const bool isMoving = this->Playback.IsFelt(filter);
     const double seconds =
-      isMoving ? this->Playback.EstimateTime() : filter->GetBaker().EstimateTime();
+      isMoving ? this->Playback.EstimateTime() : filter->GetBaker().GetPreparation().EstimateTime();
     const LongWork work(
       this->Device, "the surface is meshed", this->Device->IsRunning() ? seconds : 0.0);
     const ForceCaps caps = this->Session.ComputeCaps(rate);
@@ -167,7 +167,7 @@ const char* ModelSource::Prepare(double rate)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   const bool isMoving = this->Playback.DetectFelt(filter);
-  this->Awaited = filter ? filter->GetBaker().Prepare(isMoving) : nullptr;
+  this->Awaited = filter ? filter->GetBaker().GetPreparation().Prepare(isMoving) : nullptr;
   if (!isMoving)
   {
     this->Playback.EndPreparing();
@@ -217,7 +217,7 @@ void ModelSource::EndPreparing()
   this->Playback.EndPreparing();
   if (this->Awaited && this->Filter)
   {
-    this->Filter->GetBaker().EndPreparing();
+    this->Filter->GetBaker().GetPreparation().EndPreparing();
   }
   this->Awaited = nullptr;
 }

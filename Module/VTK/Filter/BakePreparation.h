@@ -57,9 +57,14 @@ public:
     return std::exchange(this->Guess, guess) != guess && !guess.empty();
   }
 
-  /** See HapticBaker::Prepare(). */
-  const char* Prepare(bool isMoving);
-  /** See HapticBaker::EndPreparing(). */
+  /**
+   * Returns null if HapticBaker::Bake() needs no slow work that can be done in the background: the
+   * distances to forbidden labels, a large mesh, and the points of a tool with a shape. Otherwise
+   * begins this work, and returns a text for the status, such as MeshingWork.
+   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
+   */
+  const char* Prepare(bool isMoving = false);
+  /** Ends the work that Prepare() began. */
   void EndPreparing();
 
   /**
@@ -68,7 +73,10 @@ public:
   bool IsSurfaceAtHand();
   /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts the wait. */
   bool AwaitSurface();
-  /** See HapticBaker::EstimateTime(). */
+  /**
+   * Estimates how long (s) HapticBaker::Bake() would take now on a desktop computer, without the
+   * pipeline before the filter. Only the mesh of SURFACE_PROXY counts; 0 if it is up to date.
+   */
   double EstimateTime();
 
 private:

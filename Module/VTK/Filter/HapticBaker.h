@@ -113,27 +113,12 @@ public:
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
     vtkPolyData* recording, ImageTimeSteps&& timeSteps);
 
-  /**
-   * Returns null if Bake() needs no slow work that can be done in the background: the distances to
-   * forbidden labels, a large mesh, and the points of a tool with a shape. Otherwise begins this
-   * work, and returns a text for the status, such as MeshingWork.
-   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
-   */
-  const char* Prepare(bool isMoving = false) { return this->Preparation.Prepare(isMoving); }
-  /** Ends the work that Prepare() began. */
-  void EndPreparing() { this->Preparation.EndPreparing(); }
   /** Whether walls between the labels on port 3 are felt. False if there are no labels. */
   bool HasLabelWalls();
   /**
    * Whether the scalars of an image on port 0 are felt as labels. False if they can't be labels.
    */
   bool AreLabels(vtkImageData* image);
-
-  /**
-   * Estimates how long (s) Bake() would take now on a desktop computer, without the pipeline before
-   * the filter. Only the mesh of SURFACE_PROXY counts; 0 if it is up to date.
-   */
-  double EstimateTime() { return this->Preparation.EstimateTime(); }
 
   /**
    * Whether the data on port 0 are a grid that is not an image, and are resampled around the tip.

@@ -124,7 +124,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
 /** Returns the probe for this filter; null if nothing can be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
-  const char* const awaited = filter->GetBaker().Prepare();
+  const char* const awaited = filter->GetBaker().GetPreparation().Prepare();
   vtkImageData* const image = filter->GetTouchedImage();
   const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
   if (isIsoSurface)

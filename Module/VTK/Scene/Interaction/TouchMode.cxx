@@ -104,8 +104,8 @@ void TouchMode::Begin(const Vector3* at)
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
       // A mesh may be made in the background. Do not wait for it.
-      HapticBaker& baker = filter->GetBaker();
-      const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
+      BakePreparation& baking = filter->GetBaker().GetPreparation();
+      const LongWork work(device, MeshingWork, baking.Prepare() ? 0.0 : baking.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
       {
         start = start - ComputeToolReach(filter->GetTool()) * LineOfSight(renderer, start);
