@@ -100,6 +100,9 @@ int GetLimits(void*, VolumeHapticsVendorLimits* limits)
   limits->MaximumSpeed = 2.5;
   limits->WorkspaceRadius = 0.08;
   limits->ForceAxes = 7;
+  // Of the largest force, this much is given for any time, and more for two seconds.
+  limits->ContinuousForce = 0.9;
+  limits->PeakTime = 2.0;
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 

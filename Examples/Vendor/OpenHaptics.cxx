@@ -10,9 +10,8 @@
 // towards the user, in millimetres, newtons and millinewton metres. This was not verified on a
 // device.
 //
-// The library reports a peak force and a continuous force, 3.3 N and 0.88 N on a Touch. The largest
-// force here is twice the continuous one. A force above the continuous one is given for 2.5 s;
-// within another 2.5 s the callback lowers its limit to the continuous force.
+// The library reports a peak force and a continuous force, 3.3 N and 0.88 N on a Touch. A force
+// above the continuous one is given for 2.5 s.
 //
 // The vendor's setup program names the devices. vendor:openhaptics is the default, or "Default
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
@@ -29,7 +28,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
@@ -44,9 +42,9 @@ constexpr std::int64_t LongestForce = 50'000'000; // ns that a force lasts witho
 // ns without a callback after which the scheduler counts as stopped
 constexpr std::int64_t LongestSilence = 100'000'000;
 constexpr HDulong SchedulerRate = 1000; // Hz
-// s after which a force above the continuous one has faded to it, and after which it may be as
-// large again
-constexpr double FadeTime = 5.0;
+// s for which more than the continuous force is given. 3D Systems states no time; a motor that gets
+// warm nevertheless is a fault of libHD.
+constexpr double PeakTime = 2.5;
 
 std::int64_t Now()
 {
@@ -81,15 +79,12 @@ struct Device
   HHD Handle = 0;
   std::string Serial;
   VolumeHapticsVendorLimits Limits{};
-  double ContinuousForce = 0.0; // N, which the motors give for ever
   Latest<Report> Reports;
   Latest<Order> Orders;
   std::atomic<bool> Forgives{ false }; // whether the user wants another try after a fault
   // Used by the callback only.
   bool IsCalibrated = false;
   unsigned Error = HD_SUCCESS;
-  double Spent = 0.0; // the part of FadeTime for which the force was above the continuous one
-  std::int64_t Ticked = 0;
   // Used by the reader only.
   unsigned Pause = 0; // number of the last pause that was reported
   std::string Text;
@@ -169,26 +164,6 @@ void Calibrate(Device& device, Report& report)
   report.Calibration = state;
 }
 
-// Limits a force to the maximum, and after some time above the continuous force to the latter. The
-// limit moves slowly, so that nothing jumps.
-void LimitForce(Device& device, std::int64_t now, double force[3])
-{
-  const double norm = std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
-  const double step = std::min(0.1, 1e-9 * static_cast<double>(now - device.Ticked)) / FadeTime;
-  device.Ticked = now;
-  // The requested force counts: one that is held down to the continuous force goes on to be.
-  const bool isAbove = norm > device.ContinuousForce;
-  device.Spent = std::clamp(device.Spent + (isAbove ? step : -step), 0.0, 1.0);
-  // Without limit for the first half.
-  const double faded = std::max(0.0, 2.0 * device.Spent - 1.0);
-  const double peak = device.Limits.MaximumForce;
-  const double most = peak - faded * (peak - device.ContinuousForce);
-  for (int axis = 0; norm > most && axis < 3; ++axis)
-  {
-    force[axis] *= most / norm;
-  }
-}
-
 // Stores the faults of libHD's stack, each with its device; one of an unknown device with all.
 void TakeFaults()
 {
@@ -235,7 +210,6 @@ void Serve(Device& device)
     force[axis] = order.Force[axis];
     torque[axis] = 1000.0 * order.Torque[axis]; // mN m
   }
-  LimitForce(device, report.Time, force);
   hdSetDoublev(HD_CURRENT_FORCE, force);
   if (device.Limits.MaximumTorque > 0.0)
   {
@@ -338,19 +312,11 @@ void ReadLimits(Device& device)
   double box[6] = {};     // mm, smallest and largest x, y, z
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
   hdGetDoublev(HD_NOMINAL_MAX_FORCE, &limits.MaximumForce);
-  hdGetDoublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &device.ContinuousForce);
+  hdGetDoublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &limits.ContinuousForce);
   hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
   hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
   hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
-  if (device.ContinuousForce > 0.0)
-  {
-    // The default force, half of the maximum, is then one that the motors give for ever.
-    limits.MaximumForce = std::min(limits.MaximumForce, 2.0 * device.ContinuousForce);
-  }
-  else
-  {
-    device.ContinuousForce = limits.MaximumForce;
-  }
+  limits.PeakTime = PeakTime;
   // N m, from the data sheet of the Phantom Premium 6DOF, for its weakest axis.
   limits.MaximumTorque = outputs == 6 ? 0.17 : 0.0;
   limits.MaximumStiffness = 1000.0 * stiffness;

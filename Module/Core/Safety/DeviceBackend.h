@@ -46,6 +46,8 @@ struct DeviceLimits
   bool MovesTip = true;       ///< whether forces move the tip, which PortObserver requires
   bool Vibrates = false;      ///< whether the device only vibrates and can't exert a force
   double MaximumTorque = 0.0; ///< largest torque (N m); 0 if the device exerts no torque
+  /// Force (N) that the device gives for any time, if MaximumForce is a peak. 0 if it is not.
+  double ContinuousForce = 0.0;
 };
 
 /** Round trip (s) for which devices state their largest stiffness and damping. */

@@ -38,7 +38,9 @@ public:
   /** Converts the limits of a device to true newtons. They do not exceed what the driver allows. */
   DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
   {
-    limits.MaximumForce *= std::min(1.0, this->Scale.load());
+    const double share = std::min(1.0, this->Scale.load());
+    limits.MaximumForce *= share;
+    limits.ContinuousForce *= share;
     return limits;
   }
   /** Returns the force (N) to ask the driver for. */

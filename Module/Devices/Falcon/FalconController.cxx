@@ -78,7 +78,7 @@ void FalconController::ReportState() noexcept
     case FalconHomingState::Out:
       return this->Exchange.SetCondition(DeviceStage::Homing, text);
     case FalconHomingState::Ready:
-      return this->Exchange.SetCondition(DeviceStage::Ready, text);
+      return this->Exchange.SetCondition(DeviceStage::Ready, "");
     case FalconHomingState::TimedOut:
       std::snprintf(whole, sizeof(whole), "%s. Home() to try again.", text);
       return this->Lose(whole);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <dlfcn.h>
 #include <map>
 
@@ -50,21 +51,26 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
       "\" is no plug-in: it does not export VolumeHapticsVendorGetPlugin (VendorPlugin.h).";
     return nullptr;
   }
-  const VolumeHapticsVendorPlugin* const table = get(VOLUME_HAPTICS_VENDOR_VERSION);
-  if (!table || table->Version != VOLUME_HAPTICS_VENDOR_VERSION || !IsWhole(*table))
+  for (std::uint32_t version = VOLUME_HAPTICS_VENDOR_VERSION; version > 0; --version)
   {
-    error = "\"" + real + "\" is a plug-in for another version than " +
-      std::to_string(VOLUME_HAPTICS_VENDOR_VERSION) +
-      ", or leaves functions out. Build it again with the VendorPlugin.h of this version.";
-    return nullptr;
+    const VolumeHapticsVendorPlugin* const table = get(version);
+    if (table && table->Version == version && IsWhole(*table))
+    {
+      return table;
+    }
   }
-  return table;
+  error = "\"" + real + "\" is a plug-in for a later version than " +
+    std::to_string(VOLUME_HAPTICS_VENDOR_VERSION) +
+    ", or leaves functions out. Build it again with the VendorPlugin.h of this version.";
+  return nullptr;
 }
 
 constexpr int VendorRoundPause = 1; // longest time between two rounds (ms)
 constexpr int VendorLostPause = 10; // in ms
 constexpr double Farthest = 10.;    // distance in m above which a position is not valid
 constexpr std::uint32_t AllAxes = 7;
+constexpr double PeakFade = 2.5;    // time in s in which a force fades to the continuous one
+constexpr double LongestStep = 0.1; // longest time in s between two forces that counts
 
 bool IsLimit(double limit)
 {
@@ -268,7 +274,7 @@ bool VendorDriver::Connect(std::string& error)
 
 bool VendorDriver::ReadLimits(std::string& error)
 {
-  VolumeHapticsVendorLimits limits{};
+  VolumeHapticsVendorLimits limits{}; // a plug-in of version 1 does not write all of them
   if (this->Library->Functions().GetLimits(this->Device, &limits) < 0)
   {
     error = this->Library->LastError(this->Device);
@@ -277,7 +283,7 @@ bool VendorDriver::ReadLimits(std::string& error)
   const bool isValid = IsLimit(limits.MaximumForce) && limits.MaximumForce > 0.0 &&
     IsLimit(limits.MaximumTorque) && IsLimit(limits.MaximumStiffness) &&
     IsLimit(limits.MaximumDamping) && IsLimit(limits.MaximumSpeed) && IsLimit(limits.OwnDamping) &&
-    IsLimit(limits.WorkspaceRadius);
+    IsLimit(limits.WorkspaceRadius) && IsLimit(limits.ContinuousForce) && IsLimit(limits.PeakTime);
   const bool hasAxis = limits.ForceAxes == 0 || (limits.ForceAxes & AllAxes) != 0;
   if (!isValid || !hasAxis)
   {
@@ -294,6 +300,10 @@ bool VendorDriver::ReadLimits(std::string& error)
   this->Limits.WorkspaceRadius = limits.WorkspaceRadius;
   this->Limits.ForceAxes = limits.ForceAxes == 0 ? AllAxes : limits.ForceAxes & AllAxes;
   this->Limits.MaximumTorque = limits.MaximumTorque;
+  const bool hasPeak = limits.ContinuousForce > 0.0 && limits.ContinuousForce < limits.MaximumForce;
+  this->Limits.ContinuousForce = hasPeak ? limits.ContinuousForce : 0.0;
+  this->PeakTime = limits.PeakTime;
+  this->Spent = 0.0;
   return true;
 }
 
@@ -307,9 +317,46 @@ void VendorDriver::Disconnect() noexcept
   }
 }
 
+double VendorDriver::ComputeMostForce(double wanted) noexcept
+{
+  const double peak = this->Limits.MaximumForce;
+  const double continuous = this->Limits.ContinuousForce;
+  if (continuous == 0.0)
+  {
+    return peak;
+  }
+  const double elapsed = std::min(LongestStep, ServoClock::SecondsSince(this->WrittenAt));
+  this->WrittenAt = ServoClock::Now();
+  // The wanted force counts: one that is held down to the continuous force goes on to be. So the
+  // limit only falls while it acts, and the hand never gets back more than it gave.
+  const double time = wanted > continuous ? elapsed : -elapsed;
+  this->Spent = std::clamp(this->Spent + time, 0.0, this->PeakTime + PeakFade);
+  const double faded = std::max(0.0, (this->Spent - this->PeakTime) / PeakFade);
+  return peak - faded * (peak - continuous);
+}
+
+void VendorDriver::TellOfFading(HardwareExchange& exchange, double wanted)
+{
+  const double continuous = this->Limits.ContinuousForce;
+  const bool fades = continuous > 0.0 && wanted > continuous && this->Spent > this->PeakTime;
+  if (fades == this->IsFading)
+  {
+    return;
+  }
+  this->IsFading = fades;
+  char text[96] = "";
+  if (fades)
+  {
+    std::snprintf(text, sizeof(text),
+      "gives %.3g N now, so that its motors don't get warm. Press less for some seconds.",
+      continuous);
+  }
+  this->Report(exchange, DeviceStage::Ready, text);
+}
+
 int VendorDriver::Write(const Vector3& force, const Vector3& torque) noexcept
 {
-  const Vector3 f = ClampNorm(force, this->Limits.MaximumForce);
+  const Vector3 f = ClampNorm(force, this->ComputeMostForce(Norm(force)));
   const Vector3 t = ClampNorm(torque, this->Limits.MaximumTorque);
   const double newtons[3] = { f.X, f.Y, f.Z };
   const double newtonMetres[3] = { t.X, t.Y, t.Z };
@@ -391,6 +438,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
     return;
   }
   exchange.RecordTaken();
+  this->TellOfFading(exchange, Norm(command.Force));
   const double time = ServoClock::SecondsSince(begin);
   if (time > LongestCall)
   {
@@ -431,6 +479,7 @@ void VendorDriver::ReceivePose(
   if (!this->IsReady)
   {
     this->IsReady = true;
+    this->IsFading = false;
     this->Report(exchange, DeviceStage::Ready, "");
   }
 }

@@ -109,6 +109,12 @@ private:
   void Lose(HardwareExchange& exchange, const std::string& text);
   void Report(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
   int Write(const Vector3& force, const Vector3& torque) noexcept;
+  /**
+   * Returns the largest force (N) now: the peak, which fades to the continuous force if a larger
+   * one is wanted for longer than PeakTime, and comes back in the same time.
+   */
+  double ComputeMostForce(double wanted) noexcept;
+  void TellOfFading(HardwareExchange& exchange, double wanted);
 
   const std::string Plugin;
   const int Number;
@@ -125,6 +131,10 @@ private:
   void* Device = nullptr;
   bool Lost = false;
   bool IsReady = false;
+  double PeakTime = 0.0;      // in s
+  double Spent = 0.0;         // time in s above the continuous force, less the time below
+  std::int64_t WrittenAt = 0; // in ns
+  bool IsFading = false;      // whether the user was told that the force fades
 };
 
 } // namespace VolumeHaptics

@@ -6,7 +6,7 @@
  *
  * A plug-in is a shared library, libvolumehaptics-PLUGIN.so, that you build against the vendor's
  * SDK. It exports one function, VolumeHapticsVendorGetPlugin, which returns a table of functions.
- * It needs this header only, and works with every VTK Volume Haptics of the same
+ * It needs this header only, and works with every VTK Volume Haptics that has the same or a later
  * VOLUME_HAPTICS_VENDOR_VERSION. Examples/Cxx/VendorDevice.cxx is a template; Examples/Vendor has
  * plug-ins for Force Dimension's and 3D Systems' libraries.
  *
@@ -21,7 +21,8 @@
  * called about a thousand times a second and should take at most a millisecond; if they take more
  * than half a second, the device is lost. No exception may leave a function.
  *
- * Safety: the forces passed to Write are finite and within the limits. Only Write may give force,
+ * Safety: the forces passed to Write are finite and within the limits; one that stays above
+ * ContinuousForce fades to it. Only Write may give force,
  * and Home of a device that moves by itself; the last call before Close is a Write of zero. If the
  * program is killed, only the vendor's own watchdog ends the force: keep it on.
  */
@@ -31,7 +32,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define VOLUME_HAPTICS_VENDOR_VERSION 1u
+/** Version 1 is 2 without ContinuousForce and PeakTime. */
+#define VOLUME_HAPTICS_VENDOR_VERSION 2u
 
 #ifdef __cplusplus
 extern "C"
@@ -63,6 +65,8 @@ extern "C"
     double OwnDamping;       /**< N s/m, its own viscous friction */
     double WorkspaceRadius;  /**< m */
     uint32_t ForceAxes;      /**< bit i: it can push along axis i; 7, or 0: all */
+    double ContinuousForce;  /**< N, given for any time if MaximumForce is a peak; else 0 */
+    double PeakTime;         /**< s for which more than ContinuousForce is given; then it fades */
   };
 
   struct VolumeHapticsVendorPose

@@ -294,7 +294,14 @@ std::string DeviceStatus::DescribeState() const
     return "Force is off while " + this->LongWork + ", and comes back by itself.";
   }
   return this->State->Stale ? "Armed, but " + this->Id + " gives no fresh positions: no force."
-                            : "Active: " + this->NameDevice() + ".";
+                            : "Active: " + this->NameDevice() + "." + this->DescribeWarning();
+}
+
+std::string DeviceStatus::DescribeWarning() const
+{
+  const char* const text = this->Condition.Text.data();
+  const bool isWarning = this->Condition.Stage == DeviceStage::Ready && *text != '\0';
+  return isWarning ? std::string(" ") + text : "";
 }
 
 } // namespace VolumeHaptics

@@ -58,6 +58,8 @@ private:
   std::string NameDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;
+  /** Returns what a driver tells of a device that is ready, after a space, or nothing. */
+  std::string DescribeWarning() const;
 };
 
 } // namespace VolumeHaptics

@@ -94,10 +94,13 @@ bool vtkHapticDevice::CalibrateForce(double scale)
 void vtkHapticDevice::UpdateLimits()
 {
   const DeviceLimits limits = this->Parts->Session.GetLimits();
-  const auto choose = [](double wanted, double most)
-  { return wanted < 0.0 ? 0.5 * most : std::min(wanted, most); };
-  this->MaximumForce = choose(this->WantedForce, limits.MaximumForce);
-  this->MaximumTorque = choose(this->WantedTorque, limits.MaximumTorque);
+  const auto choose = [](double wanted, double most, double byDefault)
+  { return wanted < 0.0 ? byDefault : std::min(wanted, most); };
+  const double half = 0.5 * limits.MaximumForce;
+  const double lasting = limits.ContinuousForce > 0.0 ? limits.ContinuousForce : half;
+  this->MaximumForce = choose(this->WantedForce, limits.MaximumForce, std::min(half, lasting));
+  this->MaximumTorque =
+    choose(this->WantedTorque, limits.MaximumTorque, 0.5 * limits.MaximumTorque);
   this->Modified();
 }
 

@@ -470,8 +470,9 @@ public:
 
   ///@{
   /**
-   * The largest force (N) on the hand, at most the device's own maximum. The default, half of the
-   * device's own maximum, is set whenever a device is opened; ResetMaximumForce returns to it.
+   * The largest force (N) on the hand, at most the device's own maximum. The default is set
+   * whenever a device is opened: half of the device's own maximum, or the force that it gives for
+   * any time if that is less. ResetMaximumForce returns to it.
    */
   void SetMaximumForce(double force);
   void ResetMaximumForce();

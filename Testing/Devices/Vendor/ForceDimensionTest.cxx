@@ -21,7 +21,11 @@ const Matrix3 ToTheLibrary = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1,
 class ForceDimension : public testing::Test
 {
 protected:
-  ForceDimension() { this->Folder.Add("forcedimension"); }
+  ForceDimension()
+  {
+    this->Fake.Reset();
+    this->Folder.Add("forcedimension");
+  }
   template <typename F>
   auto With(F&& use)
   {

@@ -26,6 +26,7 @@ const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0
 class OpenHaptics : public testing::Test
 {
 protected:
+  OpenHaptics() { this->Fake.Reset(); }
   ~OpenHaptics() override { unsetenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES"); }
   template <typename F>
   auto With(F&& use)
@@ -95,7 +96,8 @@ TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
   EXPECT_EQ(found[0].Identity, "") << "only an open device tells its serial number";
   ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
   const DeviceLimits limits = this->Bench.Device->GetLimits();
-  EXPECT_EQ(limits.MaximumForce, 2.0 * 0.88) << "so that the default, half of it, is continuous";
+  EXPECT_EQ(limits.MaximumForce, 3.3) << "the peak";
+  EXPECT_EQ(limits.ContinuousForce, 0.88);
   EXPECT_EQ(limits.MaximumStiffness, 1000.0) << "a newton per millimetre";
   EXPECT_NEAR(limits.MaximumDamping, 3.0, 1e-12);
   EXPECT_NEAR(limits.WorkspaceRadius, 0.035, 1e-12) << "half of the box's least extent";
@@ -189,8 +191,8 @@ TEST_F(OpenHaptics, MoreThanTheContinuousForceFadesToIt)
     this->Bench.Device->Write({ 0.0, newtons, 0.0 });
     return this->Force()[1];
   };
-  EXPECT_TRUE(Eventually([&] { return push(1.7) == 1.7; })) << "at first";
-  EXPECT_TRUE(Eventually([&] { return std::abs(push(1.7) - 0.88) < 1e-9; })) << this->Force()[1];
+  EXPECT_TRUE(Eventually([&] { return push(3.2) == 3.2; })) << "at first";
+  EXPECT_TRUE(Eventually([&] { return std::abs(push(3.2) - 0.88) < 1e-9; })) << this->Force()[1];
   // A weaker force has no limit, and lets the motors cool.
   EXPECT_TRUE(Eventually([&] { return push(0.5) == 0.5; }));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
@@ -199,7 +201,7 @@ TEST_F(OpenHaptics, MoreThanTheContinuousForceFadesToIt)
     push(0.5);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  EXPECT_TRUE(Eventually([&] { return push(1.7) == 1.7; })) << "rested";
+  EXPECT_TRUE(Eventually([&] { return push(3.2) == 3.2; })) << "rested";
 }
 
 TEST_F(OpenHaptics, ALibraryWithoutAContinuousForceHasItsPeak)
@@ -207,6 +209,7 @@ TEST_F(OpenHaptics, ALibraryWithoutAContinuousForceHasItsPeak)
   this->With([](FakeOpenHaptics& fake) { fake.ContinuousForce = 0.0; });
   ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 3.3);
+  EXPECT_EQ(this->Bench.Device->GetLimits().ContinuousForce, 0.0);
 }
 
 TEST_F(OpenHaptics, TheDefaultIsFoundByItsNames)

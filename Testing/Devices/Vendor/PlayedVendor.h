@@ -22,7 +22,7 @@ struct PlayedVendor
   std::string Error = "is as the test wants it.";
   std::string Name = "Played stylus";
   std::string Serial = "SN 1=2";
-  VolumeHapticsVendorLimits Limits{ 4.0, 0.1, 800.0, 5.0, 0.0, 0.0, 0.05, 7 };
+  VolumeHapticsVendorLimits Limits{ 4.0, 0.1, 800.0, 5.0, 0.0, 0.0, 0.05, 7, 0.0, 0.0 };
   VolumeHapticsVendorPose Pose{};
   int OpenFails = 0;
   int ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;

@@ -3,7 +3,8 @@
 
 /*
  * The table of the played plug-in, in C: a compiler of C takes VendorPlugin.h as it is. The
- * environment variable PLAYED_VENDOR asks for a plug-in that is not to be loaded.
+ * environment variable PLAYED_VENDOR asks for a plug-in of version 1, or for one that is not to be
+ * loaded.
  */
 #include "Devices/Vendor/VendorPlugin.h"
 
@@ -21,15 +22,39 @@ int PlayedHome(void* device);
 const char* PlayedLastError(void* device);
 void PlayedClose(void* device);
 
+/* As VendorPlugin.h of version 1 had it. */
+struct LimitsOfVersion1
+{
+  double MaximumForce, MaximumTorque, MaximumStiffness, MaximumDamping, MaximumSpeed, OwnDamping,
+    WorkspaceRadius;
+  uint32_t ForceAxes;
+};
+
+static int GetLimitsOfVersion1(void* device, struct VolumeHapticsVendorLimits* limits)
+{
+  struct VolumeHapticsVendorLimits all;
+  const int result = PlayedGetLimits(device, &all);
+  struct LimitsOfVersion1 old;
+  memcpy(&old, &all, sizeof(old));
+  memcpy(limits, &old, sizeof(old));
+  return result;
+}
+
 const struct VolumeHapticsVendorPlugin* VolumeHapticsVendorGetPlugin(uint32_t version)
 {
   static struct VolumeHapticsVendorPlugin plugin = { VOLUME_HAPTICS_VENDOR_VERSION, &PlayedCount,
     &PlayedDescribe, &PlayedOpen, &PlayedGetLimits, &PlayedGetSerial, &PlayedRead, &PlayedWrite,
     &PlayedHome, &PlayedLastError, &PlayedClose };
   const char* const fault = getenv("PLAYED_VENDOR");
-  if (fault && strcmp(fault, "older") == 0)
+  if (fault && strcmp(fault, "later") == 0)
   {
     return NULL;
+  }
+  if (fault && strcmp(fault, "first") == 0)
+  {
+    plugin.Version = 1;
+    plugin.GetLimits = &GetLimitsOfVersion1;
+    return version == 1 ? &plugin : NULL;
   }
   if (fault && strcmp(fault, "without-write") == 0)
   {

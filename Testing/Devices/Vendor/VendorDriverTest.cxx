@@ -377,6 +377,41 @@ TEST_F(VendorDevice, PushesAlongAllAxesIfItsAxesAreNotKnown)
   EXPECT_TRUE(Has(ErrorOf("vendor:played"), "has no axis"));
 }
 
+TEST_F(VendorDevice, APeakFadesToTheContinuousForceAndIsTold)
+{
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.Limits.ContinuousForce = 1.0;
+      played.Limits.PeakTime = 0.5;
+    });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 4.0);
+  EXPECT_EQ(this->Bench.Device->GetLimits().ContinuousForce, 1.0);
+  EXPECT_TRUE(this->Push({ { 3.5, 0.0, 0.0 }, {} })) << "at first";
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      DeviceSample sample;
+      this->Bench.Device->Read(0.001, sample);
+      this->Bench.Device->Send({ { 3.5, 0.0, 0.0 }, {} });
+      return std::abs(this->Force()[0] - 1.0) < 1e-9;
+    }))
+    << this->Force()[0];
+  EXPECT_TRUE(Has(this->Bench.Text(), "gives 1 N now")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
+  // A weaker one has no limit, and ends the text.
+  EXPECT_TRUE(this->Push({ { 0.9, 0.0, 0.0 }, {} }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.Text().empty(); })) << this->Bench.Text();
+  const auto rested = std::chrono::steady_clock::now() + std::chrono::milliseconds(2600);
+  while (std::chrono::steady_clock::now() < rested)
+  {
+    this->Push({ { 0.9, 0.0, 0.0 }, {} });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(this->Push({ { 3.5, 0.0, 0.0 }, {} })) << "rested";
+}
+
 TEST_F(VendorDevice, TheReasonOfAFailureToOpenIsThePluginsOwn)
 {
   this->Play(

@@ -192,11 +192,23 @@ TEST_F(VendorLoader, AFileThatIsNoPluginIsRefusedWithItsReason)
   EXPECT_TRUE(Has(TextOfMissing(), "LD_LIBRARY_PATH")) << TextOfMissing();
 }
 
-TEST_F(VendorLoader, APluginOfAnotherVersionIsRefused)
+TEST_F(VendorLoader, APluginOfVersion1HasNoContinuousForce)
 {
   this->Folder.Add("played");
-  setenv("PLAYED_VENDOR", "older", 1);
-  EXPECT_TRUE(Has(Refused(), "for another version than 1")) << Refused();
+  setenv("PLAYED_VENDOR", "first", 1);
+  DeviceBench bench;
+  ASSERT_TRUE(bench.Open("vendor:played")) << bench.Error;
+  EXPECT_EQ(bench.Device->GetLimits().MaximumForce, 4.0);
+  EXPECT_EQ(bench.Device->GetLimits().ForceAxes, 7u);
+  EXPECT_EQ(bench.Device->GetLimits().ContinuousForce, 0.0);
+  unsetenv("PLAYED_VENDOR");
+}
+
+TEST_F(VendorLoader, APluginOfALaterVersionIsRefused)
+{
+  this->Folder.Add("played");
+  setenv("PLAYED_VENDOR", "later", 1);
+  EXPECT_TRUE(Has(Refused(), "for a later version than 2")) << Refused();
   setenv("PLAYED_VENDOR", "without-write", 1);
   EXPECT_TRUE(Has(Refused(), "leaves functions out")) << Refused();
   unsetenv("PLAYED_VENDOR");

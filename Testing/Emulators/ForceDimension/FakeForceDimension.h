@@ -29,9 +29,8 @@
 namespace emulated
 {
 
-struct FakeForceDimension
+struct FakeForceDimensionState
 {
-  std::mutex Mutex;
   int Count = 1;
   int Type = 34; ///< an omega.6
   ///@{
@@ -60,7 +59,14 @@ struct FakeForceDimension
   Triple Torque{};                ///< N m
   int ForcesBeforeZero = 0;       ///< number of nonzero forces set before it knew its zero
   std::vector<std::string> Calls; ///< calls, without reads and writes of the same force
+};
 
+struct FakeForceDimension : FakeForceDimensionState
+{
+  std::mutex Mutex;
+
+  /** Forgets what an earlier test did. The device must be closed. */
+  void Reset() { static_cast<FakeForceDimensionState&>(*this) = {}; }
   /** The fake in the library, if the program is linked to it. */
   static FakeForceDimension& Get();
 };

@@ -52,10 +52,9 @@ struct FakeArm
 };
 
 /// Has the first arm, and one more.
-struct FakeOpenHaptics : FakeArm
+struct FakeOpenHapticsState : FakeArm
 {
   FakeArm Right;
-  std::mutex Mutex;
   bool IsPluggedIn = true;
   bool StandsStill = false; ///< the scheduler does not run its callbacks
   int OutputDof = 3;
@@ -70,8 +69,15 @@ struct FakeOpenHaptics : FakeArm
   int ForcesBeforeZero = 0;       ///< set in frames before it knew its zero
   int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force of any arm
   std::vector<std::string> Calls; ///< set outside frames
+};
+
+struct FakeOpenHaptics : FakeOpenHapticsState
+{
+  std::mutex Mutex;
   std::atomic<long> Frames{ 0 };
 
+  /** Forgets what an earlier test did. The scheduler must not run. */
+  void Reset() { static_cast<FakeOpenHapticsState&>(*this) = {}; }
   /** The fake in the library, if the program is linked to it. */
   static FakeOpenHaptics& Get();
 };

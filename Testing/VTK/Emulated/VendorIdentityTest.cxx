@@ -90,6 +90,27 @@ protected:
 };
 } // namespace
 
+TEST_F(VendorIdentity, TheDefaultForceIsOneThatLasts)
+{
+  const auto open = [this](double continuous)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Played.Mutex);
+      this->Played.Limits.ContinuousForce = continuous;
+    }
+    return this->Device->Open("vendor:played");
+  };
+  ASSERT_TRUE(open(1.0));
+  EXPECT_EQ(this->Device->GetMaximumForce(), 1.0);
+  this->Device->SetMaximumForce(10.0);
+  EXPECT_EQ(this->Device->GetMaximumForce(), 4.0) << "the peak, if the user asks for it";
+  this->Device->ResetMaximumForce();
+  EXPECT_EQ(this->Device->GetMaximumForce(), 1.0);
+  this->Device->Close();
+  ASSERT_TRUE(open(3.0));
+  EXPECT_EQ(this->Device->GetMaximumForce(), 2.0) << "half, if that is less";
+}
+
 TEST_F(VendorIdentity, WithASerialNumberItIsRemembered)
 {
   ASSERT_TRUE(this->Device->Open("vendor:played"));
