@@ -248,7 +248,7 @@ if [ $full = yes ]; then
 fi
 
 chosen=(-LE "^($left_out|wheel)\$")
-test_seconds=$((build_seconds * 105 / 100))
+test_seconds=$((build_seconds * 125 / 100))
 sanitizer_seconds=$((build_seconds * 70 / 100)) # of the servo alone
 sanitizers=yes
 if ! ends_by 24 $((test_seconds + sanitizer_seconds)); then
