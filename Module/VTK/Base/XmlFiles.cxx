@@ -3,6 +3,7 @@
 #include "VTK/Base/XmlFiles.h"
 
 #include "VTK/Base/FileReplacement.h"
+#include "VTK/Base/XmlStructure.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
@@ -12,35 +13,13 @@
 #include "vtkXMLReader.h"
 #include "vtkXMLWriter.h"
 
-#include <algorithm>
-#include <fstream>
+#include <exception>
 
 namespace VolumeHaptics
 {
-namespace
-{
-
-/**
- * Whether a file is complete. VTK's readers fill samples that are missing at its end with arbitrary
- * memory.
- */
-bool HasEnd(const std::string& file)
-{
-  // size of the end of a file that contains its last element (bytes)
-  constexpr std::streamoff longest = 1024;
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in.tellg();
-  std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest)), ' ');
-  in.seekg(size - static_cast<std::streamoff>(end.size()));
-  in.read(end.data(), static_cast<std::streamsize>(end.size()));
-  return end.find("</VTKFile>") != std::string::npos;
-}
-
-} // namespace
-
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
 {
-  bool hasFailed = false;
+  bool hasFailed = !DetectFalseXml(file).empty();
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&hasFailed);
   observer->SetCallback(
@@ -51,11 +30,14 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
   const unsigned long ofExecutive =
     reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(file.c_str());
-  reader->UpdateInformation();
-  if (!hasFailed)
+  try
   {
-    reader->Update();
-    hasFailed = hasFailed || !HasEnd(file);
+    hasFailed ? void() : reader->UpdateInformation();
+    hasFailed ? void() : reader->Update();
+  }
+  catch (const std::exception&) // there is not enough memory for what it promises
+  {
+    hasFailed = true;
   }
   // Remove the observers, because the reader may outlive hasFailed.
   reader->SetReaderErrorObserver(nullptr);

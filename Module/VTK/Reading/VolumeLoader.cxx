@@ -239,8 +239,7 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
   return held < 0.0 ? "its compressed samples are damaged, or cut off"
     : bytes > held
     ? "its header promises voxels that are not in the file, which ends before the last voxel"
-    : IsXml(path) ? Explore::DetectMissingEnd(path)
-                  : std::string();
+    : std::string();
 }
 
 /// Runs a reader, and combines all of its errors in one message.
@@ -256,8 +255,10 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
     throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
       "check what the file really is; " + cure);
   }
-  std::string detail;
-  if (!Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))
+  // Before the reader's first look, because it believes the file.
+  std::string detail = IsXml(path) ? Explore::DetectMissingEnd(path) : std::string();
+  if (!detail.empty() ||
+    !Explore::ReadChecked(reader, detail, [&] { return DetectFalsePromise(reader, path); }))
   {
     throw InputError(path,
       std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),

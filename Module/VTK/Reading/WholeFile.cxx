@@ -3,6 +3,7 @@
 #include "VTK/Reading/WholeFile.h"
 
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/XmlStructure.h"
 
 #include <vtksys/RegularExpression.hxx>
 #include <vtksys/SystemTools.hxx>
@@ -20,7 +21,6 @@ namespace
 {
 constexpr std::size_t PART_SIZE = 1 << 18; // bytes that are unpacked at once
 constexpr int ANY_HEADER = 15 + 32;        // accepts the header of zlib or of gzip
-constexpr std::size_t LONGEST_END = 1024;  // bytes in which the end of an XML file is searched for
 
 std::string ReadPart(std::ifstream& in, std::size_t from, std::size_t size)
 {
@@ -114,12 +114,10 @@ std::string DetectMissingEnd(const std::string& file)
   {
     return fault;
   }
-  std::ifstream in = VolumeHaptics::OpenStream(file);
-  const std::size_t size = vtksys::SystemTools::FileLength(file);
-  const std::size_t last = std::min(size, LONGEST_END);
-  if (ReadPart(in, size - last, last).find("</VTKFile>") == std::string::npos)
+  const std::string falsehood = VolumeHaptics::DetectFalseXml(file);
+  if (!falsehood.empty())
   {
-    return "the file ends before its last element";
+    return falsehood;
   }
   const std::string ending =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
@@ -127,8 +125,8 @@ std::string DetectMissingEnd(const std::string& file)
   {
     return {};
   }
-  in.clear();
-  std::string text = ReadPart(in, 0, size);
+  std::ifstream in = VolumeHaptics::OpenStream(file);
+  std::string text = ReadPart(in, 0, vtksys::SystemTools::FileLength(file));
   vtksys::RegularExpression piece("(file|Source)=\"([^\"]+)\"");
   while (piece.find(text))
   {

@@ -26,9 +26,9 @@ std::string DetectDevice(const std::string& path);
 /// others in ways that only VTK's reader knows.
 std::string DetectDeviceIn(const std::string& folder);
 
-/// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete;
-/// empty if it is complete. VTK's readers fill missing appended samples with whatever was in
-/// memory.
+/// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete,
+/// or tells sizes that can't be true; empty if it is as it says. VTK's readers fill missing
+/// appended samples with whatever was in memory.
 std::string DetectMissingEnd(const std::string& file);
 } // namespace Explore
 

@@ -211,7 +211,7 @@ std::string GetEnding(const std::string& name)
 
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)
 {
-  error = DetectDevice(name);
+  error = GetEnding(name) == ".vtp" ? DetectMissingEnd(name) : DetectDevice(name);
   if (!error.empty())
   {
     return nullptr;
@@ -222,9 +222,7 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& 
     const std::string ending = GetEnding(name);
     const bool isWhole =
       (ending != ".ply" || HasAllElements(name)) && (ending != ".stl" || HasAllTriangles(name));
-    return !isWhole      ? "its header promises elements that are not in the file"
-      : ending == ".vtp" ? DetectMissingEnd(name)
-                         : std::string();
+    return isWhole ? std::string() : "its header promises elements that are not in the file";
   };
   const bool isRead = ReadChecked(reader, error, check);
   const vtkSmartPointer<vtkPolyData> shape =
