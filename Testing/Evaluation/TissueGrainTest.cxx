@@ -8,9 +8,13 @@
  * noise is such that the median of its gradients, smoothed by 1.1 voxels, is that of the scan: 1.2
  * HU/mm in brain, 2.7 in liver and fat, 3.5 in muscle, and 8.2 in lung, times 1.54. Lung, and what
  * is as soft as tissues really are, is not felt as a drag at all; nor may it be as grains.
+ *
+ * Fat near ribs has more noise than other fat, and reaches -190 HU. Muscle has septa of fat that
+ * are thinner than the kernel, so that they are shallow dips, 60 HU below the muscle.
  */
 
 #include "Roughness.h"
+#include "Shapes.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -25,6 +29,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -44,8 +49,19 @@ struct GrainOf
   const char* Tissue;
   double Mean;
   double Deviation;
-  bool IsFelt = true; ///< its drag is more than 0.05 N
+  bool IsFelt = true;  ///< its drag is more than 0.05 N
+  double Septum = 0.0; ///< depth of septa across x, HU
 };
+
+constexpr double SeptumWidth = 1.2;    // mm, of a Gaussian
+constexpr double SeptumDistance = 9.0; // mm
+
+/// A value at a distance (mm) along x from the nearest septum.
+double Dip(double x, double depth)
+{
+  const double from = x - SeptumDistance * std::round(x / SeptumDistance);
+  return -depth * std::exp(-0.5 * from * from / (SeptumWidth * SeptumWidth));
+}
 
 /// Noise that neighbours share: white noise, smoothed with (1, 2, 1)/4 along each axis.
 std::vector<double> MakeNoise(double deviation)
@@ -75,19 +91,28 @@ std::vector<double> MakeNoise(double deviation)
   return noise;
 }
 
-vtkSmartPointer<vtkImageData> MakeTissue(const GrainOf& grain)
+/// Values that change along x only, and the noise.
+vtkSmartPointer<vtkImageData> MakeLayers(
+  const std::function<double(double)>& value, double deviation)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(Side, Side, Side);
   image->SetSpacing(0.9, 0.9, 1.5);
   image->AllocateScalars(VTK_SHORT, 1);
-  const std::vector<double> noise = MakeNoise(grain.Deviation);
+  const std::vector<double> noise = MakeNoise(deviation);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
   for (std::size_t i = 0; i < noise.size(); ++i)
   {
-    scalars->SetTuple1(static_cast<vtkIdType>(i), std::round(grain.Mean + noise[i]));
+    const double x = 0.9 * static_cast<double>(i % Side);
+    scalars->SetTuple1(static_cast<vtkIdType>(i), std::round(value(x) + noise[i]));
   }
   return image;
+}
+
+vtkSmartPointer<vtkImageData> MakeTissue(const GrainOf& grain)
+{
+  return MakeLayers(
+    [&grain](double x) { return grain.Mean + Dip(x, grain.Septum); }, grain.Deviation);
 }
 
 /// The forces of a stroke, from a place in the tissue on.
@@ -148,6 +173,8 @@ std::vector<GrainOf> ListGrains()
     grains.push_back({ preset, "Muscle", 55.0, 16.0, isFelt });
     grains.push_back({ preset, "Fat", -107.0, 13.0, isFelt });
     grains.push_back({ preset, "Lung", -883.0, 37.0, false });
+    grains.push_back({ preset, "NoisyFat", -112.0, 20.0, isFelt });
+    grains.push_back({ preset, "MuscleWithSepta", 60.0, 6.0, isFelt, 75.0 });
   }
   return grains;
 }
@@ -158,4 +185,42 @@ INSTANTIATE_TEST_SUITE_P(Scans, TissueGrain, testing::ValuesIn(ListGrains()),
     const std::string preset = info.param.Preset;
     return preset.substr(preset.find(' ') + 1) + info.param.Tissue;
   });
+
+/// The largest force that a surface holds on a way along x.
+double MeasureHold(vtkVolumeHapticsFilter* filter)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkPolyData> path;
+  for (int tick = 0; tick < 700; ++tick)
+  {
+    points->InsertNextPoint(10.0 + Step * tick, 24.7, 41.0);
+  }
+  path->SetPoints(points);
+  filter->SetPathData(path);
+  filter->Update();
+  return filter->GetOutput()->GetPointData()->GetArray("NormalForce")->GetRange()[1];
+}
+
+// A boundary between tissues holds at the gradient at which a septum doesn't: behind it there is
+// another tissue, not another bank. Expectation: eq. 13 with the gradient of a blurred edge,
+// h/(s sqrt(2 pi)).
+TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
+{
+  constexpr double fat = -100.0;
+  constexpr double muscle = 65.0;
+  constexpr double blur = 2.5;         // mm
+  constexpr double kernel = 1.1 * 0.9; // mm, the width of the kernel's Gaussian
+  constexpr double middle = 25.0;      // mm
+  const double gradient = (muscle - fat) / (std::hypot(blur, kernel) * std::sqrt(TwoPi));
+  const double distinctness = (gradient - 16.0) / (48.0 - 16.0);
+  ASSERT_LT(distinctness, 0.3);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  ASSERT_TRUE(filter->GetProperty()->ApplyPreset("CT contrast"));
+  filter->SetInputData(0,
+    MakeLayers([](double x)
+      { return fat + (muscle - fat) * 0.5 * std::erfc((middle - x) / (std::sqrt(2.0) * blur)); },
+      0.0));
+  EXPECT_NEAR(MeasureHold(filter), 2.2 * distinctness, 0.02 * 2.2);
+}
 } // namespace

@@ -35,7 +35,14 @@ struct Tissue
   double Friction;
   double Viscosity;       // N
   double SurfaceStrength; // N
+  double DragLow = 1e9;   ///< value from which the tissue has its drag, if that is below Low
 };
+
+/**
+ * The noise of fat reaches 50 HU below its values. On a ramp of the drag, it would be felt as
+ * grains.
+ */
+constexpr double FatDragLow = -200.0; // HU
 
 struct Preset
 {
@@ -93,7 +100,7 @@ const std::vector<Preset>& Presets()
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
         { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
-        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0, FatDragLow },
         { "fluid", -10, 10, K, 0.12, 0.30, 1.5 },
         { "muscle, organ", 50, 80, K, 0.30, 0.30, 2.2 },
         { "contrast medium, cartilage", 150, 250, K, 0.25, 0.30, 3.2 },
@@ -124,7 +131,7 @@ const std::vector<Preset>& Presets()
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
         { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
-        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0, FatDragLow },
         { "muscle, organ", 30, 100, K, 0.30, 0.30, 2.0 },
         { "vessel, spongy bone", 180, 450, K, 0.05, 0.30, 3.2 },
         { "bone", 650, 3071, K, 0.30, 0.00, Solid },
@@ -136,7 +143,7 @@ const std::vector<Preset>& Presets()
       {
         { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
         { "lung", -960, -300, K, 0.10, 0.04, 0.0 },
-        { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.2, FatDragLow },
         { "muscle, organ, blood", 20, 80, K, 0.30, 0.30, 2.2 },
         { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.30, 3.2 },
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
@@ -186,9 +193,11 @@ void Fill(
   vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity, double scale)
 {
   Empty(function);
+  const bool isDrag = quantity == &Tissue::Viscosity;
   for (const Tissue& tissue : preset.Tissues)
   {
-    function->AddPoint(scale * tissue.Low, tissue.*quantity);
+    const double low = isDrag ? std::min(tissue.Low, tissue.DragLow) : tissue.Low;
+    function->AddPoint(scale * low, tissue.*quantity);
     function->AddPoint(
       scale * tissue.High, tissue.*quantity); // twice the same point if Low equals High
   }

@@ -31,6 +31,7 @@ struct Tissue
   double Low = -Endless;
   double High = Endless;
   double Values[4] = {};
+  double Lows[4] = {}; ///< where each of them begins: at Low, or "from" another value
 };
 
 /// The cells of a row of a Markdown table.
@@ -83,7 +84,9 @@ std::vector<Tissue> ReadTable(const std::string& preset)
     }
     for (int i = 0; i < 4; ++i)
     {
-      tissue.Values[i] = std::stod(cells[2 + i]);
+      std::istringstream cell(cells[2 + i]);
+      cell >> tissue.Values[i];
+      tissue.Lows[i] = cell >> word >> tissue.Lows[i] ? tissue.Lows[i] : tissue.Low;
     }
     tissues.push_back(tissue);
   }
@@ -134,7 +137,7 @@ TEST_F(Presets, AreThoseOfTheTables)
         }
         if (t > 0) // between them: halfway
         {
-          const double middle = 0.5 * (table[t - 1].High + tissue.Low);
+          const double middle = 0.5 * (table[t - 1].High + tissue.Lows[f]);
           EXPECT_NEAR(this->Functions()[f]->GetValue(middle),
             0.5 * (table[t - 1].Values[f] + tissue.Values[f]), 1e-12)
             << "before " << tissue.Name << ", function " << f;

@@ -27,6 +27,13 @@ constexpr double EdgeStrength = 20.0;
 constexpr double BeforeStairs = -0.5;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
+/** Step (kernel radii) of the search for a rise behind an edge. */
+constexpr double BankStep = 0.5;
+///@{
+/** Rises behind an edge (edge's heights) with which the edge is no ripple yet, and all ripple. */
+constexpr double RippleBegins = 0.2;
+constexpr double Ripple = 0.6;
+///@}
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
@@ -37,6 +44,13 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
   return std::clamp(fraction, 0.0, 1.0);
 }
 
+/** Returns by how much V rises across an edge, towards the structure. 0 if it falls. */
+double ComputeHeight(const ValuePair& sides, bool isDescending) noexcept
+{
+  const double rise = sides.Ahead - sides.Behind;
+  return std::max(0.0, isDescending ? -rise : rise);
+}
+
 /**
  * Returns the strength of a graded edge of height h, whose material has the strength T:
  *
@@ -44,7 +58,7 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
  *
  * and 0 before the middle: so the strength does not step if the middle wanders along a surface. If
  * h is less than the `rise` that the gradient predicts, then the edge is elsewhere, and s falls to
- * 0.
+ * 0. It is 0, too, if the structure's side has the lower value: then the walk has met noise.
  *
  * V is V(x_p) or the estimator's own value, whichever is farther inside. The estimator's value has
  * less noise, but does not reach the middle in a sheet that is thinner than the kernel. It may lead
@@ -56,7 +70,7 @@ double GradedStrength(const ValuePair& sides, double strength, double own, doubl
   double rise, bool isDescending) noexcept
 {
   const double middle = 0.5 * (sides.Ahead + sides.Behind);
-  const double height = std::abs(sides.Ahead - sides.Behind);
+  const double height = ComputeHeight(sides, isDescending);
   const double lead = OwnLead * height;
   const double inside = isDescending ? std::min(value, std::max(own, value - lead))
                                      : std::max(value, std::min(own, value + lead));
@@ -141,7 +155,7 @@ PrecisePoint PreciseSurroundings::Look(
   this->Hide(index, false, point);
   if (baked.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
   {
-    this->Align(index, slope, isDescending, join, point);
+    this->Align(index, slope, isDescending, distinct[0], join, point);
   }
   if (this->Hides)
   {
@@ -197,7 +211,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
-    this->Align(index, slope, isDescending, join, point);
+    this->Align(index, slope, isDescending, distinct[0], join, point);
   }
   if (this->Hides && !surface.IsWall)
   {
@@ -258,9 +272,40 @@ void PreciseSurroundings::LeaveMedium(
   }
 }
 
+double PreciseSurroundings::ComputeHeldOfRipple(const Vector3& index, const Law::Slope& slope,
+  double value, double height, bool isDescending, double distinctness) const noexcept
+{
+  const SurfaceSide side = this->Model.Baked->Settings.Side;
+  const double reach = Norm(slope.Reach);
+  if (side == SurfaceSide::Both || !(height > 0.0) || !(reach > 0.0))
+  {
+    return 1.0;
+  }
+  const Vector3 step = (-BankStep * this->Model.Baked->Kernel.Radius / reach) * slope.Reach;
+  const double sign = isDescending ? -1.0 : 1.0;
+  double valley = sign * value;
+  double bank = 0.0;
+  constexpr int steps = static_cast<int>(FarSide::FarthestRadii / BankStep);
+  for (int j = 1; j <= steps; ++j)
+  {
+    const Vector3 behind = index + static_cast<double>(j) * step;
+    if (!this->Field.IsInside(behind))
+    {
+      break;
+    }
+    const double there = sign * this->Field.Value(behind);
+    valley = std::min(valley, there);
+    bank = std::max(bank, there - valley);
+  }
+  const double ripple =
+    std::clamp((bank / height - RippleBegins) / (Ripple - RippleBegins), 0.0, 1.0);
+  const double held = std::max(0.0, 2.0 * distinctness - 1.0) / distinctness;
+  return 1.0 + ripple * (held - 1.0);
+}
+
 template <typename Join>
 void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, bool isDescending,
-  const Join& join, PrecisePoint& point) const noexcept
+  double distinctness, const Join& join, PrecisePoint& point) const noexcept
 {
   const ValuePair sides{ point.SurfaceValue, point.MediumValue };
   if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
@@ -279,6 +324,11 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   {
     edge = GradedStrength(
       sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
+    if (edge > 0.0 && distinctness < 1.0)
+    {
+      edge *= this->ComputeHeldOfRipple(
+        index, slope, value, ComputeHeight(sides, isDescending), isDescending, distinctness);
+    }
   }
   // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
   double ramp = point.SurfaceStrength;

@@ -190,8 +190,18 @@ private:
    * edge. `join` returns the material between two values.
    */
   template <typename Join>
-  void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
-    PrecisePoint& point) const noexcept;
+  void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, double distinctness,
+    const Join& join, PrecisePoint& point) const noexcept;
+  /**
+   * Returns the fraction of its strength that an edge holds if it may be a ripple inside a tissue.
+   *
+   * Behind a boundary between two tissues, V stays on the other side. Behind noise, a streak or a
+   * thin septum, V rises again to the tissue from which the hand came. The hand left this tissue
+   * unfelt, because surfaces are felt from one side. Such an edge holds 2 W_d - 1 instead of W_d:
+   * all of its strength if W_d = 1, and nothing up to W_d = 1/2.
+   */
+  double ComputeHeldOfRipple(const Vector3& index, const Law::Slope& slope, double value,
+    double height, bool isDescending, double distinctness) const noexcept;
   /** Does the same as LeaveMedium at a wall between labels. */
   void LeaveWall(const Vector3& index, const Surface& surface,
     const DistinctnessTable::Values& distinct, const ValuePair& values,
