@@ -88,7 +88,7 @@ vtkSmartPointer<vtkHapticRegionSource> vtkPVHapticLargeFile::MakeRegions()
   }
   auto regions = vtkSmartPointer<vtkHapticRegionSource>::New();
   std::string error;
-  if (!regions->OpenFile(this->FileName, error))
+  if (!regions->OpenFile(this->FileName, error, this->Series))
   {
     vtkErrorMacro(<< error);
     return nullptr;
@@ -110,7 +110,7 @@ bool vtkPVHapticLargeFile::Open()
       return false;
     }
     std::string error;
-    if (!this->Volume->OpenFile(this->FileName, error))
+    if (!this->Volume->OpenFile(this->FileName, error, this->Series))
     {
       vtkErrorMacro(<< error);
       return false;
@@ -159,6 +159,7 @@ void vtkPVHapticLargeFile::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Series: " << this->Series << "\n";
   os << indent << "IsOpen: " << this->IsOpen << "\n";
   os << indent << "Regions:\n";
   this->Volume->PrintSelf(os, indent.GetNextIndent());

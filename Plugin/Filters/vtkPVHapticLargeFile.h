@@ -34,6 +34,15 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * The number of a channel, a time or a component of a file with several, from 1 on. 0 (default):
+   * the first one.
+   */
+  vtkSetClampMacro(Series, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Series, int);
+  ///@}
+
   /**
    * Returns the large file from which a connection comes, also through ParaView's own filters; null
    * if there is none.
@@ -68,6 +77,7 @@ private:
   class Regions;
 
   char* FileName = nullptr;
+  int Series = 0;
   vtkSmartPointer<Regions> Volume;
   vtkTimeStamp Opened; // time of the last try to open the file
   bool IsOpen = false;

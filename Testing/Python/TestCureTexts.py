@@ -86,13 +86,26 @@ TRIED = {
     "Data/Formats/write_images.py": {
         "Copy all files of the stack into one folder": "is missing", "Write all slices alike": "pages of several sizes or types",
         ", which has …. Check that its copy is complete": "names page",
+        "has … components, and none with the number …": "and none with the number",
     },
+    "Data/Formats/write_dicom.py": {
+        "has … segments, and none with the number …": "and none with the number",
+        "voxels are in several segments: they belong to that with the highest number": "voxels are in several segments",
+    },
+    "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
+    "Data/Formats/TestFormats.py": {
+        "is one of several files, and has …": "is one of several files, and has ",
+        "is one of several files, and moves itself": "moves itself", "is for files with arrays": "is for files with arrays",
+    },
+    "Data/Formats/write_threads.py": {"it is a collection of …": "collection of"},
     "Python/TestLabels.py": {
         "write the volume that is meant into a file of its own": "into a file of its own",
         "There is no file name. Cure: set FileName": "set FileName",
     },
     "Python/TestExplorerCures.py": {"run the program as 'xvfb-run -a": "run the program as"},
     "Python/TestLargeCures.py": {
+        "and none with the number …. Take Series = 1 to Series = ": "Take Series = 1 to Series = ",
+        "it has one volume, of which none can be chosen by a number. Leave Series out": "none can be chosen by a number. Leave Series out",
         "Close it there; if its writer has ended, run h5clear -s FILE": "run h5clear -s FILE",
         "Convert it with h5repack --high=2 IN OUT": "--high=",
     },

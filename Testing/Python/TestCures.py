@@ -178,7 +178,7 @@ ELSEWHERE = {
     "pip install": "installation", "built with VolumeHaptics": "installation", "install the package again": "installation",
     "check that the copy is complete": "TestLabels.py has the whole files", "place the volume": "TestLabels.py",
     "read the labels yourself": "TestLabels.py, an image", "write it anew": "TestLarge.py",
-    "open_large(": "TestLarge.py", "dask's": "TestLarge.py", "copy it, or open another level": "TestLarge.py",
+    "leave series out": "TestLarge.py", "take series=1 to series=": "TestLarge.py", "open_large(": "TestLarge.py", "dask's": "TestLarge.py", "copy it, or open another level": "TestLarge.py",
     "its array with zarr": "TestLarge.py", "open one of its arrays": "TestLarge.py",
     "grids of cells in space": "TestErrors.py", "give that volume, or none": "TestHosts.py",
     "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",

@@ -12,6 +12,7 @@ import time
 import numpy as np
 import pytest
 import volumehaptics
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from volumehaptics import _large, image, open_large, touch, vtkHapticDevice, vtkVolumeHapticsFilter
 from volumehaptics.arrays import arrays
 
@@ -200,6 +201,30 @@ def test_ome_zarr_of_other_shapes(zarr):
     zarr.opened = make_ome()
     with pytest.raises(ValueError, match="2 levels"):
         open_large("bed.zarr", level=2)
+
+
+def test_a_time_and_a_channel_are_chosen_by_a_number(zarr):
+    opened = make_ome()
+    for level in opened:
+        opened[level] = np.stack([np.concatenate([opened[level][0] * 0 + 10 * t + c for c in range(3)]) for t in range(2)])
+    for group in (opened, Group({"0": opened}, {"bioformats2raw.layout": 3})):
+        zarr.opened = group
+        for number, value in ((0, 0), (1, 0), (3, 2), (5, 11)):
+            source = open_large("bed.zarr", series=number)
+            part = vtkImageData()
+            assert source.ReadRegion((0, 1, 0, 1, 0, 1), part)
+            assert part.GetPointData().GetScalars().GetRange() == (value, value)
+            assert source.GetCoarseImage().GetScalarRange() == (value, value)
+    for number in (-1, 7):
+        with pytest.raises(ValueError, match=f"6 volumes, and none with the number {number}. Cure: take series=1 to series=6"):
+            open_large("bed.zarr", series=number)
+    zarr.opened = make_ome()
+    with pytest.raises(ValueError, match="Cure: leave series out"):
+        open_large("bed.zarr", series=1)
+    zarr.opened = np.stack([0 * make_bed(), make_bed()])
+    assert open_large("bed.zarr", series=2).GetWholeExtent() == (0, 299, 0, 59, 0, 79)
+    with pytest.raises(TypeError, match="series is of a file or a folder"):
+        open_large(make_bed(), series=1)
 
 
 def test_a_real_zarr_is_felt(tmp_path):

@@ -562,7 +562,7 @@ def tiff_case(words, **wrong):
 
 tiff_case("samples a pixel, as pictures in colours have. Write it with one grey value a pixel", t277=3)
 tiff_case("they are inverted, or numbers of colours. Write it with one grey value a pixel", t262=0)
-tiff_case("pages, and has fewer. Check that its copy is complete",
+tiff_case("pages, and has",
           description="ImageJ=1.54\nimages=18\nchannels=2\nslices=18\n")
 tiff_case("Write it with 8, 16, 32 or 64 bits", t258=24, t279=3 * 2 * 120)
 tiff_case("its pages have no size, or a damaged one. Write it again", t256=2**31 + 5)
@@ -586,7 +586,28 @@ def headless(path, array, description):
     return tiff(path, array.reshape(1, -1, 20), description=f"ImageJ=1.54\n{description}\n", t257=12, t278=12, t279=480)
 
 
-@case("several channels behind one page. Write one channel")
-def _(folder):
-    yield headless(folder / "a.tif", np.concatenate([ARRAY, ARRAY]), "images=36\nchannels=2\nslices=18")
-    yield headless(folder / "a.tif", ARRAY, "images=18\nslices=18")
+def test_a_channel_of_all_that_is_behind_one_page(tmp_path):
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(headless(tmp_path / "a.tif", ARRAY, "images=18\nslices=18")))
+    assert np.array_equal(region_of(source, source.GetWholeExtent()), ARRAY)
+    both = np.stack([0 * ARRAY, ARRAY], axis=1)
+    assert source.OpenFile(str(headless(tmp_path / "b.tif", both, "images=36\nchannels=2\nslices=18")), 2)
+    assert np.array_equal(region_of(source, source.GetWholeExtent()), ARRAY)
+
+
+def test_a_number_that_no_volume_has(tmp_path):
+    source = vtkHapticRegionSource()
+    two = str(tiff(tmp_path / "a.tif", np.stack([0 * ARRAY, ARRAY]).reshape(-1, 12, 20), description='{"shape": [2, 18, 12, 20]}'))
+    for number in (-1, 3):
+        with Errors(source) as errors:
+            assert not source.OpenFile(two, number)
+        assert f"none with the number {number}. Take Series = 1 to Series = 2." in errors[0]
+    assert source.OpenFile(two, 2)
+    assert [source.GetSeriesName(i) for i in range(source.GetNumberOfSeries())] == ["1 volume 1 of 2", "2 volume 2 of 2"]
+    assert source.GetSeriesNumber() == 2 and source.GetSeriesName(2) is None
+    assert np.array_equal(region_of(source, source.GetWholeExtent()), ARRAY)
+    one = str(tiff(tmp_path / "b.tif"))
+    with Errors(source) as errors:
+        assert not source.OpenFile(one, 1)
+    assert "none can be chosen by a number. Leave Series out." in errors[0]
+    assert source.OpenFile(one) and source.GetNumberOfSeries() == 0 and source.GetSeriesNumber() == 0

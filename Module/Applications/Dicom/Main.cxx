@@ -40,7 +40,8 @@ using Explore::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
-const gdcm::Tag OFFSETS(0x3004, 0x000c); // of a dose's frames
+const gdcm::Tag OFFSETS(0x3004, 0x000c);         // of a dose's frames
+constexpr std::uint32_t REAL_WORLD = 0x00409096; // RealWorldValueMappingSequence
 const gdcm::Tag ROWS(0x0028, 0x0010), BEFORE_PIXELS(0x7fe0, 0x0007);
 const gdcm::Tag PIXELS(0x7fe0, 0x0010), FLOAT_PIXELS(0x7fe0, 0x0008), DOUBLE_PIXELS(0x7fe0, 0x0009);
 
@@ -94,17 +95,18 @@ void AppendValue(
 bool IsGroup(std::uint32_t tag)
 {
   // The groups with the spacing of pixels, the place, the orientation, slope and intercept; the
-  // number of the frame in time, its segment, echo, diffusion and heart phase.
+  // number of the frame in time, its segment, echo, diffusion and heart phase; the map to
+  // real-world values, and in it its unit.
   constexpr std::uint32_t groups[] = { 0x00289110, 0x00209113, 0x00209116, 0x00289145, 0x00209111,
-    0x0062000a, 0x00189114, 0x00189117, 0x00189118 };
+    0x0062000a, 0x00189114, 0x00189117, 0x00189118, REAL_WORLD, 0x004008ea };
   return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
 }
 
-/// Whether a sequence has items whose values are needed: segments, what all frames share, and what
-/// each frame has.
+/// Whether a sequence has items whose values are needed: segments, the map to real-world values,
+/// what all frames share, and what each frame has.
 bool IsWanted(std::uint32_t tag)
 {
-  return tag == 0x00620002 || tag == 0x52009229 || tag == 0x52009230;
+  return tag == 0x00620002 || tag == REAL_WORLD || tag == 0x52009229 || tag == 0x52009230;
 }
 
 /// Appends the values of a data set; within the wanted sequences also those of groups.

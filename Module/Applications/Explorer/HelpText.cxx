@@ -94,10 +94,10 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
                     is in the next one. Surfaces then go from frame to frame however far that is, and take
                     along a hand that sticks to them
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
-                    summary lists them, and key F3 of the window), or which volume along the fourth axis of a
-                    NIfTI file, such as a channel (default: all, as times), or which component of the voxels of
-                    another file (default: the first). Key F2, or a file that is dropped on
-                    the window, opens another volume
+                    summary lists them, and key F3 of the window), which segment of a segmentation (default:
+                    all), which volume along the fourth axis of a NIfTI file (default: all, as times), or which
+                    channel, time or component of another file (default: the first); of each file if several
+                    are named. Key F2, or a file that is dropped on the window, opens another volume
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm: its labels
                     have names in the window, and materials of their own
   --as-labels       the volume is a label map: its values are numbers of labels, which have colours, and

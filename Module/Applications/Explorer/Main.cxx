@@ -155,15 +155,26 @@ std::vector<std::string> PathsOf(const Explore::Options& options)
   return paths;
 }
 
+void NameOptions(Explore::Volume& volume)
+{
+  for (std::string& note : volume.Notes)
+  {
+    note = Explore::NameOptions(note);
+  }
+}
+
 Explore::Volume Load(const Explore::Options& options)
 {
-  return Explore::LoadVolumes(PathsOf(options), options.Large, options.Series, options.Array);
+  Explore::Volume volume =
+    Explore::LoadVolumes(PathsOf(options), options.Large, options.Series, options.Array);
+  NameOptions(volume);
+  return volume;
 }
 
 int WriteVolume(const Explore::Options& options)
 {
-  const Explore::Volume volume =
-    Explore::LoadIntoMemory(PathsOf(options), options.Series, options.Array);
+  Explore::Volume volume = Explore::LoadIntoMemory(PathsOf(options), options.Series, options.Array);
+  NameOptions(volume);
   if (volume.LabelTable)
   {
     volume.LabelTable->WriteFieldData(volume.Image->GetFieldData());
@@ -319,9 +330,10 @@ int RunAll(Explore::Options options)
     }
     catch (const Explore::InputError& error)
     {
-      std::cerr << error.what() << std::endl;
+      const std::string what = Explore::NameOptions(error.what());
+      std::cerr << what << std::endl;
       options = before;
-      options.Notice = error.what();
+      options.Notice = what;
       options.BringBack = true;
       next = {};
       code = Run(options, next);
@@ -353,7 +365,7 @@ int main(int argc, char* argv[])
   }
   catch (const Explore::InputError& error)
   {
-    std::cerr << error.what() << std::endl;
+    std::cerr << Explore::NameOptions(error.what()) << std::endl;
     return BAD_INPUT;
   }
   catch (const std::exception& error)

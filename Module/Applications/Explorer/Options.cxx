@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <regex>
 
 namespace
 {
@@ -394,5 +395,20 @@ Options ParseOptions(int argc, char* argv[])
       "name the segmentation, as in --labels Liver.seg.nrrd");
   }
   return options;
+}
+
+std::string NameOptions(const std::string& text)
+{
+  static const std::pair<std::regex, const char*> words[] = {
+    { std::regex("\\bSeries = "), "--series " },
+    { std::regex("eave Series out"), "eave --series out" },
+    { std::regex("\\bArrayName = "), "--array " },
+  };
+  std::string named = text;
+  for (const auto& [setting, option] : words)
+  {
+    named = std::regex_replace(named, setting, option);
+  }
+  return named;
 }
 } // namespace Explore

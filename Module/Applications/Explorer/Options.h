@@ -52,6 +52,10 @@ struct Options
 
 /// Throws InputError for an unknown option or a wrong value.
 Options ParseOptions(int argc, char* argv[]);
+
+/// Replaces the settings of vtkHapticVolumeReader that a text names, such as "Series = 2", by the
+/// options of this program.
+std::string NameOptions(const std::string& text);
 } // namespace Explore
 
 #endif

@@ -12,18 +12,17 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from .vtkVolumeHaptics import vtkHapticVolumeReader
 
-# Patterns of explorer options in the reader's texts, and the arguments that replace them here.
-_OPTIONS = ((r"--series (\w+)", r"series=\1"), )
+
+def in_words(text: str, option: str = "series=") -> str:
+    """Replaces the setting Series in the texts of the C++ classes by an option, or by an argument of Python."""
+    text = re.sub(r"\bSeries = (\w)", rf"{option}\1", text)
+    return text.replace("eave Series out", f"eave {option.rstrip('= ')} out")
 
 
-def _in_python(text: str) -> str:
-    for option, argument in _OPTIONS:
-        text = re.sub(option, argument, text)
-    return text
-
-
-def run(path: str | os.PathLike, series: int = 0, are_labels: bool = False) -> vtkHapticVolumeReader:
-    """Returns a reader that has read a file or a folder. ValueError: it can't be read; the text has the cure."""
+def run(path: str | os.PathLike, series: int = 0, are_labels: bool = False,
+        option: str = "series=") -> vtkHapticVolumeReader:
+    """Returns a reader that has read a file or a folder. ValueError: it can't be read; the text has the cure, with the
+    option that chooses a series."""
     from ._touch import Errors
 
     reader = vtkHapticVolumeReader()
@@ -33,7 +32,7 @@ def run(path: str | os.PathLike, series: int = 0, are_labels: bool = False) -> v
     with Errors(reader, reader.GetExecutive()) as errors:
         reader.Update()
     if errors:
-        raise ValueError(_in_python(errors[0]))
+        raise ValueError(in_words(errors[0], option))
     return reader
 
 
@@ -44,11 +43,11 @@ def take(reader: vtkHapticVolumeReader) -> vtkImageData:
     return image
 
 
-def read(path: str | os.PathLike, series: int = 0) -> tuple[vtkImageData, list[str]]:
+def read(path: str | os.PathLike, series: int = 0, option: str = "series=") -> tuple[vtkImageData, list[str]]:
     """Returns the volume of a file or a folder, and notes on what was assumed, dropped, filled or turned. If the file
     defines its axes, the volume is in left-posterior-superior and mm. series: see vtkHapticVolumeReader.SetSeries().
 
     ValueError: the file or folder can't be read; the text has the cure."""
-    reader = run(path, series)
-    said = _in_python(reader.GetNotes()).splitlines()
+    reader = run(path, series, option=option)
+    said = in_words(reader.GetNotes(), option).splitlines()
     return take(reader), [line.strip() for line in said if line.strip() and "slices, sorted by" not in line]

@@ -7,6 +7,7 @@ from __future__ import annotations
 import atexit
 import ctypes
 import itertools
+import math
 import mmap
 import os
 import sys
@@ -37,6 +38,7 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import vtkVolumeHaptics
+from ._files import in_words
 from ._touch import Errors
 from .arrays import image
 from .vtkVolumeHaptics import vtkHapticRegionSource
@@ -203,7 +205,18 @@ class _Level(NamedTuple):
     origin: Sequence[float] | None = None
 
 
-def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
+def _choose(shape: Sequence[int], path: str, series: int) -> tuple[int, ...]:
+    """Returns the indices along the axes before z, y and x of the volume with a number, from 1 on; 0: the first one."""
+    count = math.prod(shape)
+    if series and count == 1:
+        raise ValueError(f"{path} has one volume, of which none can be chosen by a number. Cure: leave series out")
+    if not 0 <= series <= count:
+        raise ValueError(f"{path} has {count} volumes, and none with the number {series}. Cure: take series=1 to "
+                         f"series={count}")
+    return tuple(int(one) for one in np.unravel_index(max(series, 1) - 1, shape)) if shape else ()
+
+
+def _open_dataset(group: Any, path: str, scales: dict, dataset: dict, series: int) -> _Level:
     if dataset["path"] not in group:
         raise ValueError(f"{path} has no array {dataset['path']}, which is one of its levels: it may not have been "
                          "copied. Cure: copy it, or open another level")
@@ -215,12 +228,14 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
     steps = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
     scale, translation = _scale_and_translation(steps, axes)
     told = scales.get("axes", [])
-    return _Level(_Volume(array, (0,) * (axes - 3)), _in_millimetres(scale, told), _in_millimetres(translation, told))
+    return _Level(_Volume(array, _choose(array.shape[:-3], path, series)), _in_millimetres(scale, told), _in_millimetres(translation, told))
 
 
-def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
+def _open_multiscales(group: Any, path: str, level: int, series: int) -> list[_Level]:
     """Opens the levels of an OME-Zarr group, from the wanted level to the coarsest."""
     attributes = dict(group.attrs)
+    if "bioformats2raw.layout" in attributes.get("ome", attributes) and "1" not in group:
+        group, attributes = group["0"], dict(group["0"].attrs)  # a collection of one image
     scales = attributes.get("ome", attributes).get("multiscales")
     if not scales:
         raise ValueError(f"{path} is a Zarr group without OME-Zarr's multiscales. Cure: open one of its arrays with "
@@ -231,7 +246,7 @@ def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
     levels = []
     for dataset in datasets[level % len(datasets):]:
         try:
-            levels.append(_open_dataset(group, path, scales[0], dataset))
+            levels.append(_open_dataset(group, path, scales[0], dataset, series))
         except (KeyError, ValueError):
             if not levels:
                 raise
@@ -239,9 +254,13 @@ def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
     return levels
 
 
-def _open_path(path: str, level: int) -> list[_Level]:
+def _open_array(array: Any, path: str, series: int) -> _Level:
+    return _Level(_Volume(array, _choose(array.shape[:-3], path, series)) if series else array)
+
+
+def _open_path(path: str, level: int, series: int) -> list[_Level]:
     if path.endswith(".npy"):
-        return [_Level(np.load(path, mmap_mode="r"))]
+        return [_open_array(np.load(path, mmap_mode="r"), path, series)]
     try:
         import zarr
     except ImportError as error:
@@ -249,8 +268,8 @@ def _open_path(path: str, level: int) -> list[_Level]:
                           "with another library, and give open_large() the array") from error
     opened = zarr.open(path, mode="r")
     if hasattr(opened, "shape"):
-        return [_Level(opened)]
-    return _open_multiscales(opened, path, level)
+        return [_open_array(opened, path, series)]
+    return _open_multiscales(opened, path, level, series)
 
 
 def _choose_coarse(levels: list[_Level]) -> _Level | None:
@@ -289,12 +308,12 @@ def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageDat
     return _read_coarse(_beside(coarse, fine))
 
 
-def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHapticRegionSource:
+def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any, series: int) -> vtkHapticRegionSource:
     """Opens a file that C++ reads itself, on threads that do not need Python's lock."""
     source = _Source()
     with Errors(source) as errors:
-        if not source.OpenFile(path):
-            raise ValueError(errors[0])
+        if not source.OpenFile(path, series):
+            raise ValueError(in_words(errors[0]))
     if spacing is not None:
         source.SetSpacing(_three("spacing", spacing))
     if origin is not None:
@@ -313,13 +332,13 @@ def open_large(
     origin: Sequence[float] | None = None,
     level: int = 0,
     coarse: Any = None,
+    series: int = 0,
 ) -> vtkHapticRegionSource:
     """Opens a volume that is too large for memory, so that it is read where the hand needs it.
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy accepts: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
-        OME-Zarr image, of a .npy file, or of a file that vtkHapticRegionSource.OpenFile() reads. An OME-Zarr image
-        with times or channels gives the first of each.
+        OME-Zarr image, of a .npy file, or of a file that vtkHapticRegionSource.OpenFile() reads.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in mm if
         its axes name a unit of OME-NGFF, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
@@ -328,6 +347,7 @@ def open_large(
     coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
         world. Live, it replaces late samples, with half of its force; windows show it. Default:
         of an OME-Zarr image, its finest coarser level of at most 2^22 voxels; else nothing. False: nothing.
+    series: which time, channel or component of a file or folder with several, from 1 on. Default: the first one.
 
     The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
     whole volume in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread
@@ -347,8 +367,10 @@ def open_large(
     levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
         if vtkHapticRegionSource.GetFileFormat(os.fspath(array_or_path)) not in ("", "Zarr"):  # read without Python
-            return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse)
-        levels = _open_path(os.fspath(array_or_path), level)
+            return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse, series)
+        levels = _open_path(os.fspath(array_or_path), level, series)
+    elif series:
+        raise TypeError("series is of a file or a folder: give its name, or choose a part of the array")
     array, own_spacing, own_origin = levels[0]
     shape, kind = getattr(array, "shape", None), getattr(array, "dtype", None)
     if shape is None or kind is None or not hasattr(array, "__getitem__"):

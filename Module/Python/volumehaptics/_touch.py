@@ -354,8 +354,9 @@ def touch(
         by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
         ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from
         the preset.
-    series: which series of a DICOM folder, or which volume along the fourth axis of a NIfTI file, from 1 on. Default:
-        the series with most pixels, or the first volume; a UserWarning lists the others.
+    series: which series of a DICOM folder, which segment of a segmentation, or which channel, time or component of
+        another file, from 1 on. Default: the series with most pixels, all segments, or the first one; a UserWarning
+        says what there is.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
         vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand, and

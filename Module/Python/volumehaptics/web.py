@@ -171,7 +171,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("volume", nargs="?", help="whatever volumehaptics-explore reads: .vti .mhd .mha .nii .nii.gz .nrrd, "
                                                     "a folder of DICOM slices, a grid, ...")
     parser.add_argument("--demo", action="store_true", help="the head phantom that comes with the package")
-    parser.add_argument("--series", type=int, default=0, metavar="N", help="which series of a DICOM folder, from 1 on")
+    parser.add_argument("--series", type=int, default=0, metavar="N", help="which series of a DICOM folder, segment, channel, time or component of a file, from 1 on")
     parser.add_argument("--preset", choices=[*names_of(vtkHapticProperty.GetPresetNames()), "propose"],
                         help="what the tissues feel like (default: by the values)")
     parser.add_argument("--method", choices=names_of(vtkVolumeHapticsFilter.GetMethodNames()), help="(default: proxy)")
@@ -189,7 +189,7 @@ def main(arguments: list[str]) -> int:
 
             image = phantom()
         else:
-            image, told = read(options.volume, options.series)
+            image, told = read(options.volume, options.series, "--series ")
             for note in told:
                 print(note)
         haptics = make_plotter(image, options.preset, device=options.device)

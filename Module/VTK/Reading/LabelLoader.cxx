@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/LabelLoader.h"
 
-#include "VTK/Material/Labels/SegmentationFile.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/MessageCapture.h"
+#include "VTK/Reading/VolumeChecks.h"
 
 #include "vtkDataArray.h"
 #include "vtkIntArray.h"
@@ -28,20 +28,6 @@ bool IsNrrd(const std::string& path)
 {
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path)) ==
     ".nrrd";
-}
-
-/// Reads a NRRD file, which may have segments in layers.
-Volume ReadSegmentation(const std::string& path)
-{
-  Volume volume;
-  volume.Image = vtkSmartPointer<vtkImageData>::New();
-  volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
-  const std::string error = VolumeHaptics::ReadSegmentation(path, volume.Image, volume.LabelTable);
-  if (!error.empty())
-  {
-    throw InputError(path, error, "name another file");
-  }
-  return volume;
 }
 
 void ReadTables(Volume& volume, const std::vector<std::string>& tables)
@@ -185,13 +171,13 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
   volume.Notes.push_back("its values are taken as labels: " + std::to_string(labels.size()));
 }
 
-Volume ReadLabels(const std::string& path)
+Volume ReadLabels(const std::string& path, int series)
 {
-  if (IsNrrd(path))
+  if (IsNrrd(path) && series == 0)
   {
-    return ReadSegmentation(path);
+    return ReadNrrdSegmentation(path);
   }
-  Volume labels = ReadVolume(path);
+  Volume labels = ReadVolume(path, series > 0, series);
   if (labels.IsGrid)
   {
     throw InputError(path, "has no voxels, but cells", "write the labels as an image");
@@ -200,15 +186,16 @@ Volume ReadLabels(const std::string& path)
   {
     throw InputError(path, "is DICOM, but no segmentation (SEG)", "name it as the volume");
   }
-  const bool isOneOfSeveral = ReadNiftiTimes(path, 1.0).Count > 1 ||
-    std::any_of(labels.Notes.begin(), labels.Notes.end(),
-      [](const std::string& note)
-      { return note.find("the first one is used") != std::string::npos; });
-  if (isOneOfSeveral)
+  const int components = labels.Image->GetNumberOfScalarComponents();
+  const int count = std::max(
+    { ReadNiftiTimes(path, 1.0).Count, static_cast<int>(labels.Series.size()), components });
+  if (series == 0 && count > 1 && !labels.LabelTable)
   {
     throw InputError(path, "has several volumes, and labels are one",
-      "write the volume that is meant into a file of its own");
+      "take Series = 1 to Series = " + std::to_string(count) +
+        ", or write the volume that is meant into a file of its own");
   }
+  UseComponent(path, labels, series);
   labels.Notes.clear(); // the notes of the volume reader do not apply to labels
   const double wrong = RoundLabels(labels.Image, labels.Notes);
   if (wrong != 0.0)

@@ -42,10 +42,10 @@ bool IsLargeFormat(const std::string& format)
   return format == "VTKHDF" || format == "Zarr";
 }
 
-void OpenItself(const std::string& path, vtkHapticRegionSource* source)
+void OpenItself(const std::string& path, int series, vtkHapticRegionSource* source)
 {
   std::string error;
-  if (!source->OpenFile(PlainName(path).c_str(), error))
+  if (!source->OpenFile(PlainName(path).c_str(), error, series))
   {
     throw InputError(path, "can't be opened (" + error + ")",
       !IsLargeFormat(FormatOf(path))
@@ -107,7 +107,7 @@ bool IsLargeVolume(const std::string& path, bool isWanted)
   return free > 0.0 && ComputeRegionsSize(path) > 0.5 * free;
 }
 
-Volume LoadLargeVolume(const std::string& path)
+Volume LoadLargeVolume(const std::string& path, int series)
 {
   if (!Files::PathExists(path))
   {
@@ -116,7 +116,7 @@ Volume LoadLargeVolume(const std::string& path)
   Volume volume;
   volume.Name = Files::GetFilenameName(PlainName(path));
   volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
-  OpenItself(path, volume.Large);
+  OpenItself(path, series, volume.Large);
   volume.Format = FormatOf(path);
   AddFileNotes(volume.Large, volume);
   if (volume.Format == "NRRD")

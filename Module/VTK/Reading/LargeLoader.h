@@ -18,8 +18,9 @@ bool IsLargeVolume(const std::string& path, bool isWanted);
 double ComputeRegionsSize(const std::string& path);
 
 /// Opens a file that is read region by region. The volume's image is a coarse level, which comes
-/// from the file or is made from its samples. Throws InputError.
-Volume LoadLargeVolume(const std::string& path);
+/// from the file or is made from its samples. For `series`, see vtkHapticRegionSource::OpenFile().
+/// Throws InputError.
+Volume LoadLargeVolume(const std::string& path, int series = 0);
 } // namespace Explore
 
 #endif

@@ -132,67 +132,6 @@ void UseBrightness(Volume& volume)
   volume.Notes.emplace_back("colours: their brightness is used");
 }
 
-/// Reduces the scalars to one component, and lists all of them to choose from, unless there are
-/// series to choose from. `chosen` is the number of the component, which begins at 1; 0 stands for
-/// the first one.
-void UseComponent(const std::string& path, Volume& volume, int chosen)
-{
-  const int components = volume.Image->GetNumberOfScalarComponents();
-  const bool isColour =
-    (components == 3 || components == 4) && volume.Image->GetScalarType() == VTK_UNSIGNED_CHAR;
-  // A DICOM series has been chosen by now.
-  const int number = volume.Series.empty() && volume.Format != "DICOM" ? chosen : 0;
-  const int count = isColour ? 1 : components;
-  if (number > 0 && count == 1)
-  {
-    throw InputError(
-      path, "has one volume, of which none can be chosen by a number", "leave --series out");
-  }
-  if (number > count)
-  {
-    throw InputError(path,
-      "has " + std::to_string(count) + " components, and none with the number " +
-        std::to_string(number),
-      "take --series 1 to " + std::to_string(count));
-  }
-  if (components == 1)
-  {
-    return;
-  }
-  if (isColour)
-  {
-    UseBrightness(volume);
-    return;
-  }
-  const int used = std::max(number - 1, 0);
-  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
-  std::vector<std::string> names;
-  for (int c = 0; c < components; ++c)
-  {
-    const char* const name = scalars->GetComponentName(c);
-    names.push_back(std::to_string(c + 1) + " component " + std::to_string(c) +
-      (name && *name ? " (" + std::string(name) + ")" : ""));
-  }
-  vtkNew<vtkImageExtractComponents> extract;
-  extract->SetInputData(volume.Image);
-  extract->SetComponents(used);
-  extract->Update();
-  vtkNew<vtkImageData> single;
-  single->ShallowCopy(extract->GetOutput());
-  single->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
-  volume.Image = single;
-  volume.Notes.push_back(std::to_string(components) + " components a voxel: component " +
-    std::to_string(used) + " used, the others ignored" +
-    (volume.Series.empty()
-        ? "; --series 1 to --series " + std::to_string(components) + " take one of them"
-        : std::string()));
-  if (volume.Series.empty())
-  {
-    volume.Series = names;
-    volume.SeriesNumber = used + 1;
-  }
-}
-
 void CheckRange(const std::string& path, vtkImageData* image)
 {
   double range[2];
@@ -287,6 +226,64 @@ bool MayBeHounsfield(const std::string& modality)
   static const char* const others[] = { "MR", "PT", "NM", "US", "OPT", "OCT", "IVUS", "IVOCT", "MG",
     "RTDOSE", "SEG" };
   return std::find(std::begin(others), std::end(others), modality) == std::end(others);
+}
+
+void UseComponent(const std::string& path, Volume& volume, int chosen)
+{
+  const int components = volume.Image->GetNumberOfScalarComponents();
+  const bool isColour =
+    (components == 3 || components == 4) && volume.Image->GetScalarType() == VTK_UNSIGNED_CHAR;
+  // A DICOM series has been chosen by now.
+  const int number = volume.Series.empty() && volume.Format != "DICOM" ? chosen : 0;
+  const int count = isColour ? 1 : components;
+  if (number > 0 && count == 1)
+  {
+    throw InputError(
+      path, "has one volume, of which none can be chosen by a number", "leave Series out");
+  }
+  if (number > count)
+  {
+    throw InputError(path,
+      "has " + std::to_string(count) + " components, and none with the number " +
+        std::to_string(number),
+      "take Series = 1 to Series = " + std::to_string(count));
+  }
+  if (components == 1)
+  {
+    return;
+  }
+  if (isColour)
+  {
+    UseBrightness(volume);
+    return;
+  }
+  const int used = std::max(number - 1, 0);
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  std::vector<std::string> names;
+  for (int c = 0; c < components; ++c)
+  {
+    const char* const name = scalars->GetComponentName(c);
+    names.push_back(std::to_string(c + 1) + " component " + std::to_string(c) +
+      (name && *name ? " (" + std::string(name) + ")" : ""));
+  }
+  vtkNew<vtkImageExtractComponents> extract;
+  extract->SetInputData(volume.Image);
+  extract->SetComponents(used);
+  extract->Update();
+  vtkNew<vtkImageData> single;
+  single->ShallowCopy(extract->GetOutput());
+  single->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  volume.Image = single;
+  volume.Notes.push_back(std::to_string(components) + " components a voxel: component " +
+    std::to_string(used) + " used, the others ignored" +
+    (volume.Series.empty()
+        ? "; Series = 1 to Series = " + std::to_string(components) + " take one of them"
+        : std::string()));
+  if (volume.Series.empty())
+  {
+    volume.Series = names;
+    volume.SeriesNumber = used + 1;
+  }
 }
 
 void CheckVolume(const std::string& path, Volume& volume, int chosen)

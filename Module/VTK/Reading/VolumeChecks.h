@@ -17,6 +17,11 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 /// Whether the values of a DICOM modality may be Hounsfield units. True for an unknown modality.
 bool MayBeHounsfield(const std::string& modality);
 
+/// Reduces the scalars to one component, and lists all of them to choose from, unless there are
+/// series to choose from. `chosen` is the number of the component, which begins at 1; 0 stands for
+/// the first one. Throws InputError if there is no such component.
+void UseComponent(const std::string& path, Volume& volume, int chosen);
+
 /// Throws InputError unless the volume can be touched. If there are no active scalars, activates
 /// the first point array, or a cell array; reduces the scalars to one component, with a note. For
 /// `chosen`, see vtkHapticVolumeReader::SetSeries().

@@ -81,7 +81,7 @@ bool VolumeFields::UseWith(const std::string& name, const std::string& path, vtk
       const char* const other = points->GetArray(i) ? points->GetArray(i)->GetName() : nullptr;
       known += other ? (known.empty() ? "'" : ", '") + std::string(other) + "'" : "";
     }
-    throw InputError("--array '" + name + "'", "is not an array of the points of " + path,
+    throw InputError("ArrayName = '" + name + "'", "is not an array of the points of " + path,
       known.empty() ? "leave it out: there is none with a name" : "take one of " + known);
   }
   const vtkSmartPointer<vtkDataArray> shown =

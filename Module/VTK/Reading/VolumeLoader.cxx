@@ -17,6 +17,7 @@
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/NrrdHeader.h"
+#include "VTK/Material/Labels/SegmentationFile.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 
 #include "vtkDataArray.h"
@@ -72,7 +73,7 @@ constexpr UnreadableFile UNREADABLE[] = {
     "is a picture, which has one slice, or less than the values of a scan",
     "name the volume that it was made of" },
   { " .stl .ply .obj ", "is a surface, not a volume",
-    "name a volume; --tool and --guide take surfaces" },
+    "name a volume; a surface can be a tool or a guide in it" },
 };
 
 std::string ListKnown()
@@ -316,14 +317,16 @@ bool IsKnownToVTK(const std::string& path)
 }
 
 /// Reads a whole file by the code that reads regions, with the notes about it.
-Volume ReadAsRegions(const std::string& path, const std::string& format, const char* cure)
+Volume ReadAsRegions(
+  const std::string& path, const std::string& format, int series, const char* cure)
 {
   vtkNew<vtkHapticRegionSource> source;
   std::string error;
   Volume volume;
   volume.Format = format;
-  volume.Image =
-    source->OpenWholeFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
+  volume.Image = source->OpenWholeFile(path.c_str(), error, series)
+    ? Explore::ReadWhole(source, error)
+    : nullptr;
   if (!volume.Image)
   {
     throw InputError(path, "cannot be read as " + format + " (" + error + ")", cure);
@@ -334,13 +337,13 @@ Volume ReadAsRegions(const std::string& path, const std::string& format, const c
 
 /// Reads a MetaImage, also one that VTK's reader can't read, with samples of 64 bits, MetaIO's
 /// long, or more than three axes.
-Volume ReadMetaImage(const std::string& path)
+Volume ReadMetaImage(const std::string& path, int series)
 {
   vtkNew<vtkMetaImageReader> reader;
   const bool isRaw = reader->CanReadFile(path.c_str()) && !IsKnownToVTK(path);
   Volume volume = isRaw
-    ? ReadAsRegions(
-        path, "MetaImage", "do what stands there, or write it with samples of 8, 16 or 32 bits")
+    ? ReadAsRegions(path, "MetaImage", series,
+        "do what stands there, or write it with samples of 8, 16 or 32 bits")
     : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
   volume.Axes = Explore::ReadMetaImageAxes(path);
@@ -351,8 +354,8 @@ Volume ReadMetaImage(const std::string& path)
 }
 
 /// Reads a NRRD file without VTK's reader, which takes text for samples, and the sizes of four axes
-/// from the wrong end.
-Volume ReadNrrd(const std::string& path)
+/// from the wrong end. The segments of a segmentation are labels.
+Volume ReadNrrd(const std::string& path, int series)
 {
   const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);
   if (header.Fields.empty())
@@ -361,7 +364,16 @@ Volume ReadNrrd(const std::string& path)
       "check what the file really is; export it again as NRRD, and check that the copy is "
       "complete");
   }
-  Volume volume = ReadAsRegions(path, "NRRD", "do what stands there");
+  const bool isSegmentation = std::any_of(header.Values.begin(), header.Values.end(),
+    [](const auto& value)
+    {
+      constexpr std::size_t digit = 7; // behind "Segment"
+      const std::string& key = value.first;
+      return key.rfind("Segment", 0) == 0 && key.size() > digit && key[digit] >= '0' &&
+        key[digit] <= '9';
+    });
+  Volume volume = isSegmentation ? Explore::ReadNrrdSegmentation(path, series)
+                                 : ReadAsRegions(path, "NRRD", series, "do what stands there");
   volume.Axes = Explore::FindNrrdAxes(header);
   const std::string note = Explore::DescribeNrrdTurn(header);
   volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
@@ -464,7 +476,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   }
   if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
   {
-    return ReadMetaImage(path);
+    return ReadMetaImage(path, series);
   }
   if (IsNifti(lower))
   {
@@ -472,12 +484,12 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   }
   if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
   {
-    return ReadNrrd(path);
+    return ReadNrrd(path, series);
   }
   const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
   if (!format.empty())
   {
-    return ReadAsRegions(path, format, "do what stands there");
+    return ReadAsRegions(path, format, series, "do what stands there");
   }
   if (Explore::IsGrid(path))
   {
@@ -532,6 +544,43 @@ void AddFileNotes(vtkHapticRegionSource* source, Volume& volume)
   {
     volume.Notes.push_back(note);
   }
+  for (int i = 0; i < source->GetNumberOfSeries(); ++i)
+  {
+    volume.Series.emplace_back(source->GetSeriesName(i));
+  }
+  volume.SeriesNumber = source->GetSeriesNumber();
+}
+
+void ListSegments(Volume& volume, int chosen)
+{
+  volume.Series = { "0 all segments, as labels" };
+  for (vtkIdType i = 0; i < volume.LabelTable->GetNumberOfLabels(); ++i)
+  {
+    const std::string name = volume.LabelTable->GetLabelName(volume.LabelTable->GetLabel(i));
+    volume.Series.push_back(std::to_string(i + 1) + " " + VolumeHaptics::Printable(name));
+  }
+  volume.SeriesNumber = chosen;
+  if (chosen > 0)
+  {
+    volume.Notes.push_back(
+      "segment " + volume.Series[static_cast<std::size_t>(chosen)] + " is read alone");
+  }
+}
+
+Volume ReadNrrdSegmentation(const std::string& path, int series)
+{
+  Volume volume;
+  volume.Format = "NRRD segmentation";
+  volume.Image = vtkSmartPointer<vtkImageData>::New();
+  volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
+  const std::string error =
+    VolumeHaptics::ReadSegmentation(path, volume.Image, volume.LabelTable, series);
+  if (!error.empty())
+  {
+    throw InputError(path, error, "do what stands there, or name another file");
+  }
+  ListSegments(volume, series);
+  return volume;
 }
 
 Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
@@ -546,7 +595,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   {
     const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
     volume = format.empty() ? ReadDicomFolder(path, series)
-                            : ReadAsRegions(path, format, "do what stands there");
+                            : ReadAsRegions(path, format, series, "do what stands there");
   }
   else
   {
@@ -614,12 +663,7 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown)
   return { reader->GetTimeDimension(), isKnown && std::isfinite(spacing) ? spacing : unknown };
 }
 
-namespace
-{
-/// Loads a volume and aligns it to the axes. Before the alignment, calls `judge` with the volume,
-/// while its samples are still in the order of the file.
-template <typename Judge>
-Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
+Volume LoadVolume(const std::string& path, int series, const std::string& array)
 {
   Volume volume = ReadVolume(path, false, series);
   VolumeFields fields;
@@ -636,7 +680,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }
   CheckVolume(path, volume, series);
-  judge(volume);
+  volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image);
   AlignVolume(volume);
   fields.GiveTo(volume.Image);
   for (Volume::Phase& phase : volume.Phases)
@@ -650,18 +694,5 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
     phase.Image = one.Image;
   }
   return volume;
-}
-} // namespace
-
-Volume LoadVolume(const std::string& path, int series, const std::string& array)
-{
-  return LoadAligned(path, series, array,
-    [](Volume& volume)
-    { volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image); });
-}
-
-vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array)
-{
-  return LoadAligned(path, 0, array, [](Volume&) {}).Image;
 }
 } // namespace Explore

@@ -51,8 +51,8 @@ struct Volume
   bool IsField = false; // values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   // What there is to choose from: the series of a DICOM folder, as `1 "Thorax", CT, 133 slices of
-  // 512 x 512`, or the volumes of a NIfTI file. Each begins with its number, and the numbers follow
-  // each other. And which one this is.
+  // 512 x 512`, the segments of a segmentation, or the volumes of a file with more than three axes.
+  // Each begins with its number, and the numbers follow each other. And which one this is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // whether the values look like label numbers
@@ -63,8 +63,8 @@ struct Volume
 
 /// Reads a file or a folder like LoadVolume, but does not change the voxels: they may have any
 /// type, and axes of any direction. If timesAreComponents, the times of a NIfTI file become
-/// components; otherwise the first time is read. From a DICOM folder, the series with a number is
-/// read, or for 0 the largest series.
+/// components; otherwise the first time is read. For `series`, see
+/// vtkHapticVolumeReader::SetSeries().
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
 /// The volumes along the fourth axis of a NIfTI file.
@@ -91,11 +91,16 @@ Volume LoadVolume(const std::string& path, int series = 0, const std::string& ar
 /// `error`, on failure.
 vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
 
-/// Adds notes on what the source assumed when it opened its file.
+/// Adds notes on what the source assumed when it opened its file, and what there is to choose from.
 void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
 
-/// Loads the image of a further time step of a moving volume.
-vtkSmartPointer<vtkImageData> LoadTimeStep(const std::string& path, const std::string& array);
+/// Reads a NRRD file of labels, which may have segments in layers. If it has segments, they can be
+/// chosen from.
+Volume ReadNrrdSegmentation(const std::string& path, int series = 0);
+
+/// Lists the segments of a segmentation, whose table has their names, to choose from. `chosen` is
+/// the number of the one that was read alone; 0: all.
+void ListSegments(Volume& volume, int chosen);
 } // namespace Explore
 
 #endif

@@ -67,8 +67,8 @@ std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
 }
 
 /// Lists the volumes in a folder. If it has no files, lists its folders, if they contain the slices
-/// of phases. Returns none if there are fewer than two.
-std::vector<TimeStepPath> ListFolder(const std::string& folder)
+/// of phases and no series is chosen. Returns none if there are fewer than two.
+std::vector<TimeStepPath> ListFolder(const std::string& folder, int series)
 {
   vtksys::Directory directory;
   directory.Load(folder);
@@ -96,7 +96,8 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder)
   }
   std::vector<std::string>& found = hasFiles ? volumes : folders;
   std::sort(found.begin(), found.end(), VolumeHaptics::IsNamedBefore);
-  const bool areTimeSteps = found.size() > 1 && (hasFiles || Explore::ArePhases(found));
+  const bool areTimeSteps =
+    found.size() > 1 && (hasFiles || (series == 0 && Explore::ArePhases(found)));
   return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
 }
 
@@ -199,41 +200,6 @@ void Finish(Volume& volume)
   volume.Notes.push_back(note.str());
 }
 
-Volume LoadTimeSteps(
-  const std::string& path, const std::vector<TimeStepPath>& timeSteps, const std::string& array)
-{
-  Volume volume = Explore::LoadVolume(timeSteps.front().Path, 0, array);
-  Explore::CheckMemory(path, MeasureBytes(volume.Image), timeSteps.size());
-  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
-  AddTimeStep(volume, timeSteps.front().Path, volume.Image, timeSteps.front().Time);
-  for (std::size_t i = 1; i < timeSteps.size(); ++i)
-  {
-    AddTimeStep(volume, timeSteps[i].Path, Explore::LoadTimeStep(timeSteps[i].Path, array),
-      timeSteps[i].Time);
-  }
-  Finish(volume);
-  return volume;
-}
-
-/// Loads a volume whose file or folder may have several phases.
-Volume LoadPhases(const std::string& path, int series, const std::string& array)
-{
-  Volume volume = Explore::LoadVolume(path, series, array);
-  if (volume.Phases.empty())
-  {
-    return volume;
-  }
-  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
-  AddTimeStep(volume, path, volume.Image, 0.0);
-  for (const Volume::Phase& phase : volume.Phases)
-  {
-    AddTimeStep(volume, path, phase.Image, phase.Time);
-  }
-  volume.Phases.clear();
-  Finish(volume);
-  return volume;
-}
-
 vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component)
 {
   vtkNew<vtkImageExtractComponents> extract;
@@ -248,8 +214,14 @@ vtkSmartPointer<vtkImageData> ExtractTimeStep(vtkImageData* image, int component
 
 /// Loads one of the volumes along the fourth axis of a NIfTI file, or all of them as time steps.
 /// `chosen` is the number of the volume, which begins at 1; 0 stands for all.
-Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times, int chosen)
+Volume LoadNiftiSeries(
+  const std::string& path, const Explore::NiftiTimes& times, int chosen, const std::string& array)
 {
+  if (!array.empty())
+  {
+    throw InputError("ArrayName = " + array, "is for files with arrays, and not for " + path,
+      "leave it out, or take Series = 1 to Series = " + std::to_string(times.Count));
+  }
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
   // The values of a time may have several components, such as colours, of which the first is felt.
@@ -260,7 +232,7 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
     throw InputError(path,
       "has " + std::to_string(count) + " volumes along its fourth axis, and none with the number " +
         std::to_string(chosen),
-      "take --series 1 to " + std::to_string(count));
+      "take Series = 1 to Series = " + std::to_string(count));
   }
   Explore::CheckMemory(path, MeasureBytes(all), 1);
   volume.Image = ExtractTimeStep(all, std::max(0, chosen - 1) * step);
@@ -289,59 +261,109 @@ Volume LoadNiftiSeries(const std::string& path, const Explore::NiftiTimes& times
   }
   Finish(volume);
   volume.Notes.push_back(
-    "the volumes along the fourth axis are taken for times; if they are channels, --series 1 "
-    "to --series " +
+    "the volumes along the fourth axis are taken for times; if they are channels, Series = "
+    "1 to Series = " +
     std::to_string(count) + " take one of them");
   return volume;
 }
+/// Loads one of several files of a moving volume.
+Volume LoadFrame(const std::string& path, int series, const std::string& array)
+{
+  const Explore::NiftiTimes times = Explore::ReadNiftiTimes(path, 1.0);
+  if (times.Count > 1 && series == 0)
+  {
+    throw InputError(path,
+      "is one of several files, and has " + std::to_string(times.Count) +
+        " volumes along its fourth axis",
+      "name it alone, or take Series = 1 to Series = " + std::to_string(times.Count) +
+        " of each file");
+  }
+  Volume frame = times.Count > 1 ? LoadNiftiSeries(path, times, series, array)
+                                 : Explore::LoadVolume(path, series, array);
+  if (!frame.Phases.empty())
+  {
+    throw InputError(path, "is one of several files, and moves itself", "name it alone");
+  }
+  return frame;
+}
+
+Volume LoadTimeSteps(const std::string& path, const std::vector<TimeStepPath>& timeSteps,
+  int series, const std::string& array)
+{
+  Volume volume = LoadFrame(timeSteps.front().Path, series, array);
+  Explore::CheckMemory(path, MeasureBytes(volume.Image), timeSteps.size());
+  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
+  AddTimeStep(volume, timeSteps.front().Path, volume.Image, timeSteps.front().Time);
+  for (std::size_t i = 1; i < timeSteps.size(); ++i)
+  {
+    AddTimeStep(volume, timeSteps[i].Path, LoadFrame(timeSteps[i].Path, series, array).Image,
+      timeSteps[i].Time);
+  }
+  Finish(volume);
+  return volume;
+}
+
+/// Loads a volume whose file or folder may have several phases.
+Volume LoadPhases(const std::string& path, int series, const std::string& array)
+{
+  Volume volume = Explore::LoadVolume(path, series, array);
+  if (volume.Phases.empty())
+  {
+    return volume;
+  }
+  volume.TimeSteps = vtkSmartPointer<vtkHapticTimeStepSource>::New();
+  AddTimeStep(volume, path, volume.Image, 0.0);
+  for (const Volume::Phase& phase : volume.Phases)
+  {
+    AddTimeStep(volume, path, phase.Image, phase.Time);
+  }
+  volume.Phases.clear();
+  Finish(volume);
+  return volume;
+}
+
 } // namespace
 
 namespace Explore
 {
 Volume LoadVolumes(
-  const std::vector<std::string>& paths, bool isLarge, int dicomSeries, const std::string& array)
+  const std::vector<std::string>& paths, bool isLarge, int series, const std::string& array)
 {
   if (paths.size() == 1 && IsLargeVolume(paths.front(), isLarge))
   {
     if (!array.empty())
     {
-      throw InputError("--array " + array, "is for volumes in memory", "leave it out");
+      throw InputError("ArrayName = " + array, "is for volumes in memory", "leave it out");
     }
-    if (dicomSeries > 0)
-    {
-      throw InputError(
-        "--series " + std::to_string(dicomSeries), "is for volumes in memory", "leave it out");
-    }
-    return LoadLargeVolume(paths.front());
+    return LoadLargeVolume(paths.front(), series);
   }
-  return LoadIntoMemory(paths, dicomSeries, array);
+  return LoadIntoMemory(paths, series, array);
 }
 
-Volume LoadIntoMemory(
-  const std::vector<std::string>& paths, int dicomSeries, const std::string& array)
+Volume LoadIntoMemory(const std::vector<std::string>& paths, int series, const std::string& array)
 {
   const std::string& path = paths.front();
   if (paths.size() > 1)
   {
-    return LoadTimeSteps(path, MakeTimeSteps(paths), array);
+    return LoadTimeSteps(path, MakeTimeSteps(paths), series, array);
   }
   CheckMemory(path, ComputeRegionsSize(path), 1);
   if (Files::FileIsDirectory(path))
   {
-    const auto timeSteps = dicomSeries > 0 ? std::vector<TimeStepPath>() : ListFolder(path);
-    return timeSteps.empty() ? LoadPhases(path, dicomSeries, array)
-                             : LoadTimeSteps(path, timeSteps, array);
+    const std::vector<TimeStepPath> timeSteps = ListFolder(path, series);
+    return timeSteps.empty() ? LoadPhases(path, series, array)
+                             : LoadTimeSteps(path, timeSteps, series, array);
   }
   const bool isThere = Files::FileExists(path, true) && DetectDevice(path).empty();
   if (isThere && Files::StringEndsWith(Files::LowerCase(path), ".pvd"))
   {
     const std::vector<TimeStepPath> timeSteps = ReadCollection(path);
-    return timeSteps.size() > 1 ? LoadTimeSteps(path, timeSteps, array)
-                                : LoadVolume(timeSteps.front().Path, 0, array);
+    return timeSteps.size() > 1 ? LoadTimeSteps(path, timeSteps, series, array)
+                                : LoadVolume(timeSteps.front().Path, series, array);
   }
   const NiftiTimes times = isThere ? ReadNiftiTimes(path, 1.0 / FRAMES_PER_SECOND) : NiftiTimes();
-  return times.Count > 1 ? LoadNiftiSeries(path, times, dicomSeries)
-                         : LoadPhases(path, dicomSeries, array);
+  return times.Count > 1 ? LoadNiftiSeries(path, times, series, array)
+                         : LoadPhases(path, series, array);
 }
 
 void UseDisplacements(Volume& volume, const std::string& array)

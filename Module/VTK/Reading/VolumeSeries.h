@@ -13,16 +13,17 @@ namespace Explore
 /// Reads a volume as LoadVolume does, or a moving volume: several files; a folder of volumes, or of
 /// folders of DICOM slices, ordered by their names and the numbers in them; a .pvd file; or a NIfTI
 /// file with several times. All time steps are then in memory, and the image is the first one. A
-/// volume that is large, or requested as large, is read as by LoadLargeVolume. If the number of a
-/// DICOM series is given, a folder is not taken for time steps. For `array`, see LoadVolume. Throws
+/// volume that is large, or requested as large, is read as by LoadLargeVolume. If a series is
+/// chosen, it is read of each of several files, and folders of slices are not taken for time steps.
+/// For `series`, see vtkHapticVolumeReader::SetSeries(); for `array`, see LoadVolume. Throws
 /// InputError.
-Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
+Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int series = 0,
   const std::string& array = "");
 
 /// Reads like LoadVolumes, but reads a large volume into memory, too, without changing it. Throws
 /// InputError if it is larger than the free memory.
 Volume LoadIntoMemory(
-  const std::vector<std::string>& paths, int dicomSeries = 0, const std::string& array = "");
+  const std::vector<std::string>& paths, int series = 0, const std::string& array = "");
 
 /// Sets the array of vectors with the motion of each time step's material to the next time step.
 /// Throws InputError if a time step lacks it.

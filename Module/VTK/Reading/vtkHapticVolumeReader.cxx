@@ -47,7 +47,7 @@ public:
     {
       const Explore::MessageCapture capture; // the errors say everything
       this->Volume = self->AsLabels
-        ? Explore::ReadLabels(self->FileName)
+        ? Explore::ReadLabels(self->FileName, self->Series)
         : Explore::LoadIntoMemory({ self->FileName }, self->Series, self->ArrayName);
     }
     catch (const std::bad_alloc&)

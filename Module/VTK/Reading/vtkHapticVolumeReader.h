@@ -52,9 +52,10 @@ public:
 
   ///@{
   /**
-   * The number of a series of a DICOM folder, of a volume along the fourth axis of a NIfTI file, or
-   * of a component of the voxels of another file, from 1 on. 0 (default): the series with most
-   * pixels, all volumes as time steps, or the first component. The notes list what there is.
+   * The number, from 1 on, of what is read of a file or folder with several: a series of a DICOM
+   * folder, a segment of a segmentation, a channel, a time, or a component of the voxels. 0
+   * (default): the series with most pixels, all segments, all times of a NIfTI file as time steps,
+   * or the first one. GetSeriesName() lists what there is.
    */
   vtkSetClampMacro(Series, int, 0, VTK_INT_MAX);
   vtkGetMacro(Series, int);

@@ -94,15 +94,17 @@ void vtkHapticRegionSource::SetReader(Reader reader, bool isAwaited)
   this->IsAwaited = isAwaited;
   this->OpenedName.clear();
   this->FileNotes.clear();
+  this->Series.clear();
+  this->SeriesNumber = 0;
   std::fill_n(this->ChunkSize, 3, 0);
   this->Reload();
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::OpenFile(const char* fileName)
+bool vtkHapticRegionSource::OpenFile(const char* fileName, int series)
 {
   std::string error;
-  const bool isOpen = this->OpenFile(fileName, error);
+  const bool isOpen = this->OpenFile(fileName, error, series);
   if (!isOpen)
   {
     vtkErrorMacro(<< Printable(error));
@@ -111,9 +113,9 @@ bool vtkHapticRegionSource::OpenFile(const char* fileName)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error)
+bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error, int series)
 {
-  return this->Open(fileName, false, error);
+  return this->Open(fileName, false, series, error);
 }
 
 //------------------------------------------------------------------------------
@@ -135,10 +137,10 @@ double vtkHapticRegionSource::GetMillimetersPerUnit(const char* unit)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::OpenWholeFile(const char* fileName)
+bool vtkHapticRegionSource::OpenWholeFile(const char* fileName, int series)
 {
   std::string error;
-  const bool isOpen = this->OpenWholeFile(fileName, error);
+  const bool isOpen = this->OpenWholeFile(fileName, error, series);
   if (!isOpen)
   {
     vtkErrorMacro(<< Printable(error));
@@ -147,18 +149,39 @@ bool vtkHapticRegionSource::OpenWholeFile(const char* fileName)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::OpenWholeFile(const char* fileName, std::string& error)
+bool vtkHapticRegionSource::OpenWholeFile(const char* fileName, std::string& error, int series)
 {
-  return this->Open(fileName, true, error);
+  return this->Open(fileName, true, series, error);
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticRegionSource::Open(const char* fileName, bool mayBeWhole, std::string& error)
+int vtkHapticRegionSource::GetNumberOfSeries()
+{
+  return static_cast<int>(this->Series.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionSource::GetSeriesName(int index)
+{
+  return index >= 0 && index < this->GetNumberOfSeries()
+    ? this->Series[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRegionSource::GetSeriesNumber()
+{
+  return this->SeriesNumber;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::Open(
+  const char* fileName, bool mayBeWhole, int series, std::string& error)
 {
   const std::string name = fileName ? fileName : "";
   try
   {
-    LargeFile file = OpenLargeFile(name, mayBeWhole);
+    LargeFile file = OpenLargeFile(name, mayBeWhole, series);
     const vtkSmartPointer<vtkImageData> coarse = ReadCoarserLevel(file, MostCoarseVoxels);
     this->SetWholeExtent(file.Extent.data());
     this->SetScalarType(file.ScalarType);
@@ -172,6 +195,8 @@ bool vtkHapticRegionSource::Open(const char* fileName, bool mayBeWhole, std::str
     {
       this->FileNotes += (this->FileNotes.empty() ? "" : "\n") + note;
     }
+    this->SeriesNumber = file.Volumes.empty() ? 0 : file.Volume;
+    this->Series = std::move(file.Volumes);
     std::copy_n(file.ChunkSize.begin(), 3, this->ChunkSize);
     this->SetCoarseImage(coarse);
     return true;

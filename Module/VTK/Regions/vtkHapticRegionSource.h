@@ -204,12 +204,13 @@ public:
    * is opened by HDF5's library, which no other thread may use meanwhile.
    *
    * Lengths are turned into millimetres where NRRD, TIFF or OME-Zarr name their unit. Of several
-   * volumes or values a voxel in a file the first one is read.
+   * volumes in a file, such as times, channels or components of the voxels, the one with the number
+   * `series` is read, from 1 on; 0: the first one.
    */
-  bool OpenFile(const char* fileName);
+  bool OpenFile(const char* fileName, int series = 0);
 #ifndef __VTK_WRAP__
   /** Open a file as the function above does, but return the error as a text. */
-  bool OpenFile(const char* fileName, std::string& error);
+  bool OpenFile(const char* fileName, std::string& error, int series = 0);
 #endif
   ///@}
 
@@ -219,10 +220,20 @@ public:
    * compressed or written as text: a MetaImage or NRRD file with gzip or ascii. Then all samples
    * are in memory from the first read on.
    */
-  bool OpenWholeFile(const char* fileName);
+  bool OpenWholeFile(const char* fileName, int series = 0);
 #ifndef __VTK_WRAP__
-  bool OpenWholeFile(const char* fileName, std::string& error);
+  bool OpenWholeFile(const char* fileName, std::string& error, int series = 0);
 #endif
+  ///@}
+
+  ///@{
+  /**
+   * Get what `series` may choose in the file that was opened, each with its number, such as
+   * `2 channel 2 of 3 (DAPI)`, and the number that was read. A file with one volume has none.
+   */
+  int GetNumberOfSeries();
+  const char* GetSeriesName(int index);
+  int GetSeriesNumber();
   ///@}
 
   /**
@@ -336,7 +347,7 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
-  bool Open(const char* fileName, bool mayBeWhole, std::string& error);
+  bool Open(const char* fileName, bool mayBeWhole, int series, std::string& error);
   std::string CheckSettings();
   /** Updates the store to the settings. Returns false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);
@@ -356,6 +367,8 @@ private:
   std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< sampler of OpenDataSet
   std::string OpenedName;                                 ///< name of the file behind the reader
   std::string FileNotes;
+  std::vector<std::string> Series; ///< volumes of the file; empty if there is one
+  int SeriesNumber = 0;
   vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< chunk size of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
 #endif

@@ -331,13 +331,14 @@ def trigger_time(folder):
     return folder
 
 
-def segmentation(grid, bits=1):
-    """A SEG of two segments, the ball and its knobs: PS3.3 C.8.20.2."""
+def segmentation(grid, bits=1, overlapping=False):
+    """A SEG of two segments, the ball with its upper knob, and the left knob: PS3.3 C.8.20.2. If they overlap, the left
+    knob is in the first one, too."""
     data = header(SegmentationStorage, "SEG", "seg")
     data.SegmentationType = "BINARY" if bits == 1 else "FRACTIONAL"
     body = grid.sample(float) > -470.0
     left = grid.points()[..., 0] > CENTRE[0] + 20.5
-    masks = [body & ~left, body & left]
+    masks = [body if overlapping else body & ~left, body & left]
     data.SegmentSequence = Sequence()
     for number, label in enumerate(("ball", "knob"), 1):
         segment = Dataset()
@@ -378,6 +379,25 @@ def segmentation(grid, bits=1):
         data.MaximumFractionalValue, data.SegmentationFractionalType = 255, "PROBABILITY"
     data.PixelData = packed.tobytes() + b"\0" * (len(packed) % 2)
     return data
+
+
+for name, chosen, alone in (("body", "1", "body"), ("knob", "2", "knob")):
+
+    @case(f"dicom-seg-overlapping-{name}", source="dcmqi#462: segments that overlap, of which one is wanted",
+          labels=("ball", "knob"), alone=alone, options=("--series", chosen), told=(f"segment {chosen} .* is read alone",))
+    def overlapping_segment(folder):
+        return save(folder, segmentation(GRID, overlapping=True), "seg.dcm")
+
+
+@case("dicom-seg-overlapping", source="dcmqi#462: segments that overlap", labels=("ball", "knob"),
+      told=("voxels are in several segments: they belong to that with the highest number; .* 1 to .* 2 read one",))
+def overlapping_segments(folder):
+    return save(folder, segmentation(GRID, overlapping=True), "seg.dcm")
+
+
+@case("dicom-seg-overlapping-none", refused="has 2 segments, and none with the number 3", options=("--series", "3"))
+def overlapping_none(folder):
+    return save(folder, segmentation(GRID, overlapping=True), "seg.dcm")
 
 
 @case("dicom-seg-beside-ct", source="dcmqi#462, OHIF#2164", told=("seg.dcm is a segmentation",))

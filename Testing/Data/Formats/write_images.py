@@ -11,7 +11,7 @@ import SimpleITK
 import tifffile
 import zarr
 from cases import case
-from phantom import Grid, turned
+from phantom import CENTRE, Grid, turned
 
 GRID = Grid()
 
@@ -31,8 +31,8 @@ def save_nrrd(folder, header, voxels=None, name="head.nrrd", **options):
     return folder / name
 
 
-def nrrd_case(name, header, voxels=None, file="head.nrrd", options=None, **facts):
-    @case(f"nrrd-{name}", **facts)
+def nrrd_case(name, header, voxels=None, file="head.nrrd", options=None, chosen=(), **facts):
+    @case(f"nrrd-{name}", options=chosen, **facts)
     def write(folder):
         return save_nrrd(folder, dict(header), voxels() if voxels else None, file, **(options or {}))
 
@@ -76,6 +76,53 @@ nrrd_case("list-first", channel_header(0, "list"), voxels=several(GRID.sample, 0
           told=("component|channel|first|frames|time",))
 nrrd_case("list-last", channel_header(3, "list"), voxels=several(GRID.sample, 3),
           told=("component|channel|first|frames|time",))
+for name, header, axis in (("vector-first", channel_header(0, "vector"), 0), ("list-last", channel_header(3, "list"), 3)):
+    for encoding in ("raw", "gzip"):
+        nrrd_case(f"{name}-the-second-{encoding}", {**header, "encoding": encoding}, options={},
+                  voxels=lambda axis=axis: np.stack([0 * GRID.sample(), GRID.sample(), 1 + 0 * GRID.sample()], axis=axis),
+                  told=("(component|volume) 2 of 3 is used",), chosen=("--series", "2"))
+nrrd_case("vector-first-of-which-none-is-chosen", channel_header(0, "vector"), voxels=several(GRID.sample, 0),
+          refused="has 2 components, and none with the number 3", chosen=("--series", "3"))
+
+
+def save_segments(folder, masks, layers):
+    """A segmentation of 3D Slicer: a layer for each segment, or one for all."""
+    voxels = np.stack(masks) if layers else masks[0] + 2 * masks[1]
+    header = {**(channel_header(0, "list") if layers else nrrd_header()), "Segmentation_MasterRepresentation": "Binary labelmap"}
+    for number, name in enumerate(("ball", "knob")):
+        header.update({f"Segment{number}_ID": name, f"Segment{number}_Name": name,
+                       f"Segment{number}_Layer": str(number if layers else 0),
+                       f"Segment{number}_LabelValue": "1" if layers else str(number + 1)})
+    return save_nrrd(folder, header, voxels.astype(np.uint8), "head.seg.nrrd")
+
+
+def nrrd_segments(overlapping=False):
+    body = GRID.sample(float) > -470.0
+    left = GRID.points()[..., 0] > CENTRE[0] + 20.5
+    return [body if overlapping else body & ~left, body & left]
+
+
+@case("nrrd-seg", source="3D Slicer's .seg.nrrd", labels=("ball", "knob"))
+def seg(folder):
+    return save_segments(folder, nrrd_segments(), layers=False)
+
+
+@case("nrrd-seg-in-layers", source="3D Slicer's .seg.nrrd of segments that overlap", labels=("ball", "knob"))
+def seg_in_layers(folder):
+    return save_segments(folder, nrrd_segments(overlapping=True), layers=True)
+
+
+for chosen, alone in (("1", "body"), ("2", "knob")):
+
+    @case(f"nrrd-seg-in-layers-{alone}", source="3D Slicer's .seg.nrrd of segments that overlap", labels=("ball", "knob"),
+          alone=alone, options=("--series", chosen), told=(f"segment {chosen} .* is read alone",))
+    def seg_alone(folder):
+        return save_segments(folder, nrrd_segments(overlapping=True), layers=True)
+
+
+@case("nrrd-seg-of-which-none-is-chosen", refused="has 2 segments, and none with the number 3", options=("--series", "3"))
+def seg_none(folder):
+    return save_segments(folder, nrrd_segments(), layers=False)
 
 
 @case("nrrd-axis-mins", source="teem: axis mins place the first sample", steps=tuple(GRID.spacing), first=tuple(GRID.origin))
@@ -197,6 +244,11 @@ meta_case("vector-of-which-the-second-is-chosen", lambda: SimpleITK.Compose([itk
           told=("component 1 used",), options=("--series", "2"), source="DATA.md: a chooser where there are several")
 meta_case("vector-of-which-none-is-chosen", lambda: SimpleITK.Compose([itk_image(), itk_image()]),
           refused="has 2 components, and none with the number 3", options=("--series", "3"))
+for name, compressed in (("4d", False), ("4d-compressed", True)):
+    meta_case(f"{name}-the-second", lambda: SimpleITK.JoinSeries([itk_image() * 0, itk_image(), itk_image() * 0 + 1]),
+              compressed=compressed, told=("volume 2 of 3 is used",), options=("--series", "2"), source="SimpleITK's 4-D")
+meta_case("4d-of-which-none-is-chosen", lambda: SimpleITK.JoinSeries([itk_image(), itk_image()]),
+          refused="has 2 volumes, and none with the number 3", options=("--series", "3"))
 meta_case("no-other-to-choose", itk_image, refused="has one volume, of which none can be chosen", options=("--series", "2"))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
@@ -270,6 +322,85 @@ def tiff_signed(folder):
     return tiff(folder, "stack.tif", (GRID.sample(np.int32) + 32768).astype(np.uint16), **options)
 
 
+def hyperstack(other):
+    """Two times of three channels, of which the second channel of the second time is the phantom."""
+    voxels = np.full((2, GRID.size[2], 3, GRID.size[1], GRID.size[0]), other, np.uint16)
+    voxels[1, :, 1] = UNSIGNED.transpose(2, 1, 0)
+    return voxels  # TZCYX
+
+
+CHANNELS = {"offset": 1000.0, "steps": (1.5, 1.6, 1.7), "options": ("--preset", "histogram", "--series", "5")}
+
+
+@case("tiff-imagej-the-fifth", source="ImageJ's hyperstacks", told=("channel 2 of 3, time 2 of 2 is used",), **CHANNELS)
+def tiff_hyperstack(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    options = dict(IMAGEJ, metadata={**IMAGEJ["metadata"], "axes": "TZCYX"})
+    tifffile.imwrite(folder / "stack.tif", hyperstack(7), **options)
+    return folder / "stack.tif"
+
+
+@case("tiff-imagej-behind-one-page", source="ImageJ's stacks of more than 4 GiB: one directory, all images behind it",
+      told=("channel 2 of 3, time 2 of 2 is used",), **CHANNELS)
+def tiff_behind(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    voxels = hyperstack(7).reshape(-1, GRID.size[1], GRID.size[0])
+    text = (f"ImageJ=1.54f\nimages={len(voxels)}\nchannels=3\nslices={GRID.size[2]}\nframes=2\nhyperstack=true\n"
+            f"unit=mm\nspacing={GRID.spacing[2]}\n")
+    with tifffile.TiffWriter(folder / "stack.tif", bigtiff=False) as writer:
+        writer.write(voxels[0], description=text, metadata=None, resolution=IMAGEJ["resolution"], photometric="minisblack")
+    with open(folder / "stack.tif", "r+b") as file:
+        with tifffile.TiffFile(folder / "stack.tif") as first:
+            file.seek(first.pages[0].dataoffsets[0])
+        file.write(voxels.astype("<u2").tobytes())
+    return folder / "stack.tif"
+
+
+def ome_channels(order):
+    axes = {"T": 0, "Z": 1, "C": 2}
+    voxels = np.moveaxis(hyperstack(7), [axes[axis] for axis in order], range(3))
+
+    def write(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        tifffile.imwrite(folder / "stack.ome.tif", voxels, ome=True, photometric="minisblack", metadata={
+            "axes": order + "YX", "PhysicalSizeX": 1.5, "PhysicalSizeXUnit": "mm", "PhysicalSizeY": 1.6,
+            "PhysicalSizeYUnit": "mm", "PhysicalSizeZ": 1.7, "PhysicalSizeZUnit": "mm",
+            "Channel": {"Name": ["Actin", "DAPI", "Mitochondria"]}})
+        return folder / "stack.ome.tif"
+
+    return write
+
+
+for order in ("TCZ", "TZC", "CTZ"):
+    case(f"tiff-ome-channels-{order}", source="OME-TIFF's DimensionOrder",
+         told=(r"channel 2 of 3 \(DAPI\), time 2 of 2 is used",), **CHANNELS)(ome_channels(order))
+
+
+@case("tiff-ome-of-which-none-is-chosen", refused="has 3 channels and 2 times, and none with the number 7",
+      options=("--series", "7"))
+def tiff_no_channel(folder):
+    return ome_channels("TCZ")(folder)
+
+
+@case("tiff-ome-a-file-for-each-channel", told=("channel 2 of 2 is used", "slices are in 1 file,"), offset=1000.0,
+      steps=(1.5, 1.6, 1.7), options=("--preset", "histogram", "--series", "2"),
+      source="the OME-TIFF specification: channels in files of their own")
+def tiff_channel_files(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    size, step = GRID.size, GRID.spacing
+    planes = "".join(f'<TiffData FirstC="{c}" FirstT="0" FirstZ="0" IFD="0" PlaneCount="{size[2]}">'
+                     f'<UUID FileName="channel{c}.ome.tif">urn:uuid:{c}</UUID></TiffData>' for c in range(2))
+    xml = ('<?xml version="1.0" encoding="UTF-8"?><OME xmlns="http://www.openmicroscopy.org/Schemas/OME/2016-06">'
+           '<Image ID="Image:0"><Pixels ID="Pixels:0" DimensionOrder="XYZCT" Type="uint16" SizeC="2" SizeT="1" '
+           f'SizeX="{size[0]}" SizeY="{size[1]}" SizeZ="{size[2]}" PhysicalSizeX="{step[0]}" PhysicalSizeXUnit="mm" '
+           f'PhysicalSizeY="{step[1]}" PhysicalSizeYUnit="mm" PhysicalSizeZ="{step[2]}" PhysicalSizeZUnit="mm">'
+           f"{planes}</Pixels></Image></OME>")
+    for c in range(2):
+        pages = (UNSIGNED if c else 0 * UNSIGNED + 7).transpose(2, 1, 0)
+        tifffile.imwrite(folder / f"channel{c}.ome.tif", pages, photometric="minisblack", description=xml, metadata=None)
+    return folder / "channel0.ome.tif"
+
+
 def ome_files(folder, lost=False, is_odd=False, is_short=False):
     """As Bio-Formats writes a stack: a file of two slices each, and OME-XML that names all of them, also by their slices."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -337,7 +468,7 @@ def tiff_cut(folder):
 # Zarr
 
 
-def ngff(folder, version, unit="millimeter", per_mm=1.0, translation=True, channel=False, **options):
+def ngff(folder, version, unit="millimeter", per_mm=1.0, translation=True, channel=False, chosen=False, **options):
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / "head.zarr"
     voxels = GRID.sample().transpose(2, 1, 0)
@@ -346,6 +477,8 @@ def ngff(folder, version, unit="millimeter", per_mm=1.0, translation=True, chann
     axes = [{"name": name, "type": "space", "unit": unit} for name in names]
     if channel:
         voxels = np.stack([voxels, np.zeros_like(voxels)])
+        if chosen:
+            voxels = np.stack([np.zeros_like(voxels[0]), voxels[0], 1 + np.zeros_like(voxels[0])])
         scale, origin = [1.0, *scale], [0.0, *origin]
         axes = [{"name": "c", "type": "channel"}, *axes]
     group = zarr.open_group(str(path), mode="w", zarr_format=2 if version == "0.4" else 3)
@@ -357,17 +490,18 @@ def ngff(folder, version, unit="millimeter", per_mm=1.0, translation=True, chann
         transformations.append({"type": "translation", "translation": [float(x) for x in origin]})
     scales = [{"version": version, "name": "head", "axes": axes,
                "datasets": [{"path": "0", "coordinateTransformations": transformations}]}]
+    omero = {"omero": {"channels": [{"label": label} for label in ("Actin", "DAPI", "Mitochondria")]}} if chosen else {}
     if version == "0.4":
-        group.attrs["multiscales"] = scales
+        group.attrs.update({"multiscales": scales, **omero})
     else:
-        group.attrs["ome"] = {"version": version, "multiscales": scales}
+        group.attrs["ome"] = {"version": version, "multiscales": scales, **omero}
     return path
 
 
-def zarr_case(name, version, source="OME-NGFF", told=(), **options):
-    @case(f"zarr-{name}", source=source, told=told)
+def zarr_case(name, version, source="OME-NGFF", told=(), series="", refused=None, **options):
+    @case(f"zarr-{name}", source=source, told=told, refused=refused, options=("--series", series) if series else ())
     def write(folder):
-        return ngff(folder, version, **options)
+        return ngff(folder, version, chosen=bool(series), **options)
 
 
 # VTKHDF
@@ -410,6 +544,21 @@ zarr_case("0.4-angstrom", "0.4", unit="angstrom", per_mm=1e7, source="OME-NGFF 0
 zarr_case("0.4-metres", "0.4", unit="meter", per_mm=0.001)
 zarr_case("0.5-channels", "0.5", channel=True, told=("channel|first",))
 zarr_case("0.4-channels", "0.4", channel=True, told=("channel|first",))
+DAPI = {"channel": True, "series": "2", "told": (r"channel 2 of 3 \(DAPI\) is used",)}
+for version in ("0.4", "0.5"):
+    zarr_case(f"{version}-the-second-channel", version, **DAPI)
+    zarr_case(f"{version}-the-second-channel-in-chunks-of-all", version, chunks=(3, 16, 16, 16), **DAPI)
+zarr_case("0.5-the-second-channel-in-shards", "0.5", chunks=(1, 16, 16, 16), shards=(2, 32, 32, 32), **DAPI)
+zarr_case("0.5-of-which-none-is-chosen", "0.5", channel=True, series="4", refused="has 3 channels, and none with the number 4")
+
+
+@case("zarr-3-plain-array-the-second", source="the default of python-zarr 3: zstd", steps=(1.0, 1.0, 1.0),
+      told=("voxel|spacing", "volume 2 of 2 is used"), options=("--series", "2"))
+def zarr3_second(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    made = zarr.create_array(str(folder / "head.zarr"), shape=(2, *GRID.size[::-1]), dtype="i2", chunks=(1, 16, 16, 16))
+    made[1] = GRID.sample().transpose(2, 1, 0)
+    return folder / "head.zarr"
 
 
 @case("zarr-3-plain-array", source="the default of python-zarr 3: zstd", steps=(1.0, 1.0, 1.0),

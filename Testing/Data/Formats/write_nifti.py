@@ -168,6 +168,11 @@ def channels(folder):
     return save(folder, made)
 
 
+@case("nifti-4d-none-chosen", refused="has 3 volumes along its fourth axis, and none with the number 4", options=("--series", "4"))
+def none_chosen(folder):
+    return save(folder, image(voxels=np.repeat(GRID.sample()[..., None], 3, axis=3)))
+
+
 @case("nifti-4d-second-channel", source="DATA.md: one can be chosen", told=("volume 2 of 3",),
       options=("--series", "2"))
 def second_channel(folder):

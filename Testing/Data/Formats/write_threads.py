@@ -1,15 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""DICOM as further public threads tell of it, by pydicom. `source` names each thread; where it complains of a wrong
+"""Data as further public threads tell of it, by the libraries of the other writers. `source` names each thread; where it complains of a wrong
 volume, the case here is right at every voxel, and where nothing can be right, it is refused."""
 
+import shutil
+
+import nibabel
+import nrrd
 import numpy as np
+import tifffile
+import zarr
 from cases import case
-from phantom import Grid, values
+from phantom import Grid, turned, values
 from pydicom.dataset import Dataset
 from pydicom.sequence import Sequence
 from pydicom.uid import MRImageStorage, RTDoseStorage
 from write_dicom import GRID, enhanced, header, put_pixels, save, save_all, segmentation, slices, uid
+from write_images import ngff
 
 
 @case("dicom-names-in-reverse", source="Slicer/Slicer#7730: a file of a series named, whose names don't follow the slices")
@@ -186,3 +193,212 @@ def flipped_dose(folder):
     return save(folder, data, "dose.dcm")
 
 
+def real_world(slope, intercept, unit, table=None):
+    """An item of RealWorldValueMappingSequence: PS3.3 C.7.6.16.2.11."""
+    mapping, code = Dataset(), Dataset()
+    mapping.LUTExplanation, mapping.LUTLabel = "map", "map"
+    mapping.RealWorldValueFirstValueMapped, mapping.RealWorldValueLastValueMapped = 0, 65535
+    if table is None:
+        mapping.RealWorldValueIntercept, mapping.RealWorldValueSlope = float(intercept), float(slope)
+    else:
+        mapping.RealWorldValueLUTData = table
+    code.CodeValue, code.CodingSchemeDesignator, code.CodeMeaning = unit, "UCUM", unit
+    mapping.MeasurementUnitsCodeSequence = Sequence([code])
+    return mapping
+
+
+def mapped(folder, mappings, rescale=False):
+    """Values from 500 to 1030, times 2 in the file."""
+    sets = slices(GRID, "mapped", MRImageStorage, "MR", 2.0 * (1000.0 + 0.5 * GRID.sample(float)), intercept=0.0)
+    for data in sets:
+        if rescale:
+            data.RescaleSlope, data.RescaleIntercept, data.RescaleType = 0.5, 0, "US"
+        else:
+            del data.RescaleSlope, data.RescaleIntercept
+        data.RealWorldValueMappingSequence = Sequence(mappings)
+    return save_all(folder, sets)
+
+
+MAPPED = {"scale": 0.5, "offset": 1000.0, "options": ("--preset", "histogram")}
+
+
+@case("dicom-real-world-values", source="nipy/nibabel#143: no rescale, but RealWorldValueMappingSequence",
+      told=("real-world values.*in um2/s",), **MAPPED)
+def real_world_values(folder):
+    return mapped(folder, [real_world(0.5, 0.0, "um2/s")])
+
+
+@case("dicom-real-world-values-of-two", source="dgobbi/vtk-dicom#26: several maps", told=("of 2 such maps, it is the first",),
+      **MAPPED)
+def real_world_of_two(folder):
+    return mapped(folder, [real_world(0.5, 0.0, "um2/s"), real_world(7.0, 100.0, "1")])
+
+
+@case("dicom-real-world-beside-a-rescale", source="rordenlab/dcm2niix#493: a rescale and a map that differ",
+      told=("map to real-world values in ms is not used, because it has a rescale",), **MAPPED)
+def real_world_beside(folder):
+    return mapped(folder, [real_world(3.0, 20.0, "ms")], rescale=True)
+
+
+@case("dicom-real-world-table", source="dgobbi/vtk-dicom#26: a map that is a table", scale=1.0, offset=2000.0,
+      options=("--preset", "histogram"), told=("map to real-world values is a table, which is not used",))
+def real_world_table(folder):
+    return mapped(folder, [real_world(0.0, 0.0, "ms", [float(number) for number in range(16)])])
+
+
+@case("dicom-enhanced-real-world-values", source="rordenlab/dcm2niix#189: a map for each frame", tolerance=2.0,
+      told=("real-world values.*in um2/s",), **MAPPED)
+def real_world_frames(folder):
+    data = enhanced(GRID, range(GRID.size[2]))
+    del data.SharedFunctionalGroupsSequence[0].PixelValueTransformationSequence
+    voxels, stored = 1000.0 + 0.5 * GRID.sample(float), []
+    for k, item in enumerate(data.PerFrameFunctionalGroupsSequence):
+        item.RealWorldValueMappingSequence = Sequence([real_world(0.5 + 0.01 * k, -k, "um2/s")])
+        stored.append(np.round((voxels[:, :, k].T + k) / (0.5 + 0.01 * k)))
+    data.PixelData = np.array(stored).astype("<u2").tobytes()
+    return save(folder, data, "maps.dcm")
+
+
+@case("dicom-no-instance-number", source="rordenlab/dcm2niix#341: files without InstanceNumber")
+def no_instance_number(folder):
+    sets = slices(GRID)
+    for k, data in enumerate(sets):
+        del data.InstanceNumber
+        save(folder, data, f"{k}.dcm")
+    return folder
+
+
+@case("dicom-a-block-lost", source="rordenlab/dcm2niix#248: 182 mm without slices between two blocks",
+      refused="has slices 1.7 to 37.4 mm apart")
+def block_lost(folder):
+    return save_all(folder, [data for k, data in enumerate(slices(GRID)) if not 10 <= k < 31])
+
+
+@case("dicom-first-place-twice", source="rordenlab/dcm2niix#539: another slice at the place of the first one",
+      refused="two slices at the same place|several volumes")
+def first_twice(folder):
+    sets = slices(GRID)
+    other = slices(GRID)[0]
+    other.InstanceNumber = len(sets) + 1
+    other.SOPInstanceUID = other.file_meta.MediaStorageSOPInstanceUID = uid("again")
+    put_pixels(other, GRID.sample(float)[:, :, 20].T)
+    return save_all(folder, [*sets, other])
+
+
+@case("dicom-pixels-not-square", source="Kitware/VolView#626: pixels of 0.8 x 2.4 mm")
+def not_square(folder):
+    return save_all(folder, slices(Grid(size=(80, 27, 42), spacing=(0.8, 2.4, 1.7))))
+
+
+@case("dicom-seg-from-the-feet-in-reverse", source="Kitware/VolView#639: frames in another order than the CT's slices",
+      labels=("ball", "knob"))
+def seg_in_reverse(folder):
+    data = segmentation(GRID)
+    size = GRID.size[0] * GRID.size[1]
+    bits = np.unpackbits(np.frombuffer(data.PixelData, np.uint8), bitorder="little")[:size * data.NumberOfFrames]
+    data.PixelData = np.packbits(bits.reshape(-1, size)[::-1].ravel(), bitorder="little").tobytes()
+    if len(data.PixelData) % 2:
+        data.PixelData += b"\0"
+    data.PerFrameFunctionalGroupsSequence = Sequence(list(data.PerFrameFunctionalGroupsSequence)[::-1])
+    return save(folder, data, "seg.dcm")
+
+
+@case("nifti-axes-that-share-a-direction", source="pyushkevich/itksnap#69, #246: strongly oblique, 'invalid orientation (IRI)'")
+def share_direction(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    ras = np.array([[-0.656692, -0.676962, 0.332383], [0.360389, -0.668844, -0.650205], [0.662477, -0.307197, 0.683194]])
+    u, _, v = np.linalg.svd(np.diag([-1.0, -1.0, 1.0]) @ ras)
+    grid = Grid(axes=u @ v)
+    affine = np.diag([-1.0, -1.0, 1.0, 1.0]) @ grid.affine
+    nibabel.save(nibabel.Nifti1Image(grid.sample(), affine), folder / "head.nii.gz")
+    return folder / "head.nii.gz"
+
+
+@case("nifti-nearly-orthonormal", tolerance=20.0, told=("resampled on straight axes",),
+      source="wasserth/TotalSegmentator#461, pyushkevich/itksnap#102: 'ITK only supports orthonormal direction cosines'")
+def nearly_orthonormal(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    grid = Grid(axes=turned(20.0))
+    grid.affine[:3, :3] += 1e-3 * np.array([[0.0, 1.0, -1.0], [1.0, 0.0, 1.0], [-1.0, 1.0, 0.0]])
+    affine = np.diag([-1.0, -1.0, 1.0, 1.0]) @ grid.affine
+    made = nibabel.Nifti1Image(grid.sample(), None)
+    made.set_qform(None, 0)
+    made.set_sform(affine, 1)
+    nibabel.save(made, folder / "head.nii.gz")
+    return folder / "head.nii.gz"
+
+
+@case("nrrd-las-sagittal", source="Slicer/Slicer#8694: left-handed, and sagittal slices")
+def las_sagittal(folder):
+    grid = Grid(axes=np.array([[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]))
+    folder.mkdir(parents=True, exist_ok=True)
+    turn = np.diag([1.0, -1.0, 1.0])  # left-anterior-superior
+    header = {"space": "left-anterior-superior", "space directions": (turn @ grid.affine[:3, :3]).T,
+              "space origin": turn @ grid.origin, "kinds": ["domain"] * 3, "encoding": "gzip"}
+    nrrd.write(str(folder / "head.nhdr"), grid.sample(), header)
+    return folder / "head.nhdr"
+
+
+TIMES = {"offset": 1000.0, "steps": (1.0, 1.0, 1.0), "options": ("--preset", "histogram", "--series", "2")}
+
+
+def as_napari_writes(name, axes, told, **facts):
+    @case(f"tiff-napari-{name}", told=told, **facts)
+    def write(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        voxels = (GRID.sample(np.int32) + 1000).astype(np.uint16).transpose(2, 1, 0)
+        voxels = np.stack([0 * voxels, voxels], axis=1 if axes.startswith("ZC") else 0)
+        options = {"metadata": {"axes": axes}} if axes else {}
+        tifffile.imwrite(folder / "layer.tif", voxels, photometric="minisblack", **options)
+        return folder / "layer.tif"
+
+
+as_napari_writes("four-axes", "", ("volume 2 of 2 is used", "cubes of 1 mm"), **TIMES,
+                 source="napari/napari#5162: the scale is lost; four axes in pages, told by tifffile's shape alone")
+as_napari_writes("times", "TZYX", ("time 2 of 2 is used",), **TIMES, source="ome/bioformats#3920: a TIFF of napari, t for z")
+as_napari_writes("channels-inside", "ZCYX", ("channel 2 of 2 is used",), **TIMES, source="cgohlke/tifffile#50")
+
+
+@case("tiff-imagej-slices-before-channels", source="micro-manager/micro-manager#894: order=zct", offset=1000.0,
+      steps=(1.5, 1.6, 1.7), told=("channel 2 of 2 is used",), options=("--preset", "histogram", "--series", "2"))
+def slices_before_channels(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    voxels = (GRID.sample(np.int32) + 1000).astype(np.uint16).transpose(2, 1, 0)
+    text = f"ImageJ=1.53f\nimages={2 * len(voxels)}\nchannels=2\nslices={len(voxels)}\norder=zct\nunit=mm\nspacing=1.7\n"
+    tifffile.imwrite(folder / "stack.tif", np.concatenate([0 * voxels, voxels]), photometric="minisblack", metadata=None,
+                     resolution=(1.0 / 1.5, 1.0 / 1.6), description=text)
+    return folder / "stack.tif"
+
+
+def collection(folder, images):
+    """As bioformats2raw writes: the images in the folders 0, 1, ..., and OME's own beside them."""
+    folder.mkdir(parents=True, exist_ok=True)
+    group = zarr.open_group(str(folder / "head.zarr"), mode="w", zarr_format=2)
+    group.attrs["bioformats2raw.layout"] = 3
+    (folder / "head.zarr" / "OME").mkdir()
+    for number in range(images):
+        shutil.move(ngff(folder / f"made{number}", "0.4"), folder / "head.zarr" / str(number))
+    return folder / "head.zarr"
+
+
+@case("zarr-bioformats2raw", source="ome/napari-ome-zarr#21, napari/napari#8355: the image is in the folder 0")
+def one_image(folder):
+    return collection(folder, 1)
+
+
+@case("zarr-bioformats2raw-of-two-images", source="ome/napari-ome-zarr#71: a collection", refused="collection of 2 images")
+def two_images(folder):
+    return collection(folder, 2)
+
+
+@case("zarr-scale-of-all-levels", source="fractal-analytics-platform/fractal-client#112: napari ignored the scale of all levels")
+def scale_of_all(folder):
+    path = ngff(folder, "0.4", translation=False)
+    group = zarr.open_group(str(path), mode="r+")
+    scales = group.attrs["multiscales"]
+    scales[0]["datasets"][0]["coordinateTransformations"] = [{"type": "scale", "scale": [2.0, 2.0, 2.0]}]
+    scales[0]["coordinateTransformations"] = [
+        {"type": "scale", "scale": [float(step) / 2.0 for step in GRID.spacing[::-1]]},
+        {"type": "translation", "translation": [float(number) for number in GRID.origin[::-1]]}]
+    group.attrs["multiscales"] = scales
+    return path

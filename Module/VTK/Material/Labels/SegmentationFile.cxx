@@ -21,6 +21,7 @@
 #include <new>
 #include <string>
 #include <sys/stat.h>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -155,17 +156,58 @@ bool ReadLabelImage(const NrrdFile& file, vtkImageData* image, std::string& erro
   return true;
 }
 
+/**
+ * Puts a segment behind all others, so that its voxels belong to it wherever segments overlap. On
+ * failure, returns false, with the reason and the cure in `error`.
+ */
+bool PutLast(int segment, NrrdFile& file, std::string& error)
+{
+  std::vector<NrrdSegment>& segments = file.Header.Segments;
+  const auto count = static_cast<int>(segments.size());
+  if (segment < 0 || segment > count)
+  {
+    error = "it has " + std::to_string(count) + " segments, and none with the number " +
+      std::to_string(segment) + ". " +
+      (count > 0 ? "Take Series = 1 to Series = " + std::to_string(count) : "Leave Series out") +
+      ".";
+    return false;
+  }
+  if (segment > 0)
+  {
+    std::vector<NrrdSegment> ordered = segments;
+    std::stable_sort(ordered.begin(), ordered.end(),
+      [](const NrrdSegment& a, const NrrdSegment& b) { return a.Label < b.Label; });
+    const int label = ordered[static_cast<std::size_t>(segment - 1)].Label;
+    std::stable_partition(segments.begin(), segments.end(),
+      [label](const NrrdSegment& one) { return one.Label != label; });
+  }
+  return true;
+}
+
+void KeepLabel(int label, vtkImageData* image)
+{
+  auto* const labels = vtkIntArray::SafeDownCast(image->GetPointData()->GetScalars());
+  std::replace_if(
+    labels->Begin(), labels->End(), [label](int one) { return one != label; }, 0);
+}
+
 } // namespace
 
 std::string ReadSegmentation(
-  const std::string& fileName, vtkImageData* image, vtkHapticLabelTable* table)
+  const std::string& fileName, vtkImageData* image, vtkHapticLabelTable* table, int segment)
 {
   image->Initialize();
   NrrdFile file;
   std::string error;
-  if (!OpenNrrdFile(fileName, file, error) || !ReadLabelImage(file, image, error))
+  const bool isRead = OpenNrrdFile(fileName, file, error) && PutLast(segment, file, error) &&
+    ReadLabelImage(file, image, error);
+  if (!isRead)
   {
     return "No segmentation can be read from \"" + Printable(fileName) + "\": " + error;
+  }
+  if (segment > 0)
+  {
+    KeepLabel(file.Header.Segments.back().Label, image);
   }
   for (const NrrdSegment& segment : file.Header.Segments)
   {

@@ -26,10 +26,13 @@ namespace VolumeHaptics
  * has the label N + 1 (see vtkHapticLabelTable::ReadFile). Origin, spacing and direction are those
  * of the file, converted to left-posterior-superior.
  *
+ * If `segment` is not 0, only the segment with this number is read, from 1 on in the order of the
+ * labels: the image has no other label, and all voxels of this one. The table has all segments.
+ *
  * Returns an error that names the file and the cure, with an empty image; empty on success.
  */
 VTKVOLUMEHAPTICS_EXPORT std::string ReadSegmentation(
-  const std::string& fileName, vtkImageData* image, vtkHapticLabelTable* table);
+  const std::string& fileName, vtkImageData* image, vtkHapticLabelTable* table, int segment = 0);
 
 } // namespace VolumeHaptics
 

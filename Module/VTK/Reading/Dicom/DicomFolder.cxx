@@ -319,7 +319,7 @@ std::size_t ChooseSeries(
   {
     throw InputError(path,
       "has no series " + std::to_string(wanted) + ", but" + ListSeries(all) + "\n    and no other",
-      "take --series 1 to " + std::to_string(all.size()));
+      "take Series = 1 to Series = " + std::to_string(all.size()));
   }
   return wanted > 0 ? static_cast<std::size_t>(wanted - 1) : Explore::FindLargest(all);
 }
@@ -373,6 +373,20 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   {
     note("values are in " + first.Units + ", as the file says");
   }
+  const DicomHeader::RealWorldMap& map = first.RealWorld;
+  if (map.Count > 0 || map.Slope)
+  {
+    const std::string others = map.Count > 1
+      ? "; of " + std::to_string(map.Count) + " such maps, it is the first one"
+      : std::string();
+    note(map.IsUsed
+        ? "values are real-world values, by the map that the file has (RealWorldValueMapping)" +
+          (map.Unit.empty() || map.Unit == "1" ? std::string() : ", in " + map.Unit) + others
+        : map.Slope ? "the file's map to real-world values" +
+          (map.Unit.empty() ? std::string() : " in " + map.Unit) +
+          " is not used, because it has a rescale"
+                    : "the file's map to real-world values is a table, which is not used");
+  }
   if (!series.MorePhases.empty())
   {
     note(std::to_string(series.MorePhases.size() + 1) + " phases at the same places, by " +
@@ -396,7 +410,9 @@ void ReadPhases(const std::string& path, const DicomSeries& series,
   volume.Notes = notes; // keep the notes once: each phase would add the same ones
 }
 
-Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
+/// Loads one of several series. For `segment`, see ReadDicomSegmentation().
+Volume LoadSeries(
+  const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen, int segment = 0)
 {
   Volume volume;
   const DicomSeries& series = all[chosen];
@@ -404,7 +420,7 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   if (one.IsSegmentation())
   {
     CheckSlices(path, series.Slices, false);
-    volume = Explore::ReadDicomSegmentation(path, series.Slices);
+    volume = Explore::ReadDicomSegmentation(path, series.Slices, segment);
   }
   else
   {
@@ -437,7 +453,7 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   if (all.size() > 1)
   {
     volume.Notes.push_back("series " + all[chosen].Describe(chosen + 1) + ", of " +
-      std::to_string(all.size()) + " series; --series N takes another one:" + ListSeries(all));
+      std::to_string(all.size()) + " series; Series = N takes another one:" + ListSeries(all));
   }
   for (const DicomSeries& other : all)
   {
@@ -466,7 +482,7 @@ Volume ReadDicomFile(const std::string& path, int series)
   const std::string whole = vtksys::SystemTools::CollapseFullPath(path);
   const std::string folder = vtksys::SystemTools::GetFilenamePath(whole);
   DicomHeader header;
-  if (series > 0 || !ReadDicomHeader(whole, header))
+  if (!ReadDicomHeader(whole, header))
   {
     return ReadDicomFolder(folder, series);
   }
@@ -474,7 +490,13 @@ Volume ReadDicomFile(const std::string& path, int series)
   {
     // The file is a complete volume, whatever other files are in its folder.
     const std::vector<DicomSeries> own = SortDicomSlices(ReadDicomSlices(whole));
-    Volume volume = LoadSeries(path, own, FindLargest(own));
+    if (header.IsSegmentation() && own.size() == 1)
+    {
+      Volume segments = LoadSeries(path, own, 0, series);
+      ListSegments(segments, series);
+      return segments;
+    }
+    Volume volume = LoadSeries(path, own, ChooseSeries(path, own, series, false));
     // number of entries: the file, the folder itself and its parent
     constexpr unsigned long alone = 3;
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
@@ -482,6 +504,10 @@ Volume ReadDicomFile(const std::string& path, int series)
       volume.Notes.emplace_back("the file alone is read, not what lies beside it");
     }
     return volume;
+  }
+  if (series > 0)
+  {
+    return ReadDicomFolder(folder, series);
   }
   bool hasFolders = false;
   const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders);

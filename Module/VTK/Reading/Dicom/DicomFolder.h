@@ -18,7 +18,8 @@ namespace Explore
 Volume ReadDicomFolder(const std::string& path, int series = 0);
 
 /// Reads the series to which a slice belongs, from the folder of its file. A file with several
-/// frames is read alone. The directory of a medium (DICOMDIR) is read like ReadDicomFolder.
+/// frames is read alone, and `series` chooses one of its volumes, or one segment of a segmentation.
+/// The directory of a medium (DICOMDIR) is read like ReadDicomFolder.
 Volume ReadDicomFile(const std::string& path, int series = 0);
 
 /// Whether a file is a DICOM slice, or the directory of a medium.

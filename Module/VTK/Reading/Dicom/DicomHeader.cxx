@@ -308,6 +308,24 @@ void ReadValue(
     case 0x00281053:
       ReadDecimals(value, &header.Slope, 1);
       break;
+    case 0x00281054:
+      header.RescaleType = TrimValue(value);
+      break;
+    case 0x00080100: // CodeValue, of the unit of a map to real-world values
+      header.RealWorld.Unit =
+        header.RealWorld.Count == 0 ? TrimValue(value) : header.RealWorld.Unit;
+      break;
+    case 0x00409210: // LUTLabel, which each map has behind its unit
+      ++header.RealWorld.Count;
+      break;
+    case 0x00409224:
+      header.RealWorld.Intercept =
+        header.RealWorld.Count < 2 ? ReadReal(value) : header.RealWorld.Intercept;
+      break;
+    case 0x00409225:
+      header.RealWorld.Slope =
+        header.RealWorld.Count < 2 ? std::optional(ReadReal(value)) : header.RealWorld.Slope;
+      break;
     default:
       if (const Explore::DicomFact* const fact = Explore::FindDicomFact(tag))
       {
@@ -373,6 +391,21 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
     std::copy_n(normal, 3, header.Normal);
   }
   header.Along = vtkMath::Dot(header.Position, header.Normal);
+}
+
+/// Uses the map to real-world values, unless a rescale already gives the values a meaning.
+void UseRealWorld(DicomHeader& header)
+{
+  DicomHeader::RealWorldMap& map = header.RealWorld;
+  const bool isRescaled = header.Slope != 1.0 || header.Intercept != 0.0 ||
+    !(header.RescaleType.empty() || header.RescaleType == "US");
+  map.IsUsed = !isRescaled && map.Slope && *map.Slope != 0.0 && std::isfinite(*map.Slope) &&
+    std::isfinite(map.Intercept);
+  if (map.IsUsed)
+  {
+    header.Slope = *map.Slope;
+    header.Intercept = map.Intercept;
+  }
 }
 
 /// The values of a file, as they are put into its headers.
@@ -471,6 +504,8 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
     return false;
   }
   header.Slope = header.DoseScale.value_or(header.Slope);
+  UseRealWorld(header);
+  std::for_each(places.Groups.begin(), places.Groups.end(), UseRealWorld);
   header.IsBig = answer.IsBig != 0;
   header.IsDeflated = answer.IsDeflated != 0;
   header.Pixels = answer.PixelPlace;
@@ -595,6 +630,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
       slice.Along = own.Along;
       slice.Slope = own.Slope;
       slice.Intercept = own.Intercept;
+      slice.RealWorld = own.RealWorld;
       slice.HasPosition = true;
       slice.Facts = own.Facts;
       slice.Step = own.Step;

@@ -78,6 +78,17 @@ struct DicomHeader
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
+  std::string RescaleType; // unit of these values, such as "HU"; "US" is not specified
+  // The map to real-world values (PS3.3, section C.7.6.16.2.11); of several, the first one.
+  struct RealWorldMap
+  {
+    std::optional<double> Slope; // empty if the map is a table
+    double Intercept = 0.0;
+    std::string Unit; // UCUM's code, such as "um2/s"
+    int Count = 0;    // number of maps in the file
+    bool IsUsed = false;
+  };
+  RealWorldMap RealWorld;
   std::optional<double> DoseScale;       // slope of a dose
   std::string Units;                     // units of a dose or of PET, as the file names them
   std::optional<double> Padding;         // sample of pixels that were not measured

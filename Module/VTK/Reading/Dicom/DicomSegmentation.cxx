@@ -95,7 +95,8 @@ void ReadSegmentNames(const std::string& file, vtkHapticLabelTable* table)
 
 namespace Explore
 {
-Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHeader>& frames)
+Volume ReadDicomSegmentation(
+  const std::string& path, const std::vector<DicomHeader>& frames, int segment)
 {
   const std::vector<DicomHeader> places = FindPlanes(frames);
   CheckLine(path, places);
@@ -120,6 +121,17 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
   VolumeHaptics::AllocateScalars(volume.Image, VTK_UNSIGNED_SHORT, 1);
   volume.Image->GetPointData()->GetScalars()->SetName("Labels");
   volume.Image->GetPointData()->GetScalars()->Fill(0.0);
+  volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
+  ReadSegmentNames(first.File, volume.LabelTable);
+  const vtkIdType named = volume.LabelTable->GetNumberOfLabels();
+  if (segment > named)
+  {
+    throw InputError(path,
+      "has " + std::to_string(named) + " segments, and none with the number " +
+        std::to_string(segment),
+      "take Series = 1 to Series = " + std::to_string(named));
+  }
+  const int alone = segment > 0 ? volume.LabelTable->GetLabel(segment - 1) : 0;
   std::vector<DicomHeader> ordered = frames;
   std::stable_sort(ordered.begin(), ordered.end(),
     [](const DicomHeader& a, const DicomHeader& b) { return a.Segment < b.Segment; });
@@ -142,10 +154,11 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
         const std::size_t at = i * size + (frame.IsBig ? b : size - 1 - b);
         sample = sample << 8 | static_cast<unsigned char>(bytes[at]);
       }
-      if (sample >= least)
+      const auto label = static_cast<unsigned short>(areNumbers ? sample : frame.Segment);
+      if (sample >= least && (alone == 0 || label == alone))
       {
         shared += labels[i] > 0;
-        labels[i] = static_cast<unsigned short>(areNumbers ? sample : frame.Segment);
+        labels[i] = label;
       }
     }
   }
@@ -157,9 +170,6 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
   }
   PlaceSlices(ends, std::sqrt(vtkMath::Distance2BetweenPoints(ends[0].Position, ends[1].Position)),
     volume.Image);
-  volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
-  ReadSegmentNames(first.File, volume.LabelTable);
-  const vtkIdType named = volume.LabelTable->GetNumberOfLabels();
   volume.Notes.push_back(
     "a segmentation of " + std::to_string(named) + (named == 1 ? " segment" : " segments"));
   if (areParts)
@@ -170,7 +180,9 @@ Volume ReadDicomSegmentation(const std::string& path, const std::vector<DicomHea
   if (shared > 0)
   {
     volume.Notes.push_back(std::to_string(shared) +
-      " voxels are in several segments: they belong to that with the highest number");
+      " voxels are in several segments: they belong to that with the highest number; Series = 1 to "
+      "Series = " +
+      std::to_string(named) + " read one segment of the file alone");
   }
   if (beside > 0)
   {

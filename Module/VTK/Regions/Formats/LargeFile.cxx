@@ -99,19 +99,19 @@ std::string ListFileEndings()
   return list;
 }
 
-LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole)
+LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole, int volume)
 {
   const KnownFormat* const format = FindFormat(name);
   if (format)
   {
-    LargeFile file = format->Open(name, mayBeWhole);
+    LargeFile file = format->Open(name, mayBeWhole, volume);
     CheckSpacing(file);
     return file;
   }
   if (vtksys::SystemTools::FileIsDirectory(name))
   {
-    return IsTiffName(name) ? OpenTiff(name, mayBeWhole)
-                            : OpenZarr(name, mayBeWhole); // Zarr groups have any name
+    return IsTiffName(name) ? OpenTiff(name, mayBeWhole, volume)
+                            : OpenZarr(name, mayBeWhole, volume); // Zarr groups have any name
   }
   throw std::runtime_error(
     "its ending is not known. Give a file or folder with one of the endings " + ListFileEndings() +

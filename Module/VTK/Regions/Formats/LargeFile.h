@@ -31,13 +31,17 @@ struct LargeFile
   /** Size of a chunk in samples along x, y and z; zeros if there are no chunks. */
   std::array<std::int64_t, 3> ChunkSize{};
   std::vector<LargeFile> Coarser; ///< coarser levels of the same volume, the finest first
+  /** If the file has several volumes: their names, which begin with the numbers 1, 2, and so on. */
+  std::vector<std::string> Volumes;
+  int Volume = 1; ///< number of the volume that is read
 };
 
 /**
  * Opens a file, by the ending of its name. If mayBeWhole, also opens a file whose samples can't be
- * read in boxes, and reads it as a whole. Throws std::runtime_error, with the cure.
+ * read in boxes, and reads it as a whole. For `volume`, see ChooseVolume(). Throws
+ * std::runtime_error, with the cure.
  */
-LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole = false);
+LargeFile OpenLargeFile(const std::string& name, bool mayBeWhole = false, int volume = 0);
 
 /**
  * Returns the format of a file, by its ending, or of a folder, by its files, such as "NRRD"; empty
@@ -49,7 +53,7 @@ std::string GetFormatName(const std::string& name);
 std::string ListFileEndings();
 
 /** Opens what is in a file or folder, as OpenLargeFile() does, whatever its ending. */
-using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole);
+using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole, int volume);
 
 /** Opens the active array of the image in a VTKHDF file, following VTK's specification. */
 LargeFileOpener OpenVtkHdf;
@@ -68,8 +72,7 @@ LargeFileOpener OpenRawHeader;
  *
  * The distance between voxels comes from OME-XML (PhysicalSizeX, Y, Z), from ImageJ's description
  * (unit, spacing) with the resolution of the pages, or from the resolution alone, for all three
- * axes; it is converted to mm. Of several channels and times, the first one is read. The notes list
- * what was assumed.
+ * axes; it is converted to mm. The notes list what was assumed.
  */
 LargeFileOpener OpenTiff;
 
@@ -86,7 +89,6 @@ bool IsTiffFolder(const std::string& folder);
 
 /**
  * Opens a Zarr array, or an OME-Zarr image with its coarser levels, following their specifications.
- * Of several times and channels, reads the first one.
  */
 LargeFileOpener OpenZarr;
 

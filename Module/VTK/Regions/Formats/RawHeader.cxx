@@ -5,6 +5,7 @@
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/NrrdHeader.h"
+#include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/HeaderText.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
@@ -47,8 +48,8 @@ struct RawHeader
 {
   std::vector<double> Size;            ///< number of samples along x, y and z
   std::array<std::int64_t, 3> Steps{}; ///< see RawVolumeFile
-  double Volumes = 1.0;                ///< number of samples that the file has for each sample of
-                                       ///< the volume
+  std::vector<FurtherAxis> Further;    ///< the axes beside these
+  std::vector<double> FurtherSteps;    ///< distance in samples from one volume to the next
   std::vector<double> Spacing;
   std::vector<double> Origin;
   std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
@@ -151,6 +152,14 @@ std::vector<std::string> ListNumbered(const std::string& text)
   return names;
 }
 
+/** Adds an axis beside x, y and z. */
+void AddFurther(const char* name, double count, double step, RawHeader& header)
+{
+  const bool isCount = count >= 1.0 && count <= std::numeric_limits<int>::max();
+  header.Further.push_back({ name, isCount ? static_cast<std::size_t>(count) : 0 });
+  header.FurtherSteps.push_back(step);
+}
+
 RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
 {
   RawHeader header;
@@ -159,16 +168,16 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
   header.Axes = ExtractThreeAxes(
     text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
-  while (header.Size.size() > 3)
+  double step = 1.0;
+  for (std::size_t axis = 0; axis < header.Size.size(); ++axis)
   {
-    header.Volumes *= header.Size.back();
-    header.Size.pop_back();
+    if (axis > 2)
+    {
+      AddFurther("volume", header.Size[axis], step, header);
+    }
+    step *= header.Size[axis];
   }
-  if (header.Volumes > 1.0 && header.Volumes < std::numeric_limits<int>::max())
-  {
-    header.Notes.push_back("of " + std::to_string(static_cast<int>(header.Volumes)) +
-      " volumes along the axes after the third one, such as times, the first one is used");
-  }
+  header.Size.resize(std::min<std::size_t>(header.Size.size(), 3));
   header.Type = FindMetaType(text.Value({ "ElementType" }));
   header.IsBig = text.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" });
   const std::string data = text.Value({ "ElementDataFile" });
@@ -199,7 +208,6 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
     return;
   }
   double step = 1.0;
-  double values = 1.0;
   for (std::size_t axis = 0; axis < sizes.size(); ++axis)
   {
     const auto* const found = std::find(axes->begin(), axes->end(), axis);
@@ -212,17 +220,9 @@ void SetNrrdSizes(const NrrdHeader& nrrd, RawHeader& header)
     }
     else
     {
-      header.Volumes *= sizes[axis];
-      values *= axis < axes->back() ? sizes[axis] : 1.0;
+      AddFurther(axis < axes->back() ? "component" : "volume", sizes[axis], step, header);
     }
     step *= sizes[axis];
-  }
-  if (header.Volumes > 1.0 && header.Volumes < std::numeric_limits<int>::max())
-  {
-    const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
-    header.Notes.push_back(values > 1.0
-        ? "of " + text(values) + " components a voxel, such as channels, the first one is used"
-        : "of " + text(header.Volumes) + " volumes, such as times, the first one is used");
   }
 }
 
@@ -289,7 +289,7 @@ RawHeader ConvertNrrdHeader(const NrrdHeader& nrrd, const std::string& name)
 
 bool IsReadable(const RawHeader& header)
 {
-  return header.IsKnown && header.Type != 0 && header.Size.size() == 3 && header.Volumes >= 1.0 &&
+  return header.IsKnown && header.Type != 0 && header.Size.size() == 3 &&
     std::all_of(header.Size.begin(), header.Size.end(),
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
@@ -297,7 +297,12 @@ bool IsReadable(const RawHeader& header)
 /** Computes the number of samples in all files, as a double, so that it can't overflow. */
 double CountFileSamples(const RawHeader& header)
 {
-  return header.Size[0] * header.Size[1] * header.Size[2] * header.Volumes;
+  double count = header.Size[0] * header.Size[1] * header.Size[2];
+  for (const FurtherAxis& axis : header.Further)
+  {
+    count *= static_cast<double>(axis.Count);
+  }
+  return count;
 }
 
 /** Computes the number of bytes before the samples. Throws if the file is too short. */
@@ -371,7 +376,9 @@ BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
       samples.Steps[a] > 0 ? static_cast<std::size_t>(samples.Steps[a]) : contiguous;
     contiguous *= whole->Size[a];
   }
+  whole->First = static_cast<std::size_t>(samples.First);
   samples.Steps = {}; // only the volume is kept
+  samples.First = 0;
   for (const std::string& name : header.Data)
   {
     whole->Files.push_back(MakeAbsolute(name));
@@ -392,7 +399,7 @@ BoxReader ReadAtOnce(const RawHeader& header, RawVolumeFile samples)
 
 } // namespace
 
-LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole)
+LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole, int volume)
 {
   const OpenedFile isThere(name); // throws if the file is missing
   const RawHeader header = IsMetaName(name) ? ReadMetaHeader(HeaderText(name), name)
@@ -433,6 +440,13 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole)
   samples.Extent = file.Extent;
   samples.SampleSize = static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type));
   samples.Steps = header.Steps;
+  const std::vector<std::size_t> indices = ChooseVolume(header.Further, volume, file);
+  double first = 0.0;
+  for (std::size_t axis = 0; axis < indices.size(); ++axis)
+  {
+    first += static_cast<double>(indices[axis]) * header.FurtherSteps[axis];
+  }
+  samples.First = static_cast<std::int64_t>(std::min(first, 1e18)); // sizes are checked later
   samples.IsSwapped = header.Encoding != WholeSamples::Text && IsOtherByteOrder(header.IsBig);
   file.Read = header.IsPlain ? ReadInBoxes(header, std::move(samples))
                              : ReadAtOnce(header, std::move(samples));

@@ -42,8 +42,9 @@ void RawVolumeFile::ReadWith(const ByteReader& read, const int box[6], void* sam
   {
     for (std::int64_t j = box[2]; j <= box[3]; ++j)
     {
-      const std::int64_t first = (std::int64_t{ box[0] } - this->Extent[0]) * steps[0] +
-        (j - this->Extent[2]) * steps[1] + (k - this->Extent[4]) * steps[2];
+      const std::int64_t first = this->First +
+        (std::int64_t{ box[0] } - this->Extent[0]) * steps[0] + (j - this->Extent[2]) * steps[1] +
+        (k - this->Extent[4]) * steps[2];
       if (steps[0] == 1)
       {
         read(to, row, first * sampleSize);

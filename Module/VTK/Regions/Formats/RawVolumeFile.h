@@ -30,6 +30,8 @@ struct RawVolumeFile
    * contiguous.
    */
   std::array<std::int64_t, 3> Steps{};
+  /** Number of samples before the first one of the volume, such as those of other channels. */
+  std::int64_t First = 0;
 
   /** Reads bytes at an offset from the end of the header. */
   using ByteReader = std::function<void(void* to, std::size_t size, std::int64_t from)>;

@@ -5,8 +5,10 @@
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/JsonText.h"
 #include "VTK/Base/LengthUnit.h"
 #include "VTK/Base/NameOrder.h"
+#include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
 
@@ -16,6 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
+#include "vtk_jsoncpp.h"
 #include "vtk_tiff.h"
 
 #include "vtksys/Directory.hxx"
@@ -79,15 +82,46 @@ struct TiffText
   std::size_t Slices = 0;                ///< 0: not given
   std::size_t Channels = 1;
   std::size_t Times = 1;
-  std::size_t Step = 1; ///< number of pages from one slice to the next
+  std::string TimeName = "time"; ///< what the times are, if the description does not say that
+  std::vector<std::string> ChannelNames;
+  ///@{
+  /** Number of pages from one slice, channel or time to the next. */
+  std::size_t SliceStep = 1;
+  std::size_t ChannelStep = 1;
+  std::size_t TimeStep = 1;
+  ///@}
   double PerUnit = 0.0; ///< mm for each unit of ImageJ's resolution
   /** ImageJ shows the values Line[0] + Line[1] times those stored. */
   double Line[2] = { 0.0, 1.0 };
   bool IsCurved = false; ///< whether ImageJ's values follow another function
   std::size_t Whole = 0; ///< number of images after the first one that have no directory of
                          ///< their own
-  /** The pages of the first channel and time, if they are in several files: names and numbers. */
+  /** All pages in their order, if they are in several files: names and numbers. */
   std::vector<std::pair<std::string, std::size_t>> Planes;
+
+  /** Sets the steps along slices, channels and times; `order` begins with the fastest of them. */
+  void SetOrder(const std::string& order);
+};
+
+void TiffText::SetOrder(const std::string& order)
+{
+  std::size_t step = 1;
+  for (const char axis : order)
+  {
+    (axis == 'C' ? this->ChannelStep : axis == 'T' ? this->TimeStep : this->SliceStep) = step;
+    step *= axis == 'C' ? this->Channels : axis == 'T' ? this->Times : this->Slices;
+  }
+}
+
+/** The pages of one volume: a channel at a time. */
+struct TiffVolume
+{
+  std::size_t First = 0; ///< page of the first slice
+  std::size_t Step = 1;  ///< number of pages from one slice to the next
+  std::size_t Slices = 1;
+
+  std::size_t GetPage(std::size_t slice) const { return this->First + slice * this->Step; }
+  std::size_t GetLastPage() const { return this->GetPage(this->Slices - 1); }
 };
 
 #if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
@@ -247,6 +281,7 @@ TiffText ReadImageJ(const std::string& description)
   text.Spacing[2] = 1.0; // default of the value, which ImageJ then omits
   std::istringstream lines(description);
   std::size_t images = 1;
+  std::string order = "CZT";
   for (std::string line; std::getline(lines, line);)
   {
     const std::size_t sign = std::min(line.find('='), line.size());
@@ -273,6 +308,10 @@ TiffText ReadImageJ(const std::string& description)
       const double spacing = std::abs(NumberOr(value.c_str(), 0.0));
       text.Spacing[2] = spacing > 0.0 ? spacing : 1.0;
     }
+    else if (key == "order" && value == "zct")
+    {
+      order = "ZCT";
+    }
     else if (key == "cf")
     {
       text.IsCurved = NumberOr(value.c_str(), 0.0) != 0.0; // 0 is a straight line
@@ -288,22 +327,22 @@ TiffText ReadImageJ(const std::string& description)
     }
   }
   text.Spacing[2] *= text.PerUnit;
-  text.Step = text.Channels;
   text.Whole = images;
   if (text.Slices == 0)
   {
     text.Slices = std::max<std::size_t>(1, images / (text.Channels * text.Times));
   }
+  text.SetOrder(order);
   return text;
 }
 
 /**
- * Reads where the pages of the first channel and time are, if OME-XML names further files than the
- * one that has it. A page that it does not name follows the one before.
+ * Reads where the pages are, if OME-XML names further files than the one that has it. Pages of one
+ * entry follow each other in the order of the axes.
  */
 void ReadPlanes(vtkXMLDataElement* pixels, const std::string& file, TiffText& text)
 {
-  std::vector<std::pair<std::string, std::size_t>> planes(text.Slices);
+  std::vector<std::pair<std::string, std::size_t>> planes(text.Slices * text.Channels * text.Times);
   bool areElsewhere = false;
   for (int i = 0; i < pixels->GetNumberOfNestedElements(); ++i)
   {
@@ -312,16 +351,17 @@ void ReadPlanes(vtkXMLDataElement* pixels, const std::string& file, TiffText& te
     const char* const name = id ? id->GetAttribute("FileName") : nullptr;
     const auto numberOf = [data](const char* what, std::size_t other)
     { return data->GetAttribute(what) ? CountOr(data->GetAttribute(what), 0) : other; };
-    if (std::string(data->GetName()) != "TiffData" || numberOf("FirstC", 0) > 0 ||
-      numberOf("FirstT", 0) > 0)
+    if (std::string(data->GetName()) != "TiffData")
     {
       continue;
     }
-    const std::size_t first = numberOf("FirstZ", 0), page = numberOf("IFD", 0);
-    const std::size_t count = numberOf("PlaneCount", data->GetAttribute("IFD") ? 1 : text.Slices);
+    const std::size_t page = numberOf("IFD", 0);
+    const std::size_t first = numberOf("FirstZ", 0) * text.SliceStep +
+      numberOf("FirstC", 0) * text.ChannelStep + numberOf("FirstT", 0) * text.TimeStep;
+    const std::size_t count = numberOf("PlaneCount", data->GetAttribute("IFD") ? 1 : planes.size());
     for (std::size_t k = 0; k < count && first + k < planes.size(); ++k)
     {
-      planes[first + k] = { name ? name : file, page + k * text.Step };
+      planes[first + k] = { name ? name : file, page + k };
       areElsewhere = areElsewhere || planes[first + k].first != file;
     }
   }
@@ -351,19 +391,81 @@ TiffText ReadOme(const std::string& description, const std::string& file)
   text.Channels = CountOr(pixels->GetAttribute("SizeC"), 1);
   text.Times = CountOr(pixels->GetAttribute("SizeT"), 1);
   const char* const order = pixels->GetAttribute("DimensionOrder");
-  for (const char axis : std::string(order ? order : "XYZCT"))
+  const std::string axes = order ? std::string(order).substr(0, 5) : std::string();
+  text.SetOrder(axes.size() == 5 ? axes.substr(2) : "ZCT");
+  for (int i = 0; i < pixels->GetNumberOfNestedElements(); ++i)
   {
-    text.Step *= axis == 'C' ? text.Channels : axis == 'T' ? text.Times : 1;
-    if (axis == 'Z')
+    vtkXMLDataElement* const channel = pixels->GetNestedElement(i);
+    if (std::string(channel->GetName()) == "Channel")
     {
-      break;
+      const char* const name = channel->GetAttribute("Name");
+      text.ChannelNames.emplace_back(name ? name : "");
     }
   }
-  constexpr std::size_t most = 1 << 20; // planes
-  if (text.Slices <= most)
+  constexpr double most = 1 << 20; // planes
+  if (static_cast<double>(text.Slices) * static_cast<double>(text.Channels) *
+      static_cast<double>(text.Times) <=
+    most)
   {
     ReadPlanes(pixels, file, text);
   }
+  return text;
+}
+
+/**
+ * Reads the description of tifffile, with which napari and scikit-image write:
+ * {"shape": [2, 40, 30, 20], "axes": "TZYX"}, in which the axes may be missing.
+ */
+TiffText ReadShape(const std::string& description)
+{
+  TiffText text;
+  Json::Value root;
+  std::string error;
+  if (!ParseJson(description, root, error) || !root.isObject() || !root["shape"].isArray())
+  {
+    return text;
+  }
+  std::vector<std::size_t> shape;
+  for (const Json::Value& count : root["shape"])
+  {
+    constexpr unsigned most = 1U << 30;
+    if (!count.isUInt() || count.asUInt() == 0 || count.asUInt() > most)
+    {
+      return text;
+    }
+    shape.push_back(count.asUInt());
+  }
+  constexpr std::size_t page = 2; // axes of a page
+  if (shape.size() <= page)
+  {
+    return text; // a page, which may be one of many
+  }
+  shape.resize(shape.size() - page);
+  std::string axes = root["axes"].isString() ? root["axes"].asString() : std::string();
+  const bool areKnown = axes.size() == shape.size() + page && axes.find('Z') < shape.size() &&
+    axes.substr(0, shape.size()).find_first_not_of("TCZ") == std::string::npos;
+  if (!areKnown)
+  {
+    // The last axis before those of a page is that of the slices.
+    text.TimeName = "volume";
+    axes = std::string(shape.size() - 1, 'T') + "Z";
+  }
+  double pages = 1.0;
+  for (std::size_t a = 0; a < shape.size(); ++a)
+  {
+    (axes[a] == 'Z'      ? text.Slices
+        : axes[a] == 'C' ? text.Channels
+                         : text.Times) = axes[a] == 'T' ? text.Times * shape[a] : shape[a];
+    pages *= static_cast<double>(shape[a]);
+  }
+  constexpr double mostPages = 1U << 30;
+  if (pages > mostPages)
+  {
+    return {};
+  }
+  text.Whole = static_cast<std::size_t>(pages);
+  const std::string leading = axes.substr(0, shape.size());
+  text.SetOrder(areKnown ? std::string(leading.rbegin(), leading.rend()) : "ZT");
   return text;
 }
 
@@ -371,6 +473,7 @@ TiffText ReadOme(const std::string& description, const std::string& file)
 TiffText ReadText(const std::string& description, const std::string& file)
 {
   return description.rfind("ImageJ=", 0) == 0 ? ReadImageJ(description)
+    : description.rfind("{\"shape\"", 0) == 0 ? ReadShape(description)
     : description.find("<OME") != std::string::npos
     ? ReadOme(description.substr(description.find('<')), file)
     : TiffText();
@@ -478,50 +581,54 @@ std::size_t AddPages(std::size_t file, TiffStack& stack)
   return others;
 }
 
-/** Removes all pages but those of the first channel and time. */
-void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>& notes)
+/** Chooses a channel and a time by the number of their volume: see ChooseVolume(). */
+TiffVolume ChooseChannel(const TiffText& text, int number, LargeFile& file)
 {
-  const std::size_t slices = text.Slices > 0 ? text.Slices : stack.Pages.size();
-  if (text.Step == 0 || slices > stack.Pages.size())
+  const std::vector<std::size_t> indices =
+    ChooseVolume({ { "channel", text.Channels, text.ChannelNames }, { text.TimeName, text.Times } },
+      number, file);
+  return { indices[0] * text.ChannelStep + indices[1] * text.TimeStep, text.SliceStep,
+    std::max<std::size_t>(1, text.Slices) };
+}
+
+/** Removes all pages but those of a volume. */
+void KeepVolume(const TiffText& text, TiffVolume volume, TiffStack& stack, LargeFile& file)
+{
+  const std::size_t pages = stack.Pages.size();
+  volume.Slices = text.Slices > 0 ? text.Slices : pages;
+  if (volume.Slices > pages)
   {
-    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices, and has " +
-      std::to_string(stack.Pages.size()) + ". Check that its copy is complete.");
+    throw std::runtime_error("it tells of " + std::to_string(volume.Slices) + " slices, and has " +
+      std::to_string(pages) + ". Check that its copy is complete.");
+  }
+  if (volume.GetLastPage() >= pages)
+  {
+    throw std::runtime_error("it tells of " + std::to_string(volume.Slices) + " slices in " +
+      std::to_string(volume.GetLastPage() + 1) + " pages, and has " + std::to_string(pages) +
+      ". Check that its copy is complete.");
   }
   std::vector<TiffPage> kept;
-  for (std::size_t k = 0; k < slices && k * text.Step < stack.Pages.size(); ++k)
+  for (std::size_t k = 0; k < volume.Slices; ++k)
   {
-    kept.push_back(stack.Pages[k * text.Step]);
+    kept.push_back(stack.Pages[volume.GetPage(k)]);
   }
-  if (kept.size() < slices)
+  if (kept.size() < pages && text.Channels * text.Times == 1)
   {
-    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices of " +
-      std::to_string(text.Step) + " pages, and has fewer. Check that its copy is complete.");
-  }
-  const auto tell = [&](std::size_t count, const char* what)
-  {
-    if (count > 1)
-    {
-      notes.push_back("of " + std::to_string(count) + " " + what + " the first one is used");
-    }
-  };
-  tell(text.Channels, "channels");
-  tell(text.Times, "times");
-  if (slices * text.Step < stack.Pages.size() && text.Channels * text.Times == 1)
-  {
-    notes.push_back(
-      std::to_string(stack.Pages.size() - slices) + " further TIFF pages are left out");
+    file.Notes.push_back(std::to_string(pages - kept.size()) + " further TIFF pages are left out");
   }
   stack.Pages = std::move(kept);
 }
 
 /** Collects the pages of a stack from several files, beside the one that names them. */
-void CollectPlanes(const std::string& folder, const TiffText& text, TiffStack& stack)
+void CollectPlanes(
+  const std::string& folder, const TiffText& text, const TiffVolume& volume, TiffStack& stack)
 {
   stack.Files.clear();
   std::vector<TiffPage> kept;
   std::vector<std::vector<TiffPage>> pages; // of each file
-  for (const auto& [name, page] : text.Planes)
+  for (std::size_t slice = 0; slice < volume.Slices; ++slice)
   {
+    const auto& [name, page] = text.Planes[volume.GetPage(slice)];
     const std::string path = folder + "/" + vtksys::SystemTools::GetFilenameName(name);
     const auto found = std::find(stack.Files.begin(), stack.Files.end(), path);
     const auto file = static_cast<std::size_t>(found - stack.Files.begin());
@@ -628,20 +735,18 @@ LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
  * Opens a stack of more than 4 GiB, which ImageJ writes as one page, followed by all other images.
  */
 LargeFile OpenHeadless(
-  const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffText& text)
+  const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffVolume& volume)
 {
-  CheckPage(
-    tiff, layout, static_cast<double>(OpenedFile(name).GetSize()), text.Slices * text.Step - 1);
+  CheckPage(tiff, layout, static_cast<double>(OpenedFile(name).GetSize()), volume.GetLastPage());
   uint64_t* offsets = nullptr;
   TIFFGetField(tiff, TIFFTAG_STRIPOFFSETS, &offsets);
-  if (text.Step != 1)
-  {
-    throw std::runtime_error("it has several channels behind one page. Write one channel.");
-  }
-  LargeFile file = MakeFile(layout, text.Slices);
+  LargeFile file = MakeFile(layout, volume.Slices);
+  const auto page = static_cast<std::int64_t>(layout.Width) * layout.Height; // samples
   const RawVolumeFile samples{ name, file.Extent,
     static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(layout.ScalarType)),
-    static_cast<vtkTypeInt64>(offsets[0]), TIFFIsByteSwapped(tiff) != 0 };
+    static_cast<vtkTypeInt64>(offsets[0]), TIFFIsByteSwapped(tiff) != 0,
+    { 1, layout.Width, page * static_cast<std::int64_t>(volume.Step) },
+    page * static_cast<std::int64_t>(volume.First) };
   file.Read = [samples](const int box[6], void* to)
   {
     samples.Read(box, to);
@@ -759,7 +864,7 @@ bool IsTiffFolder(const std::string& folder)
     2 * ListFiles(folder).size() > all.GetNumberOfFiles() - links;
 }
 
-LargeFile OpenTiff(const std::string& name, bool)
+LargeFile OpenTiff(const std::string& name, bool, int number)
 {
   const std::string path = MakeAbsolute(name);
   const auto stack = std::make_shared<TiffStack>();
@@ -767,15 +872,15 @@ LargeFile OpenTiff(const std::string& name, bool)
   stack->Files = isFolder ? ListFiles(path) : std::vector<std::string>{ path };
   const OpenedFile isThere(stack->Files.front()); // throws if the file is missing
   const TiffPointer tiff = OpenQuietly(stack->Files.front());
-  std::vector<std::string> notes;
+  LargeFile told; // its notes and volumes
   TiffText text = ReadText(Describe(tiff.get()), vtksys::SystemTools::GetFilenameName(path));
-  AddResolution(tiff.get(), text, notes);
+  AddResolution(tiff.get(), text, told.Notes);
+  const TiffVolume volume = ChooseChannel(isFolder ? TiffText() : text, number, told);
   LargeFile file;
-  const bool isHeadless =
-    !isFolder && text.IsImageJ && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
+  const bool isHeadless = !isFolder && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
   if (isHeadless)
   {
-    file = OpenHeadless(path, tiff.get(), ReadLayout(tiff.get()), text);
+    file = OpenHeadless(path, tiff.get(), ReadLayout(tiff.get()), volume);
   }
   else
   {
@@ -787,23 +892,26 @@ LargeFile OpenTiff(const std::string& name, bool)
     }
     if (areElsewhere)
     {
-      CollectPlanes(GetFolder(path), text, *stack);
-      notes.push_back(
-        "slices are in " + std::to_string(stack->Files.size()) + " files, as the OME-XML says");
+      CollectPlanes(GetFolder(path), text, volume, *stack);
+      told.Notes.push_back("slices are in " + std::to_string(stack->Files.size()) +
+        (stack->Files.size() == 1 ? " file" : " files") + ", as the OME-XML says");
     }
     if (others > 0)
     {
-      notes.push_back(std::to_string(others) + " TIFF pages of another size or type are left out");
+      told.Notes.push_back(
+        std::to_string(others) + " TIFF pages of another size or type are left out");
     }
     if (!isFolder && !areElsewhere)
     {
-      KeepFirst(text, *stack, notes);
+      KeepVolume(text, volume, *stack, told);
     }
     file = MakeFile(stack->Layout, stack->Pages.size());
     file.Read = [stack](const int box[6], void* samples) { return stack->Read(box, samples); };
   }
   std::copy_n(text.Spacing, 3, file.Spacing.begin());
-  file.Notes = std::move(notes);
+  file.Notes = std::move(told.Notes);
+  file.Volumes = std::move(told.Volumes);
+  file.Volume = told.Volume;
   Calibrate(text, file);
   return file;
 }

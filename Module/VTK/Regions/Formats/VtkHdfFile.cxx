@@ -6,6 +6,7 @@
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 #include "VTK/Regions/Formats/ChunkedVolume.h"
+#include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/Hdf5File.h"
 #include "VTK/Regions/Formats/OpenedFile.h"
 #include "VTK/Regions/Formats/RawVolumeFile.h"
@@ -236,7 +237,7 @@ BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::s
 
 } // namespace
 
-LargeFile OpenVtkHdf(const std::string& name, bool)
+LargeFile OpenVtkHdf(const std::string& name, bool, int volume)
 {
   const Hdf5File file(name);
   CheckMember(file, RootGroup);
@@ -247,6 +248,7 @@ LargeFile OpenVtkHdf(const std::string& name, bool)
       ", not an image (Type ImageData). Give a VTKHDF file of an image.");
   }
   LargeFile large;
+  ChooseVolume({}, volume, large);
   if (!ReadNumbers(file, "WholeExtent", large.Extent) ||
     !ReadNumbers(file, "Origin", large.Origin) || !ReadNumbers(file, "Spacing", large.Spacing))
   {

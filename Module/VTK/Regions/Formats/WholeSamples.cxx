@@ -140,7 +140,7 @@ private:
     const std::size_t y = sample / this->Samples.Size[0] % this->Samples.Size[1];
     const std::size_t z = sample / this->Samples.Size[0] / this->Samples.Size[1];
     const std::array<std::size_t, 3>& steps = this->Samples.Steps;
-    return (x * steps[0] + y * steps[1] + z * steps[2]) * this->SampleSize;
+    return (this->Samples.First + x * steps[0] + y * steps[1] + z * steps[2]) * this->SampleSize;
   }
 
   const WholeSamples& Samples;

@@ -37,6 +37,7 @@ public:
                           ///< at the end of the file
   int ScalarType = 0;
   double Count = 0.0;                 ///< number of samples in all files
+  std::size_t First = 0;              ///< number of samples before the first one of the volume
   std::array<std::size_t, 3> Size{};  ///< number of the volume's samples along x, y and z
   std::array<std::size_t, 3> Steps{}; ///< distances between neighbours (samples), which increase
 

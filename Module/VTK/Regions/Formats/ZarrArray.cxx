@@ -284,6 +284,14 @@ void ReadNewHead(const Json::Value& head, ZarrArray& array)
 
 } // namespace
 
+std::uint64_t ZarrArray::GetChunkNumber(const ChunkPlace& place, std::size_t dimension) const
+{
+  const std::size_t rank = this->Shape.size();
+  return dimension + 3 >= rank        ? static_cast<std::uint64_t>(place[rank - 1 - dimension])
+    : dimension < this->Before.size() ? this->Before[dimension] / this->ChunkShape[dimension]
+                                      : 0;
+}
+
 std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
 {
   std::string name = this->Folder + "/" + this->Prefix;
@@ -292,8 +300,7 @@ std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
   {
     name += d == 0 ? std::string() : std::string(1, this->Separator);
     const std::uint64_t shard = this->ShardShape.empty() ? 1 : this->ShardShape[d];
-    name +=
-      d + 3 < rank ? "0" : std::to_string(static_cast<std::uint64_t>(place[rank - 1 - d]) / shard);
+    name += std::to_string(this->GetChunkNumber(place, d) / shard);
   }
   return name;
 }
@@ -311,8 +318,7 @@ bool ZarrArray::LocateInShard(const std::string& name, const OpenedFile& file,
   {
     const std::uint64_t shard = this->ShardShape[d];
     count = count <= MostChunkBytes ? count * shard : count;
-    number =
-      number * shard + (d + 3 < rank ? 0 : static_cast<std::uint64_t>(place[rank - 1 - d]) % shard);
+    number = number * shard + this->GetChunkNumber(place, d) % shard;
   }
   const auto size = static_cast<std::uint64_t>(file.GetSize());
   const std::uint64_t index = count * entry + this->IndexTail;
@@ -401,6 +407,17 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
         break;
     }
   }
+  // The volumes in a chunk follow each other.
+  std::size_t first = 0;
+  for (std::size_t d = 0; d < this->Shape.size(); ++d)
+  {
+    const bool isBefore = d < this->Before.size();
+    const auto count = static_cast<std::size_t>(this->ChunkShape[d]);
+    first = first * count + (isBefore ? this->Before[d] % count : 0);
+  }
+  first *= this->SampleSize;
+  bytes.erase(
+    bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(first, bytes.size())));
   return true;
 }
 

@@ -36,6 +36,8 @@ struct ZarrArray
   std::string Folder;
   std::vector<std::uint64_t> Shape;
   std::vector<std::uint64_t> ChunkShape;
+  /** Index along each dimension but the last three; beyond the end of this list, 0. */
+  std::vector<std::size_t> Before;
   std::size_t ChunkBytes = 0; ///< size of the samples of a chunk
   int ScalarType = 0;
   std::size_t SampleSize = 0;
@@ -52,12 +54,14 @@ struct ZarrArray
   /** Returns the file name of a chunk, or of the shard that contains it. */
   std::string GetChunkFile(const ChunkPlace& place) const;
   /**
-   * Loads a chunk as a ChunkedVolume::Loader does. Along all dimensions but the last three, its
-   * index is 0.
+   * Loads the part of a chunk that belongs to the volume at `Before`, as a ChunkedVolume::Loader
+   * does.
    */
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
 
 private:
+  /** Returns the number of a chunk along a dimension. */
+  std::uint64_t GetChunkNumber(const ChunkPlace& place, std::size_t dimension) const;
   /**
    * Finds the first byte and the size of a chunk in its shard. Returns false if it was never
    * written.

@@ -5,10 +5,13 @@
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/LengthUnit.h"
+#include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/ZarrArray.h"
 #include "VTK/Regions/Formats/ZarrHead.h"
 
 #include "vtk_jsoncpp.h"
+
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cctype>
@@ -30,10 +33,14 @@ struct AxisScale
   double Translation = 0.0;
 };
 
-LargeFile MakeZarrLevel(const std::string& folder)
+/**
+ * Opens an array, at one index along each of its dimensions but the last three, and adds it to the
+ * file.
+ */
+void AddZarrLevel(const ZarrArray& opened, const std::vector<std::size_t>& before, LargeFile& file)
 {
-  const auto array = std::make_shared<const ZarrArray>(OpenZarrArray(folder));
-  LargeFile file;
+  const auto array = std::make_shared<ZarrArray>(opened);
+  array->Before = before;
   ChunkedVolume volume;
   const std::size_t x = array->Shape.size() - 1;
   for (std::size_t a = 0; a < 3; ++a)
@@ -59,7 +66,6 @@ LargeFile MakeZarrLevel(const std::string& folder)
     volume.Read(box, samples);
     return true;
   };
-  return file;
 }
 
 void ApplyTransformations(const Json::Value& steps, std::vector<AxisScale>& axes)
@@ -132,39 +138,67 @@ double ReadUnit(const Json::Value& axes, std::size_t axis)
   return unit > 0.0 ? unit : 1.0;
 }
 
-/** Adds notes on the numbers of times and channels, because only the first of each is read. */
-void AddFurtherAxes(
-  const Json::Value& axes, const std::vector<std::uint64_t>& shape, std::vector<std::string>& notes)
+/** Returns the names of the channels in OME-Zarr's settings of the picture. */
+std::vector<std::string> ReadChannelNames(const Json::Value& attributes)
 {
-  for (std::size_t a = 0; a + 3 < shape.size(); ++a)
+  std::vector<std::string> names;
+  const Json::Value& omero = attributes["omero"];
+  for (const Json::Value& channel :
+    omero.isObject() ? omero["channels"] : Json::Value::nullSingleton())
   {
-    if (shape[a] > 1)
-    {
-      const Json::Value& axis = GetAxis(axes, a);
-      const std::string name =
-        Printable(axis.isObject() ? axis["name"].asString() : axis.asString());
-      notes.push_back("of " + std::to_string(shape[a]) +
-        (name == "c" || name == "C"      ? " channels"
-            : name == "t" || name == "T" ? " times"
-            : name.empty()               ? " volumes"
-                                         : " volumes along the axis " + name) +
-        " the first one is used");
-    }
+    const bool isNamed = channel.isObject() && channel["label"].isString();
+    names.push_back(isNamed ? channel["label"].asString() : "");
   }
+  return names;
 }
 
-LargeFile OpenDataset(
-  const std::string& folder, const Json::Value& scales, const Json::Value& dataset)
+/**
+ * Chooses a volume of an array by its number: see ChooseVolume(). Returns the index along each
+ * dimension but the last three.
+ */
+std::vector<std::size_t> ChooseInArray(const ZarrArray& array, const Json::Value& axes,
+  const std::vector<std::string>& channels, int number, LargeFile& file)
 {
-  const std::string path = folder + "/" + dataset["path"].asString();
-  const auto shape = OpenZarrArray(path).Shape;
-  const std::size_t rank = shape.size();
+  std::vector<FurtherAxis> further;
+  for (std::size_t a = array.Shape.size() - 3; a-- > 0;)
+  {
+    const Json::Value& axis = GetAxis(axes, a);
+    const std::string name = Printable(axis.isObject() ? axis["name"].asString() : axis.asString());
+    const bool isChannel = name == "c" || name == "C";
+    const bool isTime = name == "t" || name == "T";
+    further.push_back({ isChannel ? "channel"
+        : isTime                  ? "time"
+        : name.empty()            ? "volume"
+                                  : "volume along " + name,
+      static_cast<std::size_t>(array.Shape[a]),
+      isChannel ? channels : std::vector<std::string>() });
+  }
+  std::vector<std::size_t> indices = ChooseVolume(further, number, file);
+  std::reverse(indices.begin(), indices.end());
+  return indices;
+}
+
+/**
+ * Opens a level. If it is a coarser level of `finest`, the volume is the one at the same indices.
+ */
+LargeFile OpenDataset(const std::string& folder, const Json::Value& attributes,
+  const Json::Value& dataset, int volume, const LargeFile* finest)
+{
+  const Json::Value& scales = attributes["multiscales"][0];
+  const ZarrArray array = OpenZarrArray(folder + "/" + dataset["path"].asString());
+  const std::size_t rank = array.Shape.size();
   CheckAxes(scales["axes"], rank);
   std::vector<AxisScale> axes(rank);
   ApplyTransformations(dataset["coordinateTransformations"], axes);
   ApplyTransformations(scales["coordinateTransformations"], axes);
-  LargeFile file = MakeZarrLevel(path);
-  AddFurtherAxes(scales["axes"], { shape.begin(), shape.end() }, file.Notes);
+  LargeFile file;
+  const std::vector<std::size_t> before =
+    ChooseInArray(array, scales["axes"], ReadChannelNames(attributes), volume, file);
+  if (finest && file.Volumes != finest->Volumes)
+  {
+    throw std::runtime_error("a coarser level of it has other volumes than the finest one.");
+  }
+  AddZarrLevel(array, before, file);
   for (std::size_t a = 0; a < 3; ++a)
   {
     const AxisScale& axis = axes[rank - 1 - a];
@@ -187,15 +221,16 @@ LargeFile OpenDataset(
 }
 
 /** Opens the finest level, together with the coarser levels. */
-LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
+LargeFile OpenMultiscales(const std::string& folder, const Json::Value& attributes, int volume)
 {
   LargeFile finest;
   bool isFirst = true;
-  for (const Json::Value& dataset : scales["datasets"])
+  for (const Json::Value& dataset : attributes["multiscales"][0]["datasets"])
   {
     try
     {
-      LargeFile level = OpenDataset(folder, scales, dataset);
+      LargeFile level =
+        OpenDataset(folder, attributes, dataset, volume, isFirst ? nullptr : &finest);
       if (isFirst)
       {
         finest = std::move(level);
@@ -222,16 +257,38 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
   return finest;
 }
 
-} // namespace
-
-LargeFile OpenZarr(const std::string& name, bool)
+/**
+ * Returns the folder of the image in a collection of images, as bioformats2raw writes them: folders
+ * 0, 1, and so on. Throws if there are several, because they may be of different size.
+ */
+std::string FindOnlyImage(const std::string& folder)
 {
-  const std::string folder = MakeAbsolute(name);
+  const auto isThere = [&](int number)
+  { return vtksys::SystemTools::FileIsDirectory(folder + "/" + std::to_string(number)); };
+  int count = 0;
+  while (isThere(count))
+  {
+    ++count;
+  }
+  if (count != 1)
+  {
+    throw std::runtime_error("it is a collection of " + std::to_string(count) +
+      " images, in the folders 0, 1 and so on." +
+      (count > 1 ? " Name one of them, such as " + Printable(folder) + "/0."
+                 : " Check that its copy is complete."));
+  }
+  return folder + "/0";
+}
+
+/** Opens an array, an image, or if it may be one, a collection of a single image. */
+LargeFile OpenFolder(const std::string& folder, int volume, bool mayBeCollection)
+{
   if (IsZarrArray(folder))
   {
-    LargeFile file = MakeZarrLevel(folder);
+    const ZarrArray array = OpenZarrArray(folder);
+    LargeFile file;
     file.Notes.emplace_back("an array of Zarr has no size of voxels: cubes of 1 mm are assumed");
-    AddFurtherAxes(Json::Value::nullSingleton(), OpenZarrArray(folder).Shape, file.Notes);
+    AddZarrLevel(array, ChooseInArray(array, Json::Value::nullSingleton(), {}, volume, file), file);
     return file;
   }
   Json::Value head;
@@ -244,19 +301,30 @@ LargeFile OpenZarr(const std::string& name, bool)
   try
   {
     const Json::Value& attributes = isNew ? head["attributes"]["ome"] : head;
+    if (mayBeCollection && attributes["bioformats2raw.layout"].isInt())
+    {
+      return OpenFolder(FindOnlyImage(folder), volume, false);
+    }
     const Json::Value& scales = attributes["multiscales"];
     if (!scales.isArray() || scales.empty())
     {
       throw std::runtime_error("it is a group of Zarr without OME-Zarr's multiscales. Name one of "
                                "its arrays.");
     }
-    return OpenMultiscales(folder, scales[0]);
+    return OpenMultiscales(folder, attributes, volume);
   }
   catch (const Json::Exception&)
   {
     throw std::runtime_error(
       "its attributes are not as OME-Zarr wants them. Name one of its arrays.");
   }
+}
+
+} // namespace
+
+LargeFile OpenZarr(const std::string& name, bool, int volume)
+{
+  return OpenFolder(MakeAbsolute(name), volume, true);
 }
 
 } // namespace VolumeHaptics
