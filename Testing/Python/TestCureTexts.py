@@ -180,7 +180,7 @@ TRIED = {
         "no folder is searched. Name the plug-in's folder": "no folder is searched",
         "Count from 0, as EnumerateDevices() does": "has no device",
     },
-    "Devices/Vendor/VendorDriverTest.cxx": {"is in use by this program. Close() it there": "in use by this program"},
+    "Devices/Vendor/VendorDriverTest.cxx": {"Press less for some seconds": "so that its motors don't get warm", "is in use by this program. Close() it there": "in use by this program"},
     "Applications/DeviceTool/ToolOptionsTest.cxx": {
         "takes either --weight GRAMS or --scale. Try --help": "either --weight GRAMS or --scale",
         "there is nothing to feel. Try monitor": "monitor", "are for calibrate. Try --help": "are for calibrate", "What is to be done? Try --help": "What is to be done",

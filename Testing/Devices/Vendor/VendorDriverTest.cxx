@@ -398,7 +398,8 @@ TEST_F(VendorDevice, APeakFadesToTheContinuousForceAndIsTold)
       return std::abs(this->Force()[0] - 1.0) < 1e-9;
     }))
     << this->Force()[0];
-  EXPECT_TRUE(Has(this->Bench.Text(), "gives 1 N now")) << this->Bench.Text();
+  EXPECT_TRUE(Has(this->Bench.Text(), "gives 1 N now, so that its motors don't get warm"))
+    << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
   // A weaker one has no limit, and ends the text.
   EXPECT_TRUE(this->Push({ { 0.9, 0.0, 0.0 }, {} }));
