@@ -3,7 +3,6 @@
 #include "Devices/Common/DeviceMemory.h"
 
 #include "Core/Math/NumberText.h"
-#include "Core/Realtime/ServoClock.h"
 
 #include <cctype>
 #include <cmath>
@@ -16,6 +15,8 @@
 #include <optional>
 #include <sstream>
 #include <vector>
+
+#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -250,32 +251,33 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
   {
     lines.push_back(Header);
   }
-  const std::string temporary = file + ".part" + std::to_string(ServoClock::GetProcess());
   std::error_code trouble;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty())
   {
     std::filesystem::create_directories(folder, trouble);
   }
+  std::ostringstream text;
+  for (const std::string& line : lines)
   {
-    std::ofstream out(temporary, std::ios::trunc);
-    for (const std::string& line : lines)
+    if (FirstWord(line) != word)
     {
-      if (FirstWord(line) != word)
-      {
-        out << line << "\n";
-      }
+      text << line << "\n";
     }
-    out << MakeLine(word, facts) << "\n";
-    out.close();
-    if (out)
+  }
+  text << MakeLine(word, facts) << "\n";
+  // A name that nobody can foresee, and that is not there: nobody can lay a link there before.
+  std::string temporary = file + ".partXXXXXX";
+  const int descriptor = mkstemp(temporary.data());
+  std::FILE* const out = descriptor >= 0 ? fdopen(descriptor, "w") : nullptr;
+  const bool isWritten = out && std::fputs(text.str().c_str(), out) >= 0;
+  if (out && std::fclose(out) == 0 && isWritten)
+  {
+    trouble.clear();
+    std::filesystem::rename(temporary, file, trouble);
+    if (!trouble)
     {
-      trouble.clear();
-      std::filesystem::rename(temporary, file, trouble);
-      if (!trouble)
-      {
-        return true;
-      }
+      return true;
     }
   }
   std::error_code ignored;

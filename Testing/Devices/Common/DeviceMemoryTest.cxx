@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 using VolumeHaptics::DeviceFacts;
 using VolumeHaptics::DeviceMemory;
@@ -101,6 +102,22 @@ TEST_F(Memory, ADamagedLineCountsAsNoneAndIsTold)
   ASSERT_TRUE(DeviceMemory::Write("falcon", facts, this->Error)) << this->Error;
   EXPECT_EQ(
     this->GetText(), "# mine\nwooden confirmed=2026-11-01\n\xff\nfalcon confirmed=2026-11-22\n");
+}
+
+/// The name of the temporary file was known before, so that a link could wait there.
+TEST_F(Memory, IsWrittenThroughNoLinkThatSomebodyLaid)
+{
+  const std::string other = TemporaryPath("other");
+  std::ofstream(other) << "mine";
+  std::filesystem::create_directories(std::filesystem::path(this->File).parent_path());
+  const std::string link = this->File + ".part" + std::to_string(getpid());
+  std::filesystem::create_symlink(other, link);
+  EXPECT_TRUE(DeviceMemory::Write("falcon", {}, this->Error)) << this->Error;
+  std::ostringstream text;
+  text << std::ifstream(other).rdbuf();
+  EXPECT_EQ(text.str(), "mine");
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(this->File)));
+  std::filesystem::remove(link);
 }
 
 TEST_F(Memory, AFileThatCannotBeWrittenIsTold)

@@ -137,8 +137,22 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
   EXPECT_TRUE(Contains(rules, "\nSUBSYSTEM==\"usb\", ATTR{idVendor}==\"1451\", TAG+=\"uaccess\"\n"))
     << "Force Dimension's devices";
-  EXPECT_TRUE(has("hidraw", 0x1234, 0x0006));
-  EXPECT_TRUE(has("hidraw", 0x16c0, 0x0486));
+  // Boards whose numbers many devices have: by name, or not at all.
+  EXPECT_TRUE(Contains(
+    rules, R"(ATTRS{idProduct}=="0006", ATTRS{product}=="HID DEVICE|*[Ww]ooden[Hh]aptics*",)"));
+  EXPECT_TRUE(Contains(rules,
+    R"(ATTRS{idProduct}=="0486", ATTRS{product}=="Teensyduino RawHID|*[Ww]ooden[Hh]aptics*",)"));
+  EXPECT_FALSE(has("hidraw", 0x1234, 0x0006));
+  EXPECT_FALSE(has("hidraw", 0x16c0, 0x0486));
+  for (const char* const board : { "\"2341\"", "\"2a03\"", "\"1b4f\"" })
+  {
+    EXPECT_FALSE(Contains(rules, board)) << "Arduino's and SparkFun's";
+  }
+  std::istringstream lines(rules);
+  for (std::string line; std::getline(lines, line);)
+  {
+    EXPECT_FALSE(Contains(line, "SUBSYSTEM==\"tty\"") && Contains(line, "uaccess")) << line;
+  }
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2));
   EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6, true));
@@ -150,8 +164,8 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
     << "SpaceMouse USB: PySpaceMouse 95cf9cb, devices.toml";
   // Their makers' or users' rules: VPforce (TelemFFB), Simucube, AccuForce, MMOS.
   const std::pair<int, std::vector<int>> others[] = { { 0xffff, { 0x2055 } },
-    { 0x16d0, { 0x0d5a, 0x0d5f, 0x0d60, 0x0d61 } }, { 0x1fc9, { 0x804c } }, { 0xf055, { 0x0ffb } },
-    { 0x2a03, { 0x8036, 0x8037 } } };
+    { 0x16d0, { 0x0d5a, 0x0d5f, 0x0d60, 0x0d61 } }, { 0x1fc9, { 0x804c } },
+    { 0xf055, { 0x0ffb } } };
   for (const auto& [vendor, products] : others)
   {
     for (const int product : products)
@@ -159,9 +173,8 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
       EXPECT_TRUE(has("hidraw", vendor, product)) << std::hex << vendor << ":" << product;
     }
   }
-  // JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first three are boards.
-  const std::pair<int, std::vector<int>> wheels[] = { { 0x2341, { 0x8036, 0x8037 } },
-    { 0x1b4f, { 0x9206, 0x9204 } }, { 0x1209, { 0xffb0 } },
+  // JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first one is a board.
+  const std::pair<int, std::vector<int>> wheels[] = { { 0x1209, { 0xffb0 } },
     { 0x2433, { 0xf300, 0xf301, 0xf303, 0xf306 } },
     { 0x346e, { 0x0005, 0x0015, 0x0004, 0x0014, 0x0002, 0x0012, 0x0006, 0x0016, 0x0000, 0x0010 } },
     { 0x3416, { 0x0301, 0x0302 } }, { 0x0483, { 0xa355 } }, { 0x045b, { 0x58f9, 0x5968, 0x59d7 } },

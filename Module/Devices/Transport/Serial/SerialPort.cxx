@@ -49,8 +49,7 @@ std::string Explain(int fault)
       return "in use by another program or device. Close it there.";
     case EACCES:
     case EPERM:
-      return "no permission. Run \"sudo usermod -a -G dialout $USER\" and log in again, or install "
-             "the udev rules of this library (70-volume-haptics.rules).";
+      return "no permission. Run \"sudo usermod -a -G dialout $USER\" and log in again.";
     case ENOENT:
       return "not plugged in. Plug it in, or give the port that it has.";
     case ENOTTY:
