@@ -33,9 +33,11 @@ if [ "$step" = search ]; then
     seeds=$build_dir/formats/seeds/$target # of those that read files
     [ -e "$program" ] || program=$build_dir/readers/bin/$target
     [ -d "$seeds" ] || seeds=
+    longest=60000
+    [ "$target" != TouchHaply ] || longest=1048576 # the longest message that is taken
     # What promises more than it has must be refused before memory is taken.
     # VTK's readers leak after some errors.
-    ASAN_OPTIONS=detect_leaks=0 "$program" -max_len=60000 -timeout=10 -max_total_time="$3" -malloc_limit_mb=300 \
+    ASAN_OPTIONS=detect_leaks=0 "$program" -max_len="$longest" -timeout=10 -max_total_time="$3" -malloc_limit_mb=300 \
       -print_final_stats=1 "$build_dir/corpus-$target" ${seeds:+"$seeds"} > "$build_dir/$target.log" 2>&1 &
     processes+=($!)
   done

@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -85,8 +89,45 @@ bool AskHaply(
   return false;
 }
 
+std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own)
+{
+  constexpr unsigned firstPerson = 1000; // as Debian and Fedora number their users
+  constexpr unsigned hidden = 65534;
+  std::string line;
+  while (std::getline(table, line))
+  {
+    std::istringstream words(line);
+    std::string number, local, remote, state, queues, timer, tries;
+    unsigned user = 0;
+    const bool isRow = static_cast<bool>(
+      words >> number >> local >> remote >> state >> queues >> timer >> tries >> user);
+    const std::size_t colon = local.rfind(':');
+    const bool isListener = isRow && state == "0A" && colon != std::string::npos &&
+      std::strtoul(local.c_str() + colon + 1, nullptr, 16) == port;
+    if (isListener && user >= firstPerson && user != hidden && user != own)
+    {
+      return user;
+    }
+  }
+  return {};
+}
+
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
 {
+  for (const std::uint16_t port : { ports.States, ports.Http, ports.Events })
+  {
+    for (const char* const name : { "/proc/net/tcp", "/proc/net/tcp6" })
+    {
+      std::ifstream table(name); // not there on other systems
+      if (const std::optional<unsigned> user = FindOtherListener(table, port, geteuid()))
+      {
+        error = "What listens at port " + std::to_string(port) +
+          " was started by another user (number " + std::to_string(*user) +
+          "), so it is not asked. " + HowToStartHaply;
+        return false;
+      }
+    }
+  }
   const std::string where =
     " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);
   std::string text;

@@ -7,6 +7,12 @@
 
 #include "HaplyRig.h"
 
+#include <csignal>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace emulated;
 
 namespace
@@ -234,6 +240,46 @@ TEST_F(HaplyFaults, TheServoStandsStill)
 {
   this->Bench.Stop();
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
+}
+
+/// Whoever is on this computer may listen at the service's port before it does.
+TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
+{
+  if (geteuid() != 0)
+  {
+    GTEST_SKIP() << "takes a process of another user";
+  }
+  int ports[2];
+  ASSERT_EQ(pipe(ports), 0);
+  const pid_t other = fork();
+  if (other == 0)
+  {
+    constexpr uid_t somebody = 12345;
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof(address);
+    const bool isOther = setuid(somebody) == 0;
+    const int listener = socket(AF_INET, SOCK_STREAM, 0);
+    const bool isListening = isOther &&
+      bind(listener, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+      listen(listener, 4) == 0 &&
+      getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    const int port = isListening ? ntohs(address.sin_port) : 0;
+    (void)!write(ports[1], &port, sizeof(port));
+    pause();
+    _exit(0);
+  }
+  int port = 0;
+  ASSERT_EQ(read(ports[0], &port, sizeof(port)), static_cast<ssize_t>(sizeof(port)));
+  setenv("VOLUMEHAPTICS_HAPLY", std::to_string(port).c_str(), 1);
+  EXPECT_TRUE(Has(ErrorOf("haply"), "was started by another user (number 12345)"))
+    << ErrorOf("haply");
+  unsetenv("VOLUMEHAPTICS_HAPLY");
+  kill(other, SIGKILL);
+  waitpid(other, nullptr, 0);
+  close(ports[0]);
+  close(ports[1]);
 }
 
 TEST(HaplyErrors, SayWhatToDo)

@@ -9,8 +9,11 @@
  */
 
 #include "Devices/Haply/HaplyMessages.h"
+#include "Devices/Haply/HaplyService.h"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 using namespace VolumeHaptics;
 
@@ -317,4 +320,29 @@ TEST(HaplyMessages, AxesTurnAndDoNotMirror)
   EXPECT_EQ(turn.Y, 0.8);
   EXPECT_EQ(turn.X, 0.0);
   EXPECT_EQ(turn.Z, 0.0);
+}
+
+TEST(HaplyPorts, AnotherUsersListenerIsFound)
+{
+  // As proc_net_tcp of the kernel's documentation lists them: port 10001 is 2711 in hexadecimal
+  // digits; 0A listens, 01 is a connection.
+  const std::string head = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when "
+                           "retrnsmt   uid  timeout inode\n";
+  const auto find = [&head](const char* local, const char* state, int user)
+  {
+    std::istringstream table(head +
+      "   0: 00000000:0016 00000000:0000 0A 00000000:00000000 "
+      "00:00000000 00000000  4321        0 1 1 0 100 0 0 10 0\n   1: " +
+      local + " 00000000:0000 " + state + " 00000000:00000000 00:00000000 00000000  " +
+      std::to_string(user) + "        0 54165785 4 cd1e6040 25 4 27 3 -1\n");
+    return FindOtherListener(table, 10001, 1000);
+  };
+  EXPECT_EQ(find("0100007F:2711", "0A", 1001), 1001U);
+  EXPECT_EQ(find("00000000000000000000000001000000:2711", "0A", 1001), 1001U);
+  EXPECT_EQ(find("0100007F:2711", "0A", 1000), std::nullopt) << "this user";
+  EXPECT_EQ(find("0100007F:2711", "0A", 0), std::nullopt) << "root";
+  EXPECT_EQ(find("0100007F:2711", "0A", 998), std::nullopt) << "a service of the system";
+  EXPECT_EQ(find("0100007F:2711", "0A", 65534), std::nullopt) << "hidden by a container";
+  EXPECT_EQ(find("0100007F:2711", "01", 1001), std::nullopt) << "a connection to somewhere";
+  EXPECT_EQ(find("0100007F:2712", "0A", 1001), std::nullopt) << "another port";
 }
