@@ -13,7 +13,7 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
-from paraview import servermanager  # noqa: E402
+from paraview import servermanager, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 
 FORMATS = Path(rig.SOURCE, "Testing", "Data", "Formats")
@@ -21,7 +21,9 @@ sys.path.insert(0, str(FORMATS))
 from phantom import TISSUE, Grid, distance, values  # noqa: E402
 
 NAMES = ("dicom-oblique", "dicom-phases", "nifti-oblique", "nifti-micron", "nifti-4d-times",
-         "nifti-4d-second-channel", "tiff-imagej-micrometres", "tiff-folder", "tiff-single-page")
+         "nifti-4d-second-channel", "tiff-imagej-micrometres", "tiff-folder", "tiff-single-page",
+         "zarr-0.5-the-second-channel", "tiff-ome-channels-TCZ", "meta-4d-the-second", "meta-vector-of-which-none-is-chosen")
+CHOOSE = [name for name in NAMES if "second" in name or "channels" in name]
 
 folder = Path(rig.OUTPUT, "files")
 environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "OMPI_", "PMIX_"))}
@@ -31,11 +33,12 @@ cases = {case["name"]: case for case in json.loads((folder / "cases.json").read_
 assert sorted(cases) == sorted(NAMES)
 
 
+def series_of(case):
+    return int(case["options"][case["options"].index("--series") + 1]) if "--series" in case["options"] else 0
+
+
 def open_volume(case):
-    source = rig.HapticVolume(FileName=case["path"])
-    if "--series" in case["options"]:
-        source.Series = int(case["options"][case["options"].index("--series") + 1])
-    return source
+    return rig.HapticVolume(FileName=case["path"], Series=series_of(case))
 
 
 def compare(case, source, time=None, tissue=TISSUE):
@@ -73,6 +76,16 @@ for name, count, softer in (("dicom-phases", 2, 0.0), ("nifti-4d-times", 3, 100.
     assert len(times) == count and sorted(set(times)) == times, (name, times)
     for number in (*range(count), 0):  # and back again
         compare(cases[name], source, times[number], TISSUE - softer * number)
+
+# The number chooses in a file that is larger than memory, too.
+for name in CHOOSE:
+    if not name.startswith("nifti"):
+        compare(cases[name], simple.HapticLargeFile(FileName=cases[name]["path"], Series=series_of(cases[name])))
+
+# A number for which there is nothing is refused in ParaView's words.
+none = open_volume(cases["tiff-folder"])
+rig.expect(none, "none with the number 3", "take Series = 1 to Series = 2",
+           FileName=cases["meta-vector-of-which-none-is-chosen"]["path"], Series=3)
 
 # ParaView stays alive, and tells why, when a source is given a file that can't be read.
 page = open_volume(cases["tiff-folder"])

@@ -93,11 +93,15 @@ TRIED = {
         "voxels are in several segments: they belong to that with the highest number": "voxels are in several segments",
     },
     "Data/Formats/write_nifti.py": {"has … volumes along its fourth axis, and none with the number": "and none with the number"},
+    "Data/Formats/write_threads.py": {
+        "it is a collection of …": "collection of", "masks, and none with the number": "masks, and none with the number",
+        "has other voxels than the mask": "has other voxels than the mask",
+        "is no mask, as the others in its folder are": "is no mask, as the others",
+    },
     "Data/Formats/TestFormats.py": {
         "is one of several files, and has …": "is one of several files, and has ",
         "is one of several files, and moves itself": "moves itself", "is for files with arrays": "is for files with arrays",
     },
-    "Data/Formats/write_threads.py": {"it is a collection of …": "collection of"},
     "Python/TestLabels.py": {
         "write the volume that is meant into a file of its own": "into a file of its own",
         "There is no file name. Cure: set FileName": "set FileName",

@@ -178,6 +178,7 @@ COMMANDS = (
     ("{}/cut.zarr --write-volume {}/copy.vti", "Check whether it is complete",
      ("{}/ramp.zarr --write-volume {}/copy.vti", )),
     ("{}/twofold", "put the slices of one volume into a folder of their own", ("{}/series", )),
+    ("/", "name the folder that has the slices", ("{}/series", )),
     ("{}/nothing", "name a folder of DICOM slices, or a volume file", ("{}/series", "{}/ramp.vti")),
     ("{}/series --series 2", "has no series ", ("{}/series --series 1", )),
     ("{}/cutoff", "copy or export the series again, or take that file away", ("{}/series", )),

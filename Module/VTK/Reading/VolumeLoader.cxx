@@ -7,6 +7,7 @@
 #include "VTK/Reading/GridLoader.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/LabelMap.h"
+#include "VTK/Reading/MaskFolder.h"
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/SliceGeometry.h"
 #include "VTK/Reading/VolumeChecks.h"
@@ -585,6 +586,10 @@ Volume ReadNrrdSegmentation(const std::string& path, int series)
 
 Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 {
+  if (vtksys::SystemTools::CollapseFullPath(path) == "/")
+  {
+    throw InputError(path, "is the folder of all files", "name the folder that has the slices");
+  }
   if (!vtksys::SystemTools::PathExists(path))
   {
     throw InputError(path, "there is no such file or folder",
@@ -594,7 +599,10 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   if (vtksys::SystemTools::FileIsDirectory(path))
   {
     const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
-    volume = format.empty() ? ReadDicomFolder(path, series)
+    const std::vector<std::string> masks =
+      format.empty() ? ListMasks(path) : std::vector<std::string>();
+    volume = !masks.empty() ? ReadMasks(path, masks, series)
+      : format.empty()      ? ReadDicomFolder(path, series)
                             : ReadAsRegions(path, format, series, "do what stands there");
   }
   else

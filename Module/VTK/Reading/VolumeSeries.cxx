@@ -6,6 +6,7 @@
 #include "VTK/Reading/Dicom/DicomSeries.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/LargeLoader.h"
+#include "VTK/Reading/MaskFolder.h"
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/SliceGeometry.h"
 #include "VTK/Reading/VolumeChecks.h"
@@ -72,30 +73,26 @@ std::vector<TimeStepPath> ListFolder(const std::string& folder, int series)
 {
   vtksys::Directory directory;
   directory.Load(folder);
-  std::vector<std::string> volumes;
   std::vector<std::string> folders;
   bool hasFiles = false;
   for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
   {
-    const std::string name = directory.GetFile(i);
-    const std::string path = folder + "/" + name;
-    if (name[0] == '.')
+    const std::string path = folder + "/" + directory.GetFile(i);
+    if (directory.GetFile(i)[0] == '.')
     {
       continue;
     }
-    const bool isFolder = Files::FileIsDirectory(path);
-    hasFiles = hasFiles || !isFolder;
-    if (isFolder)
+    if (Files::FileIsDirectory(path))
     {
       folders.push_back(path);
     }
-    else if (IsVolumeFile(path))
+    else
     {
-      volumes.push_back(path);
+      hasFiles = true;
     }
   }
-  std::vector<std::string>& found = hasFiles ? volumes : folders;
-  std::sort(found.begin(), found.end(), VolumeHaptics::IsNamedBefore);
+  std::sort(folders.begin(), folders.end(), VolumeHaptics::IsNamedBefore);
+  const std::vector<std::string> found = hasFiles ? Explore::ListVolumeFiles(folder) : folders;
   const bool areTimeSteps =
     found.size() > 1 && (hasFiles || (series == 0 && Explore::ArePhases(found)));
   return areTimeSteps ? MakeTimeSteps(found) : std::vector<TimeStepPath>();
@@ -350,7 +347,8 @@ Volume LoadIntoMemory(const std::vector<std::string>& paths, int series, const s
   CheckMemory(path, ComputeRegionsSize(path), 1);
   if (Files::FileIsDirectory(path))
   {
-    const std::vector<TimeStepPath> timeSteps = ListFolder(path, series);
+    const std::vector<TimeStepPath> timeSteps =
+      ListMasks(path).empty() ? ListFolder(path, series) : std::vector<TimeStepPath>();
     return timeSteps.empty() ? LoadPhases(path, series, array)
                              : LoadTimeSteps(path, timeSteps, series, array);
   }
@@ -364,6 +362,23 @@ Volume LoadIntoMemory(const std::vector<std::string>& paths, int series, const s
   const NiftiTimes times = isThere ? ReadNiftiTimes(path, 1.0 / FRAMES_PER_SECOND) : NiftiTimes();
   return times.Count > 1 ? LoadNiftiSeries(path, times, series, array)
                          : LoadPhases(path, series, array);
+}
+
+std::vector<std::string> ListVolumeFiles(const std::string& folder)
+{
+  vtksys::Directory directory;
+  directory.Load(folder);
+  std::vector<std::string> files;
+  for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
+  {
+    const std::string path = folder + "/" + directory.GetFile(i);
+    if (directory.GetFile(i)[0] != '.' && !Files::FileIsDirectory(path) && IsVolumeFile(path))
+    {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end(), VolumeHaptics::IsNamedBefore);
+  return files;
 }
 
 void UseDisplacements(Volume& volume, const std::string& array)

@@ -25,6 +25,9 @@ Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, 
 Volume LoadIntoMemory(
   const std::vector<std::string>& paths, int series = 0, const std::string& array = "");
 
+/// Lists the volumes among the files of a folder, ordered by their names and the numbers in them.
+std::vector<std::string> ListVolumeFiles(const std::string& folder);
+
 /// Sets the array of vectors with the motion of each time step's material to the next time step.
 /// Throws InputError if a time step lacks it.
 void UseDisplacements(Volume& volume, const std::string& array);

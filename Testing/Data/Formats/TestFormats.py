@@ -116,7 +116,8 @@ def test_is_right_or_refused(case, tmp_path):
     if case["labels"]:
         # The middle of the phantom's edge is where a label begins; the values were rounded to 1.
         body, left = values(points), points[..., 0] > CENTRE[0] + 20.5
-        expected = {"": 1 + left, "body": 1, "knob": 2 * left}[case["alone"]] * (body > -470.0)
+        one = case["first_label"]
+        expected = {"": one + left, "body": one, "knob": (one + 1) * left}[case["alone"]] * (body > -470.0)
         wrong = (found != expected) & (np.abs(body + 470.0) > 1.0)
         assert not wrong.any(), (np.argwhere(wrong)[:5], said)
         assert all(name.encode() in written.read_bytes() for name in case["labels"])

@@ -26,6 +26,7 @@ class Case:
     first: tuple[float, float, float] = (0.0, 0.0, 0.0)
     outside: bool = False  #: where nothing was measured, the value is air's or below
     labels: tuple[str, ...] = ()  #: the file has labels, with these names: 1 is the ball, 2 its left knob
+    first_label: int = 1  #: the ball's; that of its left knob is the next
     alone: str = ""  #: the only label that is read: 1 in the "body", which is the ball and its knobs, or 2 in the "knob"
     options: tuple[str, ...] = ()  #: of the explorer
 

@@ -11,7 +11,7 @@ import numpy as np
 import tifffile
 import zarr
 from cases import case
-from phantom import Grid, turned, values
+from phantom import CENTRE, Grid, turned, values
 from pydicom.dataset import Dataset
 from pydicom.sequence import Sequence
 from pydicom.uid import MRImageStorage, RTDoseStorage
@@ -402,3 +402,45 @@ def scale_of_all(folder):
         {"type": "translation", "translation": [float(number) for number in GRID.origin[::-1]]}]
     group.attrs["multiscales"] = scales
     return path
+
+
+def organs(folder, other=None):
+    """As TotalSegmentator writes by default: a mask of 0 and 1 for each organ, also for those that are not there."""
+    folder.mkdir(parents=True, exist_ok=True)
+    body = GRID.sample(float) > -470.0
+    left = GRID.points()[..., 0] > CENTRE[0] + 20.5
+    affine = np.diag([-1.0, -1.0, 1.0, 1.0]) @ GRID.affine
+    masks = {"aorta": 0 * body, "ball": body & ~left, "knob": body & left}
+    for name, mask in masks.items():
+        nibabel.save(nibabel.Nifti1Image(mask.astype(np.uint8), affine), folder / f"{name}.nii.gz")
+    if other is not None:
+        nibabel.save(nibabel.Nifti1Image(other, affine), folder / "liver.nii.gz")
+    return folder
+
+
+ORGANS = {"labels": ("ball", "knob"), "first_label": 2, "source": "wasserth/TotalSegmentator's folder of masks"}
+
+
+@case("nifti-masks", told=("3 masks are labels",), **ORGANS)
+def masks(folder):
+    return organs(folder)
+
+
+@case("nifti-masks-of-which-one-is-chosen", alone="knob", options=("--series", "3"), told=("segment 3 knob is read alone",), **ORGANS)
+def mask_chosen(folder):
+    return organs(folder)
+
+
+@case("nifti-masks-of-which-none-is-chosen", refused="has 3 masks, and none with the number 4", options=("--series", "4"))
+def mask_not_chosen(folder):
+    return organs(folder)
+
+
+@case("nifti-masks-of-two-sizes", refused="has other voxels than the mask")
+def masks_of_two_sizes(folder):
+    return organs(folder, np.ones((5, 6, 7), np.uint8))
+
+
+@case("nifti-masks-beside-a-scan", refused="is no mask, as the others in its folder are")
+def masks_beside_scan(folder):
+    return organs(folder, GRID.sample())
