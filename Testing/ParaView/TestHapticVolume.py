@@ -13,8 +13,9 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
-from paraview import servermanager, simple  # noqa: E402
+from paraview import servermanager  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
 FORMATS = Path(rig.SOURCE, "Testing", "Data", "Formats")
 sys.path.insert(0, str(FORMATS))
@@ -38,7 +39,7 @@ def series_of(case):
 
 
 def open_volume(case):
-    return rig.HapticVolume(FileName=case["path"], Series=series_of(case))
+    return rig.HapticVolume(Series=series_of(case), FileName=case["path"])
 
 
 def compare(case, source, time=None, tissue=TISSUE):
@@ -80,7 +81,16 @@ for name, count, softer in (("dicom-phases", 2, 0.0), ("nifti-4d-times", 3, 100.
 # The number chooses in a file that is larger than memory, too.
 for name in CHOOSE:
     if not name.startswith("nifti"):
-        compare(cases[name], simple.HapticLargeFile(FileName=cases[name]["path"], Series=series_of(cases[name])))
+        compare(cases[name], rig.HapticLargeFile(Series=series_of(cases[name]), FileName=cases[name]["path"]))
+
+# A number that is given before the name is known at the first reading: the first volume of this file is refused.
+log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+vtkOutputWindow.SetInstance(log)
+open_volume(cases["meta-4d-the-second"]).UpdatePipeline()
+assert "ERR" not in log.GetOutput(), log.GetOutput()
+rig.HapticVolume(FileName=cases["meta-4d-the-second"]["path"])
+assert "nothing to feel" in log.GetOutput()
+vtkOutputWindow.SetInstance(console)
 
 # A number for which there is nothing is refused in ParaView's words.
 none = open_volume(cases["tiff-folder"])
