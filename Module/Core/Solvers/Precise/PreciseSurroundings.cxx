@@ -30,6 +30,11 @@ constexpr double OwnLead = 0.25;
 /** Step (kernel radii) of the search for a rise behind an edge. */
 constexpr double BankStep = 0.5;
 ///@{
+/** Quotients of the strengths behind and ahead of an edge, for ComputeLikeness(). */
+constexpr double Unlike = 0.5;
+constexpr double Alike = 0.65;
+///@}
+///@{
 /** Rises behind an edge (edge's heights) with which the edge is no ripple yet, and all ripple. */
 constexpr double RippleBegins = 0.2;
 constexpr double Ripple = 0.6;
@@ -272,6 +277,14 @@ void PreciseSurroundings::LeaveMedium(
   }
 }
 
+double PreciseSurroundings::ComputeLikeness(const ValuePair& sides) const noexcept
+{
+  const BakedVolume& baked = *this->Model.Baked;
+  const double ahead = baked.Materials(sides.Ahead)[2];
+  const double behind = baked.Materials(sides.Behind)[2];
+  return ahead > 0.0 ? std::clamp((behind / ahead - Unlike) / (Alike - Unlike), 0.0, 1.0) : 0.0;
+}
+
 double PreciseSurroundings::ComputeHeldOfRipple(const Vector3& index, const Law::Slope& slope,
   double value, double height, bool isDescending, double distinctness) const noexcept
 {
@@ -324,10 +337,15 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   {
     edge = GradedStrength(
       sides, point.SurfaceStrength, point.Value, value, this->ComputePromise(slope), isDescending);
-    if (edge > 0.0 && distinctness < 1.0)
+    // A gap without drag, such as air, is no tissue, so that its far side is a boundary.
+    if (edge > 0.0 && distinctness < 1.0 && point.Viscosity > 0.0)
     {
-      edge *= this->ComputeHeldOfRipple(
-        index, slope, value, ComputeHeight(sides, isDescending), isDescending, distinctness);
+      const double alike = this->ComputeLikeness(sides);
+      const double held = alike > 0.0
+        ? this->ComputeHeldOfRipple(
+            index, slope, value, ComputeHeight(sides, isDescending), isDescending, distinctness)
+        : 1.0;
+      edge *= 1.0 + alike * (held - 1.0);
     }
   }
   // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.

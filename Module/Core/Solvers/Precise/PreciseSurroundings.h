@@ -193,6 +193,11 @@ private:
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, double distinctness,
     const Join& join, PrecisePoint& point) const noexcept;
   /**
+   * Returns how alike the tissues on both sides of an edge are: 1 if the one behind it has 0.65 of
+   * the strength ahead or more, 0 if it has half or less, as air does, or fat beside muscle.
+   */
+  double ComputeLikeness(const ValuePair& sides) const noexcept;
+  /**
    * Returns the fraction of its strength that an edge holds if it may be a ripple inside a tissue.
    *
    * Behind a boundary between two tissues, V stays on the other side. Behind noise, a streak or a
