@@ -124,6 +124,32 @@ std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
   return labels;
 }
 
+/// Adds a note if labels of the table are in no voxel.
+void NoteUnused(const std::set<int>& used, Volume& volume)
+{
+  vtkHapticLabelTable* const table = volume.LabelTable;
+  std::string first;
+  vtkIdType unused = 0;
+  for (vtkIdType i = 0; i < table->GetNumberOfLabels(); ++i)
+  {
+    const int label = table->GetLabel(i);
+    if (label != 0 && used.count(label) == 0)
+    {
+      const std::string name = table->GetLabelName(label);
+      first = unused == 0
+        ? std::to_string(label) + (name.empty() ? std::string() : " (" + name + ")")
+        : first;
+      ++unused;
+    }
+  }
+  if (unused > 0)
+  {
+    volume.Notes.push_back(std::to_string(unused) + " of " +
+      std::to_string(table->GetNumberOfLabels()) +
+      " labels of the table are in no voxel, such as " + first);
+  }
+}
+
 /// Sets the colour of a label. The hues of successive labels differ by the golden section.
 void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 {
@@ -166,6 +192,7 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
     ++number;
   }
   ReadTables(volume, tables);
+  NoteUnused(labels, volume);
   volume.Labels = volume.Image;
   volume.AreLabels = true;
   volume.Notes.push_back("its values are taken as labels: " + std::to_string(labels.size()));
@@ -228,6 +255,19 @@ void LoadLabels(
       " lies in the volume: its labels are of another scan, or in another place");
   }
   ReadTables(volume, tables);
+  vtkDataArray* const values = volume.Labels->GetPointData()->GetScalars();
+  std::set<int> used;
+  double last = 0.0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    if (value != last && std::abs(value) <= VTK_INT_MAX)
+    {
+      last = value;
+      used.insert(static_cast<int>(value));
+    }
+  }
+  NoteUnused(used, volume);
   int withMaterial = 0;
   for (vtkIdType i = 0; i < volume.LabelTable->GetNumberOfLabels(); ++i)
   {

@@ -397,6 +397,18 @@ def test_labels_of_a_file_with_several_are_chosen():
         np.testing.assert_array_equal(measure(labels.GetOutput())[0], measure(values.GetOutput())[0])
 
 
+def test_labels_of_a_table_that_are_in_no_voxel_are_told(tmp_path):
+    """The folder of masks has one without a voxel, the aorta; so has a table of the user's."""
+    def notes(*words):
+        run = subprocess.run([EXPLORE, *words, "--inspect", "--json"], capture_output=True, text=True, check=True)
+        return "\n".join(json.loads(run.stdout)["notes"])
+
+    assert "1 of 3 labels of the table are in no voxel, such as 1 (aorta)" in notes(path_of("nifti-masks"))
+    table = tmp_path / "table.csv"
+    table.write_text("label,name\n77,liver\n")
+    assert "2 of 4 labels of the table are in no voxel" in notes(path_of("nifti-masks"), "--as-labels", "--materials", str(table))
+
+
 def test_the_table_of_rows_names_each_case_and_what_there_is():
     here = Path(__file__).parent
     names = {case["name"] for case in CASES}
