@@ -65,21 +65,25 @@ wheel_dir=$(dirname "$build_dir")/wheel
 
 # usage: run_tests BUILD_DIR JOBS [OPTION OF CTEST...]
 # Tests always render off to the side, whether or not there is a display. A live servo cuts the force off, as it must,
-# when the machine stands still for 30 ms: if only tests of one fail, they are run once more, alone.
+# when the machine stands still for 30 ms: if only tests fail that may have one, they are run once more, alone.
 run_tests()
 {
-  local live='^[0-9]+:(VolumeHaptics[.](Applications[.]DeviceTool|Core[.]ServoLoop|Devices[.](Emulated|Haply|Hfab|Vendor)|ParaView|'
-  live+='Hosts|VTK[.](Emulated|Endings|Scene)|Wheel[.](Hosts|PyVista|Python))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   keep_failures "$1"
-  if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
+  if cut -d: -f2- "$1/Testing/Temporary/LastTestsFailed.log" | grep -vxF "$(list_live_tests "$1")"; then
     return 1
   fi
   echo "== Once more, alone: tests of a live servo, on a machine that may have stood still"
   with_own_screen ctest "${on[@]}" -j 1 --rerun-failed && return
   keep_failures "$1"
   return 1
+}
+
+# usage: list_live_tests BUILD_DIR
+list_live_tests()
+{
+  ctest --test-dir "$1" -N -L '^(device|scene|paraview|wheel)$' | sed -n 's/^ *Test *#[0-9]*: //p'
 }
 
 # usage: keep_failures BUILD_DIR

@@ -388,7 +388,6 @@ void vtkHapticXRController::Vibrate(double amplitude)
   auto& d = *this->Internals;
   const bool isNew = amplitude != this->Amplitude;
   this->Amplitude = amplitude;
-  d.SentAt = ServoClock::Now();
   if (this->CanVibrate() && !d.WasRefused &&
     !ApplyVibration(
       d.Interactor, { this->ActionName, this->Hand, amplitude, Vibration::ReplayTime }))
@@ -398,6 +397,7 @@ void vtkHapticXRController::Vibrate(double amplitude)
       << this->ActionName
       << "\". Give the interactor the manifest that WriteActions() makes, then SetInteractor().");
   }
+  d.SentAt = ServoClock::Now(); // after the call, which may take long
   if (isNew)
   {
     this->InvokeEvent(vtkCommand::UserEvent, &this->Amplitude);
