@@ -234,7 +234,7 @@ start lint "$root/Testing/lint.sh" format columns spelling python shell document
 echo "== Building in $build_dir"
 build_seconds=$SECONDS
 configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
-  -DVolumeHaptics_BUILD_BENCHMARKS=ON -DCMAKE_UNITY_BUILD=$unity "${optimised[@]}" "$cache"
+  -DVolumeHaptics_BUILD_EXPLORER=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON -DCMAKE_UNITY_BUILD=$unity "${optimised[@]}" "$cache"
 finish lint
 cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))
