@@ -15,6 +15,7 @@ from TestCures import RAMP
 from TestFileCures import recorder, wait
 from cure_bench import line_to
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -131,6 +132,9 @@ OPEN = f"{WINDOW} --device virtual --setup {{}}/own.json --measurements {{}}/pat
 REPLAY = f"{WINDOW} --replay {{}}/touch.vtp"
 HEARD = "{}/ramp.vti --sound {}/touch.wav --method proxy"
 RAMP_MHD = "{}/ramp.mhd --large"
+# VTK before 9.4 does not read the faces as later versions write them.
+POLYHEDRA = (("{}/polyhedra.vtu", "write it as tetrahedra", ("{}/grid.vtu", )),)
+OLD = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 4)
 COMMANDS = (
     ("{}/text.vti", "check what the file really is", ("{}/ramp.vti", )),
     ("{}/text.dcm", "name a DICOM slice, or the folder of its series", ("{}/series/0.dcm", "{}/series")),
@@ -145,6 +149,7 @@ COMMANDS = (
     ("{}/nan.vti", "check the export, in particular its rescale slope and window", ("{}/ramp.vti", )),
     ("{}/damaged.vtu", "check what the file really is, export it again, and check that the copy is complete", ("{}/grid.vtu", )),
     ("{}/points.vtu", "write grids of cells in space, such as hexahedra and tetrahedra", ("{}/grid.vtu", )),
+    *(POLYHEDRA if OLD else ()),
     ("{}/ramp.vti --series 2", "has one volume, of which none can be chosen by a number", ("{}/ramp.vti", )),
     ("{}/ramp.vti --labels {}/text.seg.nrrd", "…name another file", (f"{{}}/ramp.vti {LABELLED}", )),
     ("{}/ramp.vti --labels {}/labels.vti --materials {}/wrong.csv", "--materials …name another file",
@@ -236,6 +241,22 @@ def dicom(values, z, uid="1.2.3.1", series="1.2.3"):
     return bytes(128) + b"DICM" + element(0x00020000, "UL", struct.pack("<I", len(meta))) + meta + body
 
 
+def polyhedra():
+    """A cube as VTK 9.6.2's vtkXMLUnstructuredGridWriter writes a polyhedron."""
+    def array(kind, name, numbers, components=1):
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">{numbers}'
+                '</DataArray>')
+    points = " ".join(f"{i % 2} {i // 2 % 2} {i // 4}" for i in range(8))
+    faces = "0 2 3 1 2 6 7 3 6 4 5 7 4 0 1 5 2 0 4 6 1 3 7 5"
+    return ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="2.3" byte_order="LittleEndian" '
+            'header_type="UInt32"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="1"><PointData Scalars="T">'
+            + array("Float32", "T", "0 1 2 3 4 5 6 7") + "</PointData><Points>" + array("Float32", "Points", points, 3)
+            + "</Points><Cells>" + array("Int64", "connectivity", "0 1 2 3 4 5 6 7") + array("Int64", "offsets", "8")
+            + array("UInt8", "types", "42") + array("Int64", "face_connectivity", faces)
+            + array("Int64", "face_offsets", "4 8 12 16 20 24") + array("Int64", "polyhedron_to_faces", "0 1 2 3 4 5")
+            + array("Int64", "polyhedron_offsets", "6") + "</Cells></Piece></UnstructuredGrid></VTKFile>")
+
+
 def write_image(path, one):
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(path))
@@ -251,6 +272,7 @@ def fill(folder, values):
         "text.vti": "no image", "face.png": "a picture", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
         "wrong.csv": "label,stiffness\n1,hard\n", "wrong.json": '{"Format": "other"}', "close.txt": "0.2 key q\n", "point.txt": "0.3 move 0.5 0.5\n0.4 key t\n0.6 wheel 8\n1.2 key P\n1.4 key q\n",
         "jump.txt": "1 jump\n", "short.txt": "1 stroke 0.5 0.5\n", "long.txt": "1 key t now\n",
+        "polyhedra.vtu": polyhedra(),
         "damaged.vtu": '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">\n<Unstr',
         "untimed.pvd": pvd('<DataSet file="ramp.vti"/>'), "other.pvd": "no collection",
         "twice.pvd": pvd('<DataSet timestep="0" part="0" file="ramp.vti"/>', '<DataSet timestep="0" part="1" file="ramp.vti"/>'),

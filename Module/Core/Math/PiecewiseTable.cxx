@@ -69,7 +69,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 
   this->Segments.reserve(breaks.size() + 2);
-  // The leftmost segment is constant, so that the position of its begin does not matter.
+  // The leftmost segment is constant, so that it does not matter where it begins.
   Segment leftmost{ std::numeric_limits<double>::lowest(), {}, {} };
   for (int c = 0; c < Channels; ++c)
   {

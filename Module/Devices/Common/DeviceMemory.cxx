@@ -266,7 +266,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // A name that nobody can foresee, and that is not there: nobody can lay a link there before.
+  // A new file with a random name: nobody can have put a link there.
   std::string temporary = file + ".partXXXXXX";
   const int descriptor = mkstemp(temporary.data());
   std::FILE* const out = descriptor >= 0 ? fdopen(descriptor, "w") : nullptr;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -56,7 +57,7 @@ std::int64_t ParseWhole(Text text, const char* what)
   return number;
 }
 
-/** An element, from its begin to the text behind its tag. */
+/** An element, from its tag to the text after it. */
 struct Element
 {
   Text Name;
@@ -84,13 +85,13 @@ struct Element
 struct ArrayType
 {
   const char* Name;
-  int Size; ///< bytes; 0 for texts
+  int Bits; ///< 0 for texts
 };
-constexpr ArrayType ArrayTypes[] = { { "Int8", 1 }, { "UInt8", 1 }, { "Int16", 2 }, { "UInt16", 2 },
-  { "Int32", 4 }, { "UInt32", 4 }, { "Int64", 8 }, { "UInt64", 8 }, { "Float32", 4 },
-  { "Float64", 8 }, { "String", 0 } };
+constexpr ArrayType ArrayTypes[] = { { "Bit", 1 }, { "Int8", 8 }, { "UInt8", 8 }, { "Int16", 16 },
+  { "UInt16", 16 }, { "Int32", 32 }, { "UInt32", 32 }, { "Int64", 64 }, { "UInt64", 64 },
+  { "Float32", 32 }, { "Float64", 64 }, { "String", 0 } };
 
-/** Bytes that are stored in base64 or as they are. */
+/** Stored bytes: raw, or in base64. */
 class Stored
 {
 public:
@@ -105,7 +106,7 @@ public:
   {
     return static_cast<double>(this->Data.size()) * (this->IsBase64 ? 0.75 : 1.0);
   }
-  /** Returns what follows a header that has groups of letters of its own. */
+  /** Returns what follows a header, which is encoded by itself. */
   Stored Behind(std::size_t bytes) const
   {
     const std::size_t letters = this->IsBase64 ? (bytes + 2) / 3 * 4 : bytes;
@@ -116,7 +117,7 @@ public:
   {
     if (static_cast<double>(count) > this->GetSize())
     {
-      Refuse("an array of it ends before its first value");
+      Refuse("one of its arrays ends before its first value");
     }
     std::vector<unsigned char> bytes;
     if (!this->IsBase64)
@@ -144,7 +145,7 @@ public:
       }
       if (letter < 4 && bytes.size() < count)
       {
-        Refuse("an array of it is not written in base64, which it should be");
+        Refuse("one of its arrays is not in base64, as it should be");
       }
     }
     return bytes;
@@ -178,7 +179,7 @@ public:
       {
         if (open.empty() || open.back().Name != element.Name)
         {
-          Refuse("its elements do not end in their order");
+          Refuse("its elements are not closed in their order");
         }
         this->Leave(open.back(), open);
         open.pop_back();
@@ -189,7 +190,7 @@ public:
         constexpr std::size_t deepest = 64;
         if (open.size() >= deepest)
         {
-          Refuse("its elements are too deep");
+          Refuse("its elements are nested too deeply");
         }
         this->Enter(element, open);
         if (!isAlone)
@@ -238,7 +239,7 @@ private:
     }
   }
 
-  /** Returns the begin of the next element, or npos. */
+  /** Returns where the next element begins, or npos. */
   std::size_t Next(std::size_t at) const
   {
     while ((at = this->Elements.find('<', at)) != Text::npos)
@@ -409,7 +410,7 @@ private:
     }
   }
 
-  /** Checks what an element must have had, at its end. */
+  /** Checks at the end of an element that it had what it must have. */
   void Leave(const Element& element, const std::vector<Element>& open)
   {
     if (element.Name == "Piece" && (this->Kind == "PolyData" || this->Kind == "UnstructuredGrid"))
@@ -464,7 +465,7 @@ private:
       [&array](const ArrayType& known) { return array.Get("type") == known.Name; });
     if (type == std::end(ArrayTypes))
     {
-      Refuse("an array of it has an unknown type");
+      Refuse("one of its arrays has an unknown type");
     }
     const double components =
       array.Has("NumberOfComponents") ? array.Count("NumberOfComponents") : 1.0;
@@ -472,16 +473,16 @@ private:
       part == "Polys" || part == "Cells" || part == "Coordinates";
     constexpr double mostComponents = 65536.0;
     if (components < 1.0 || components > mostComponents ||
-      ((isOfCells || part == "Points") && type->Size == 0) || (isOfCells && components != 1.0) ||
+      ((isOfCells || part == "Points") && type->Bits == 0) || (isOfCells && components != 1.0) ||
       (part == "Points" && components != 3.0))
     {
-      Refuse("an array of it has other components than it can have");
+      Refuse("one of its arrays has other components than it can have");
     }
     const auto known =
       this->Kinds.emplace(std::make_pair(std::string(part), std::string(array.Get("Name"))), type);
     if (known.first->second != type)
     {
-      Refuse("an array of it changes its type");
+      Refuse("one of its arrays changes its type");
     }
     this->Seen[part] += 1;
     const std::optional<double> tuples =
@@ -494,7 +495,7 @@ private:
       const std::int64_t offset = ParseWhole(array.Get("offset"), "offset");
       if (offset < 0 || static_cast<std::size_t>(offset) > this->Appended.size())
       {
-        Refuse("an array of it begins behind the end of the file");
+        Refuse("one of its arrays begins behind the end of the file");
       }
       this->CheckStored(
         Stored(this->Appended.substr(static_cast<std::size_t>(offset)), this->IsBase64), *type,
@@ -509,9 +510,9 @@ private:
     }
     else if (format != "ascii" && !format.empty())
     {
-      Refuse("an array of it has an unknown format");
+      Refuse("one of its arrays has an unknown format");
     }
-    else if (type->Size == 0)
+    else if (type->Bits == 0)
     {
       CheckTexts(ParseLetters(text), values);
     }
@@ -550,17 +551,17 @@ private:
     {
       bytes = this->CountUnpacked(stored, room);
     }
-    if (type.Size == 0)
+    if (type.Bits == 0)
     {
       CheckTexts(this->ReadAll(stored, static_cast<std::size_t>(bytes)), values);
     }
-    else if (values && bytes != *values * type.Size)
+    else if (values && bytes != std::ceil(*values * type.Bits / 8.0))
     {
-      Refuse("an array of it has another number of values than it should have");
+      Refuse("one of its arrays has another number of values than it should have");
     }
   }
 
-  /** Reads the numbers of the letters of texts. */
+  /** Parses the character codes of texts in ASCII. */
   static std::vector<unsigned char> ParseLetters(Text text)
   {
     std::vector<unsigned char> letters;
@@ -580,7 +581,7 @@ private:
     const auto count = static_cast<double>(std::count(letters.begin(), letters.end(), 0));
     if (!values || count != *values)
     {
-      Refuse("an array of it has another number of texts than it should have");
+      Refuse("one of its arrays has another number of texts than it should have");
     }
   }
 
@@ -619,7 +620,7 @@ private:
         std::min(bytes - to, static_cast<std::size_t>(this->ReadWord(head, 1)));
       if (compressor->Uncompress(packed.data() + from, part, all.data() + to, plain) != plain)
       {
-        Refuse("an array of it is damaged");
+        Refuse("one of its arrays is damaged");
       }
       from += part;
       to += plain;
@@ -653,7 +654,7 @@ private:
     }
     if (static_cast<double>(blocks) * static_cast<double>(this->WordSize) > room)
     {
-      Refuse("an array of it has more blocks than its bytes can be");
+      Refuse("one of its arrays has more blocks than its bytes can be");
     }
     const std::vector<unsigned char> head =
       stored.Read((HeadWords + static_cast<std::size_t>(blocks)) * this->WordSize);
@@ -672,7 +673,7 @@ private:
     if (packed > room || last > size || bytes > LargestCompression * packed ||
       (full > 0.0 && size > LargestCompression * largest))
     {
-      Refuse("an array of it has compressed blocks whose sizes can't be true");
+      Refuse("one of its arrays has compressed blocks whose sizes can't be true");
     }
     return bytes;
   }

@@ -13,10 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns why the numbers that a file tells about itself can't be true; empty if they can. VTK's
- * readers believe them: they write behind their memory where an array has another size than its
- * header says, and take memory for all points that are promised. Checked are the types, components
- * and sizes of all arrays, the tables of their compressed blocks, and the extents of images.
+ * Returns why a file contradicts itself, or an empty text if it does not. VTK's readers trust what
+ * a file says: they write past the end of their memory if an array has another size than its header
+ * says, and allocate memory for all points that are promised. This checks the types, components and
+ * sizes of all arrays, the tables of their compressed blocks, and the extents of images.
  */
 std::string DetectFalseXml(const std::string& file);
 

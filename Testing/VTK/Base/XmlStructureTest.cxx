@@ -12,6 +12,7 @@
 #include "VTK/Base/XmlStructure.h"
 
 #include <gtest/gtest.h>
+#include <vtkBitArray.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -66,6 +67,13 @@ protected:
       names->InsertNextValue("point " + std::to_string(i));
     }
     this->Shape->GetPointData()->AddArray(names);
+    vtkNew<vtkBitArray> bits;
+    bits->SetName("Bits");
+    for (vtkIdType i = 0; i < this->Shape->GetNumberOfPoints(); ++i)
+    {
+      bits->InsertNextValue(static_cast<int>(i % 2));
+    }
+    this->Shape->GetPointData()->AddArray(bits);
     vtkNew<vtkStringArray> settings;
     settings->SetName("Settings");
     settings->InsertNextValue("Stiffness: 300 <N/m> & more\n");
