@@ -305,7 +305,7 @@ Volume ReadVti(const std::string& path)
 }
 
 /// Whether vtkMetaImageReader supports the file's type, with the size that MetaIO gives it, and its
-/// dimensions.
+/// dimensions, and reads its header without writing past the end of its memory.
 bool IsKnownToVTK(const std::string& path)
 {
   const VolumeHaptics::HeaderText header(path);
@@ -313,8 +313,8 @@ bool IsKnownToVTK(const std::string& path)
   const bool isKnown = std::any_of(std::begin(META_TYPES), std::end(META_TYPES),
     [&](const char* known) { return type == known || type == std::string(known) + "_ARRAY"; });
   const std::size_t axes = header.Numbers({ "DimSize" }).size();
-  const std::vector<double> told = header.Numbers({ "NDims" });
-  return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
+  return header.IsPlain() && isKnown && axes >= 1 && axes <= 3 &&
+    header.Value({ "NDims" }) == std::to_string(axes);
 }
 
 /// Reads a whole file by the code that reads regions, with the notes about it.

@@ -252,6 +252,11 @@ meta_case("4d-of-which-none-is-chosen", lambda: SimpleITK.JoinSeries([itk_image(
 meta_case("no-other-to-choose", itk_image, refused="has one volume, of which none can be chosen", options=("--series", "2"))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
+# MetaIO has room for 254 letters (char m_Comment[255] of metaObject.h, name[255] of metaUtils.h), and arrays for NDims.
+for name, line in (("comment-of-300-letters", b"Comment = " + 300 * b"c"), ("key-of-300-letters", 300 * b"k" + b" = 1"),
+                   ("dimensions-told-again", b"NDims : 100")):
+    meta_case(name, itk_image, change=replace((b"NDims = 3\n", b"NDims = 3\n" + line + b"\n")),
+              source="MetaIO: strcpy() of metaUtils.cxx and metaObject.cxx")
 meta_case("cut-off", itk_image, change=lambda path: path.write_bytes(path.read_bytes()[:-3000]),
           refused="cut off|damaged|fewer|short|complete|not in the file")
 meta_case("promises-more", itk_image, change=replace((b"DimSize = 44 40 42", b"DimSize = 44000 40000 42000")),

@@ -5,6 +5,7 @@
 #include "Core/Math/NumberText.h"
 #include "VTK/Base/HapticFiles.h"
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -16,12 +17,21 @@ namespace
 
 /** Number of lines that are searched for the fields, because samples may follow after them. */
 constexpr int LongestHeader = 200; // lines
+/** Letters of a key or a value that MetaIO has room for (metaUtils.h, metaObject.h). */
+constexpr std::size_t LongestText = 254;
 
 std::string TrimBlanks(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   const std::size_t end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+}
+
+/** Whether a key has no letter that ends it, or is left out, for MetaIO alone. */
+bool IsPlainKey(const std::string& key)
+{
+  return std::all_of(
+    key.begin(), key.end(), [](char c) { return c >= ' ' && c <= '~' && c != ':'; });
 }
 
 } // namespace
@@ -40,10 +50,11 @@ HeaderText::HeaderText(const std::string& path)
     {
       break;
     }
-    if (middle != std::string::npos)
-    {
-      this->Fields.emplace(key, TrimBlanks(line.substr(middle + 1)));
-    }
+    const std::string value =
+      middle == std::string::npos ? std::string() : TrimBlanks(line.substr(middle + 1));
+    const bool isNew = middle != std::string::npos && this->Fields.emplace(key, value).second;
+    this->HasPlainLines = this->HasPlainLines && isNew && key.size() <= LongestText &&
+      value.size() <= LongestText && IsPlainKey(key);
     if (key == "ElementDataFile")
     {
       this->Size = size;

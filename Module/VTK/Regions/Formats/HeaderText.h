@@ -39,7 +39,16 @@ public:
    */
   std::size_t GetSize() const { return this->Size; }
 
+  /**
+   * Whether MetaIO finds the same keys in a MetaImage's header, and has room for them: every line
+   * is `key = value`, no key comes twice, and neither is longer than 254 letters. Otherwise MetaIO
+   * may write past the end of its memory: for a long text, or for an array that a second NDims
+   * enlarges.
+   */
+  bool IsPlain() const { return this->Size > 0 && this->HasPlainLines; }
+
 private:
+  bool HasPlainLines = true;
   std::size_t Size = 0;
   std::map<std::string, std::string> Fields;
 };
