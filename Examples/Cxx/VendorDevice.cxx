@@ -100,7 +100,7 @@ int GetLimits(void*, VolumeHapticsVendorLimits* limits)
   limits->MaximumSpeed = 2.5;
   limits->WorkspaceRadius = 0.08;
   limits->ForceAxes = 7;
-  // Of the largest force, this much is given for any time, and more for two seconds.
+  // The motors give 0.9 N for any time, and up to the largest force for two seconds.
   limits->ContinuousForce = 0.9;
   limits->PeakTime = 2.0;
   return VOLUME_HAPTICS_VENDOR_DONE;

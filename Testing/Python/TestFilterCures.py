@@ -357,21 +357,23 @@ def _(b):
     return cure
 
 
-@case("Take some away with RemoveMode()")
-def _(b):
+def modes_along(b, count):
     vectors(b)
-    modes = [b.follow(vtkHapticMode()) for _ in range(9)]
+    modes = [b.follow(vtkHapticMode()) for _ in range(count)]
     for mode in modes:
         mode.SetArrayName("along")
+    return modes
+
+
+@case("Take some away with RemoveMode()")
+def _(b):
+    modes = modes_along(b, 9)
     return lambda: [b.haptics.RemoveMode(mode) for mode in modes[1:]]
 
 
 @case("or switch them off with SetActive(false)")
 def _(b):
-    vectors(b)
-    modes = [b.follow(vtkHapticMode()) for _ in range(5)]
-    for mode in modes:
-        mode.SetArrayName("along")
+    modes = modes_along(b, 5)
     return lambda: [mode.SetActive(False) for mode in modes[1:]]
 
 

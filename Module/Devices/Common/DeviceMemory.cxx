@@ -266,7 +266,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // A new file with a random name: nobody can have put a link there.
+  // mkstemp() makes a new file, so that it writes through no link that somebody has put there.
   std::string temporary = file + ".partXXXXXX";
   const int descriptor = mkstemp(temporary.data());
   std::FILE* const out = descriptor >= 0 ? fdopen(descriptor, "w") : nullptr;

@@ -100,7 +100,7 @@ using Files = vtksys::SystemTools;
 /// Largest number of samples of the image. More samples would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
-/// What a file of a format is to its reader, and so what has to be checked before it is read.
+/// What the reader of a format takes a file for. It decides what is checked before the reader runs.
 enum class FileKind
 {
   XML,    ///< text that may be cut off

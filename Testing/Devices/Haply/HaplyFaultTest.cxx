@@ -254,12 +254,12 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
   const pid_t other = fork();
   if (other == 0)
   {
-    constexpr uid_t somebody = 12345;
+    constexpr uid_t otherUser = 12345;
     sockaddr_in address = {};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof(address);
-    const bool isOther = setuid(somebody) == 0;
+    const bool isOther = setuid(otherUser) == 0;
     const int listener = socket(AF_INET, SOCK_STREAM, 0);
     const bool isListening = isOther &&
       bind(listener, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
