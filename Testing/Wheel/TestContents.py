@@ -17,6 +17,26 @@ PACKAGE = SITE / "volumehaptics"
 # libexpat, which GDCM's process needs, is on every system that manylinux is for (PEP 599); auditwheel leaves it out.
 SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libexpat|libgcc_s|libm|libpthread|librt|libstdc\+\+|libz)\.so\.\d+")
 
+# The licences that Debian's packages of these libraries name for what is linked, and those of headers.
+LICENCES = {
+    "boost": "BSL-1.0",
+    "libblosc": "BSD-3-Clause AND MIT AND Zlib",
+    "libcharls": "BSD-3-Clause",
+    "libcrypto": "Apache-2.0",
+    "libgdcm": "BSD-3-Clause AND Apache-2.0",
+    "libgdcmjpeg": "IJG",
+    "libhidapi": "BSD-3-Clause",
+    "libjson": "MIT",
+    "liblz4": "BSD-2-Clause",
+    "libopenjp2": "BSD-2-Clause",
+    "libsnappy": "BSD-3-Clause",
+    "libudev": "LGPL-2.1-or-later",
+    "libusb": "LGPL-2.1-or-later",
+    "libuuid": "BSD-3-Clause",
+    "libzstd": "BSD-3-Clause",
+    "nlohmann": "MIT",
+}
+
 
 def binaries():
     return [path for path in [*SITE.glob("volumehaptics*/*.so*"), *PACKAGE.glob("bin/*")] if path.is_file()]
@@ -67,6 +87,15 @@ def test_carries_the_libraries_of_devices_and_codecs():
     for name in ("falcon", "wooden", "haply"):
         assert not device.Open(name)
         assert "built without" not in device.GetStatusText(), device.GetStatusText()
+
+
+def test_metadata_names_the_licences_of_what_is_inside():
+    carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")} | {"boost", "nlohmann"}
+    kinds = {re.sub(r"^libgdcm(jpeg)?.*", r"libgdcm\1", library) for library in carried}
+    assert kinds <= LICENCES.keys(), kinds
+    needed = {licence for kind in kinds for licence in LICENCES[kind].split(" AND ")} | {"BSD-3-Clause"}
+    named = importlib.metadata.metadata("volumehaptics")["License-Expression"].split(" AND ")
+    assert set(named) == needed and len(set(named)) == len(named), named
 
 
 def test_names_no_place_of_the_machine_that_built_it():
