@@ -13,7 +13,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-from view import force, get, hands, lead_out, make_link, press, run, wait_until
+from view import PATIENCE, force, get, hands, lead_out, make_link, press, run, wait_until
 
 
 def detach(view, device, link):
@@ -180,7 +180,7 @@ def attach_again(view, device, link):
     assert link.Attached == 1 and hands(view) == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"]
     device.VirtualTip = [-25, -110, 45]
     device.Running = 1
-    end = time.monotonic() + 30
+    end = time.monotonic() + PATIENCE
     while force(device) < 0.5:  # without the view's events: see above
         assert time.monotonic() < end, get(device, "StatusText")
         device.UpdatePipeline()

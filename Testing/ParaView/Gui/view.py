@@ -7,6 +7,8 @@ import time
 
 from paraview import servermanager, simple
 
+PATIENCE = 120.0  # s; only so that nothing hangs
+
 simple.LoadPlugin(sys.argv[1], remote=False, ns=vars(simple))
 
 
@@ -35,9 +37,9 @@ def hands(view):
 
 def wait_until(view, is_so, what):
     """While the view's own events, its timer above all, move it all."""
-    end = time.monotonic() + 30
+    end = time.monotonic() + PATIENCE
     while not is_so():
-        assert time.monotonic() < end, f"{what} within 30 s"
+        assert time.monotonic() < end, f"{what} within {PATIENCE:.0f} s"
         view.GetInteractor().ProcessEvents()
         time.sleep(0.005)
 
