@@ -42,7 +42,7 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  /** Lets the next run end. Since VTK 9.3, the pipeline leaves it to the caller to reset the flag. */
+  /** Lets the next run end. Since VTK 9.3, the pipeline does not reset the flag. */
   void EndAborting()
   {
     this->AbortAt = 2.0;
