@@ -8,9 +8,12 @@
 #include <boost/beast/websocket.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <future>
 #include <list>
 #include <mutex>
 #include <thread>
@@ -198,6 +201,7 @@ struct HaplyService::Server
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
     HaplyView view = this->MakeView();
+    std::future<void> flood; // its destructor waits
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);
@@ -212,7 +216,14 @@ struct HaplyService::Server
       {
         std::this_thread::sleep_for(std::chrono::milliseconds(60));
       }
-      if (fault != HaplyFault::Silent)
+      if (fault >= HaplyFault::Wrong)
+      {
+        if (!flood.valid())
+        {
+          flood = this->Misbehave(stream.next_layer().native_handle(), fault);
+        }
+      }
+      else if (fault != HaplyFault::Silent)
       {
         state = fault == HaplyFault::Junk ? state.substr(0, state.size() / 2)
           : fault == HaplyFault::Deep
@@ -225,6 +236,59 @@ struct HaplyService::Server
         stream.write(asio::buffer(state));
       }
     }
+  }
+  /// Sends pings, two bytes each, until the fault or the connection ends.
+  void Flood(int number, HaplyFault fault)
+  {
+    std::string pings;
+    for (int i = 0; i < 2048; ++i)
+    {
+      pings.append("\x89\0", 2);
+    }
+    std::size_t at = 0;
+    for (bool goesOn = true; goesOn && !this->MustStop;)
+    {
+      const ssize_t sent =
+        ::send(number, pings.data() + at, pings.size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
+      at = (at + static_cast<std::size_t>(std::max<ssize_t>(sent, 0))) % pings.size();
+      if (sent < 0)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      goesOn = this->Arms.Fault == fault && (sent >= 0 || errno == EAGAIN);
+    }
+  }
+  /// Answers by what no service should do; frames are by RFC 6455, section 5.2.
+  std::future<void> Misbehave(int number, HaplyFault fault)
+  {
+    const auto send = [number](const char* bytes, std::size_t size)
+    { ::send(number, bytes, size, MSG_NOSIGNAL); };
+    const sockaddr nobody = { AF_UNSPEC, {} };
+    switch (fault)
+    {
+      case HaplyFault::Wrong:
+        send("\xF1\0", 2); // reserved bits
+        break;
+      case HaplyFault::TooLong:
+        send("\x81\x7F\0\0\0\1\0\0\0\0", 10);
+        break;
+      case HaplyFault::Leaves:
+        send("\x88\0", 2);
+        break;
+      case HaplyFault::HalfEnds:
+        ::shutdown(number, SHUT_WR);
+        break;
+      case HaplyFault::Resets:
+        ::connect(number, &nobody, sizeof(nobody)); // Linux resets the connection
+        break;
+      case HaplyFault::Pings:
+        return std::async(std::launch::async, [=] { this->Flood(number, fault); });
+      default:
+        this->Flood(number, fault);
+        break;
+    }
+    return {};
   }
   void Receive(const std::string& text, std::size_t number, HaplyView& view)
   {

@@ -56,7 +56,14 @@ enum class HaplyFault
   NoNumber,  ///< a coordinate is NaN, which nlohmann's library writes as null
   NoScale,   ///< the transform's scale is null
   Deep,      ///< sends states with a further member: HaplyState::DeepJson
-  Twice      ///< answers each message twice
+  Twice,     ///< answers each message twice
+  Wrong,     ///< answers by a frame that the protocol forbids
+  TooLong,   ///< announces a message of 4 GiB
+  Leaves,    ///< closes the connection by the protocol
+  HalfEnds,  ///< ends its half of the connection without a word
+  Resets,    ///< resets the connection
+  Pings,     ///< sends pings without end, and answers no message
+  DeafPings  ///< does so, and reads nothing meanwhile
 };
 
 /// The axes of a session's vectors.

@@ -135,6 +135,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
     error = "Haply's Inverse service closed the connection. Start it again.";
     return false;
   }
+  this->States.SetLastWord(WriteHaplyForce(this->Address, {}, false));
   // A service without this channel has no events.
   std::string ignored;
   this->HasEvents = this->Events.Open(this->Ports.Events, EventsTime, ignored);

@@ -108,6 +108,45 @@ TEST_F(HaplyFaults, TheServiceAnswersTwice)
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready) << this->Bench.Text();
 }
 
+class HaplyConnectionEnds
+  : public HaplyFaults
+  , public testing::WithParamInterface<HaplyFault>
+{
+};
+
+TEST_P(HaplyConnectionEnds, AfterZeroForce)
+{
+  this->Service->Break(this->GetParam());
+  this->ExpectLost("the Inverse service ended or closed the connection");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HaplyConnectionEnds,
+  testing::Values(
+    HaplyFault::Wrong, HaplyFault::TooLong, HaplyFault::Leaves, HaplyFault::HalfEnds));
+
+TEST_F(HaplyFaults, TheConnectionIsReset)
+{
+  this->Service->Break(HaplyFault::Resets);
+  this->Bench.ExpectLost("the Inverse service ended or closed the connection");
+  this->Service->Break(HaplyFault::None);
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+}
+
+TEST_F(HaplyFaults, TheServiceSendsPingsWithoutEnd)
+{
+  this->Service->Break(HaplyFault::Pings);
+  this->ExpectLost("the Inverse service does not answer");
+}
+
+TEST_F(HaplyFaults, TheServiceSendsPingsWithoutEndAndReadsNothing)
+{
+  this->Service->Break(HaplyFault::DeafPings);
+  this->Bench.ExpectLost("the Inverse service does not answer");
+  this->Service->Break(HaplyFault::Silent); // it reads what came
+  EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
+}
+
 TEST_F(HaplyFaults, ThePositionIsNoNumber)
 {
   this->Service->Break(HaplyFault::NoNumber);

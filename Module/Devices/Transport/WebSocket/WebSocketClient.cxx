@@ -9,8 +9,11 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
+#include <random>
 
 namespace VolumeHaptics
 {
@@ -42,8 +45,12 @@ template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
   io.restart();
-  // Data that have already arrived count, even if the time is over.
-  io.poll();
+  // Data that have already arrived count, even if the time is over. They have a limit, because a
+  // service may send pings without end.
+  constexpr int mostEvents = 1000;
+  for (int i = 0; i < mostEvents && !holds() && io.poll_one() > 0; ++i)
+  {
+  }
   while (!holds() && std::chrono::steady_clock::now() < end)
   {
     io.restart();
@@ -106,12 +113,137 @@ std::string HostOf(std::uint16_t port)
   return "localhost:" + std::to_string(port);
 }
 
+/**
+ * The stream below Beast, which answers pings and closes the connection by itself if the service
+ * closes it or breaks the protocol. Writes the last word before the close frame, or before the end
+ * of a connection without one. Leaves out pongs that follow soon after another one (RFC 6455,
+ * section 5.5.3), so that a flood of pings does not fill the connection.
+ */
+class LastWordStream
+{
+public:
+  using executor_type = beast::tcp_stream::executor_type;
+  using next_layer_type = beast::tcp_stream;
+
+  explicit LastWordStream(asio::io_context& io)
+    : Tcp(io)
+  {
+  }
+  executor_type get_executor() noexcept { return this->Tcp.get_executor(); }
+  next_layer_type& next_layer() noexcept { return this->Tcp; }
+  const next_layer_type& next_layer() const noexcept { return this->Tcp; }
+
+  /** Reads frames in what is written from now on. Called after the handshake. */
+  void BeginFrames() noexcept { this->HasFrames = true; }
+  /** Sets the text (shorter than 64 KiB) of the last message. */
+  void SetLastWord(const std::string& text)
+  {
+    // A masked frame of text by RFC 6455, section 5.2.
+    constexpr std::size_t mostShort = 125;
+    const auto byte = [](std::size_t value) { return static_cast<char>(value & 0xFF); };
+    std::string frame{ byte(0x81) };
+    if (text.size() > mostShort)
+    {
+      frame += { byte(0x80 | 126), byte(text.size() >> 8), byte(text.size()) };
+    }
+    else
+    {
+      frame += byte(0x80 | text.size());
+    }
+    std::random_device random;
+    const std::array<char, 4> mask = { byte(random()), byte(random()), byte(random()),
+      byte(random()) };
+    frame.append(mask.data(), mask.size());
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+      frame += static_cast<char>(text[i] ^ mask[i % mask.size()]);
+    }
+    this->LastWord = std::move(frame);
+  }
+  /** Writes the last word, once, if no frame is half written and the socket takes it at once. */
+  void WriteLastWord()
+  {
+    if (!this->LastWord.empty() && this->FrameLeft == 0)
+    {
+      error_code ignored;
+      this->Tcp.socket().non_blocking(true, ignored);
+      this->Tcp.socket().send(asio::buffer(this->LastWord), 0, ignored);
+      this->LastWord.clear();
+    }
+  }
+
+  template <typename Buffers, typename Handler>
+  auto async_read_some(const Buffers& buffers, Handler&& handler)
+  {
+    return this->Tcp.async_read_some(buffers, std::forward<Handler>(handler));
+  }
+  template <typename Buffers, typename Handler>
+  void async_write_some(const Buffers& buffers, Handler&& handler)
+  {
+    if (this->HasFrames && this->FrameLeft == 0)
+    {
+      std::array<unsigned char, 10> head = {};
+      asio::buffer_copy(asio::buffer(head), buffers);
+      const int kind = head[0] & 0x0F;
+      if (kind == Pong && ServoClock::Now() < this->NextPong)
+      {
+        const std::size_t size = beast::buffer_bytes(buffers);
+        return asio::post(this->Tcp.get_executor(),
+          [size, done = std::forward<Handler>(handler)]() mutable { done(error_code{}, size); });
+      }
+      this->NextPong =
+        kind == Pong ? ServoClock::Now() + 100 * ServoClock::Millisecond : this->NextPong;
+      if (kind == Close)
+      {
+        this->WriteLastWord();
+      }
+      this->FrameLeft = SizeOfFrame(head);
+    }
+    this->Tcp.async_write_some(buffers,
+      [this, done = std::forward<Handler>(handler)](error_code error, std::size_t size) mutable
+      {
+        this->FrameLeft -= std::min<std::uint64_t>(size, this->FrameLeft);
+        done(error, size);
+      });
+  }
+  /** Called by Beast when the connection ends. */
+  template <typename Handler>
+  friend void async_teardown(beast::role_type role, LastWordStream& stream, Handler&& handler)
+  {
+    stream.WriteLastWord();
+    beast::async_teardown(role, stream.Tcp, std::forward<Handler>(handler));
+  }
+
+private:
+  static constexpr int Close = 8;
+  static constexpr int Pong = 10;
+
+  static std::uint64_t SizeOfFrame(const std::array<unsigned char, 10>& head) noexcept
+  {
+    constexpr int maskSize = 4;
+    const int code = head[1] & 0x7F;
+    const int sizeBytes = code == 127 ? 8 : code == 126 ? 2 : 0;
+    std::uint64_t size = sizeBytes == 0 ? code : 0;
+    for (int i = 0; i < sizeBytes; ++i)
+    {
+      size = size << 8 | head[2 + i];
+    }
+    return size + 2 + sizeBytes + maskSize;
+  }
+
+  beast::tcp_stream Tcp;
+  bool HasFrames = false;
+  std::uint64_t FrameLeft = 0; // bytes of the frame that is being written
+  std::int64_t NextPong = 0;   // time of ServoClock
+  std::string LastWord;        // a whole frame
+};
+
 } // namespace
 
 struct WebSocketClient::Connection
 {
   asio::io_context Io{ 1 };
-  websocket::stream<beast::tcp_stream> Stream{ Io };
+  websocket::stream<LastWordStream> Stream{ Io };
   beast::flat_buffer Buffer;
   bool IsReading = false;
   bool HasMessage = false;
@@ -126,7 +258,11 @@ struct WebSocketClient::Connection
       {
         this->IsReading = false;
         this->HasMessage = !error;
-        this->IsClosed = this->IsClosed || error;
+        if (error)
+        {
+          this->IsClosed = true;
+          this->Stream.next_layer().WriteLastWord(); // the service may have ended its half only
+        }
       });
   }
 };
@@ -163,6 +299,7 @@ bool WebSocketClient::Open(std::uint16_t port, double seconds, std::string& erro
       return false;
     }
     link->Stream.text(true);
+    link->Stream.next_layer().BeginFrames();
     this->Link = std::move(link);
     return true;
   }
@@ -184,6 +321,14 @@ bool WebSocketClient::Send(const std::string& text, double seconds)
     [&](auto&& done) { link.Stream.async_write(asio::buffer(text), std::move(done)); });
   link.IsClosed = link.IsClosed || error;
   return !link.IsClosed;
+}
+
+void WebSocketClient::SetLastWord(const std::string& text)
+{
+  if (this->IsOpen())
+  {
+    this->Link->Stream.next_layer().SetLastWord(text);
+  }
 }
 
 WebSocketClient::Outcome WebSocketClient::Receive(std::string& text, std::int64_t until)

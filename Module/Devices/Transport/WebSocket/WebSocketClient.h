@@ -50,6 +50,11 @@ public:
   /** Sends a text within a time (s). Closes the connection and returns false if this fails. */
   bool Send(const std::string& text, double seconds);
   /**
+   * Sets a text (shorter than 64 KiB) that is sent before an open connection ends for any reason,
+   * if the socket takes it then: the service closes it, breaks the protocol, or Close() is called.
+   */
+  void SetLastWord(const std::string& text);
+  /**
    * Receives the next message that comes before `until`, a time of ServoClock, or one that has
    * already come.
    */
