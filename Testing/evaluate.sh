@@ -5,16 +5,17 @@
 # Measures what the solvers PAPER and PRECISE reach, prints the table and writes a report with plots.
 #
 # usage: Testing/evaluate.sh [--quick] [--feel] [--volume FILE] [--chest FOLDER] [--mri FILE] [--scans FOLDER] [--table]
-#   [--output FOLDER]
+#   [--only TEXT] [--output FOLDER]
 #
 # Installs what is missing and builds in build/test. The report goes to build/evaluation. Real scans are fetched from
 # Debian and PyPI into build/explore/data and build/scans, unless the options name others; what can't be had is left
-# out, and said to be. --feel measures only how these feel, --table only the table of all real volumes.
+# out, and said to be. --feel measures only how these feel, --table only the table of all real volumes, with --only those
+# lines that have TEXT in "volume, preset".
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 # shellcheck source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"

@@ -3,7 +3,7 @@
 /**
  * @file
  * volumehaptics-evaluation [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE]
- *   [--scans FOLDER] [--feel] [--table] [--output FOLDER]
+ *   [--scans FOLDER] [--feel] [--table] [--only TEXT] [--output FOLDER]
  *
  * Measures the figures of Documentation/evaluation.md for PAPER and PRECISE, compares them with
  * other methods, prints the tables, and writes a report with plots to FOLDER (default: evaluation).
@@ -12,8 +12,9 @@
  * seconds instead of minutes. --volume is a CT of a head, --chest a folder with cxr.nii.gz,
  * mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head: scans to be felt; --scans is
  * the folder of all others (see get_real_volumes in Data/scans.sh). --feel measures only how these
- * feel, --table only the table of all real volumes. Tables are printed as soon as they are
- * measured; without a display there are no plots.
+ * feel, --table only the table of all real volumes, with --only those lines that have TEXT in
+ * "volume, preset". Tables are printed as soon as they are measured; without a display there are no
+ * plots.
  */
 #include "BumpyBall.h"
 #include "Feel.h"
@@ -219,6 +220,7 @@ int main(int argc, char* argv[])
   std::string mri;
   std::string folder = "evaluation";
   std::string others;
+  std::string only;
   bool isFeelAlone = false;
   bool isTableAlone = false;
   for (int i = 1; i < argc; ++i)
@@ -244,6 +246,10 @@ int main(int argc, char* argv[])
     {
       others = argv[++i];
     }
+    else if (std::strcmp(argv[i], "--only") == 0 && hasValue)
+    {
+      only = argv[++i];
+    }
     else if (std::strcmp(argv[i], "--table") == 0)
     {
       isTableAlone = true;
@@ -260,7 +266,7 @@ int main(int argc, char* argv[])
     {
       std::fprintf(stderr,
         "usage: %s [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE] [--scans FOLDER]\n"
-        "  [--feel] [--table] [--output FOLDER]\n",
+        "  [--feel] [--table] [--only TEXT] [--output FOLDER]\n",
         argv[0]);
       return 255;
     }
@@ -271,7 +277,7 @@ int main(int argc, char* argv[])
       stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
     return 255;
   }
-  const VolumePlaces places{ volume, chest, others };
+  const VolumePlaces places{ volume, chest, others, only };
   if (isTableAlone)
   {
     PrintTable(MeasureRealVolumes(places, effort));

@@ -448,6 +448,10 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
       }
       for (const std::string& preset : known.Presets)
       {
+        if ((known.Name + ", " + preset).find(places.Only) == std::string::npos)
+        {
+          continue;
+        }
         table.Rows.push_back(MeasureVolume(known.Name, volume, preset, effort));
         table.Rows.back().resize(table.Columns.size());
         PrintLine(table.Rows.back());
