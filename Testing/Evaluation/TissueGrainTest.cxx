@@ -21,6 +21,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -222,5 +223,26 @@ TEST(TissueBoundary, HoldsAtTheGradientOfASeptum)
       { return fat + (muscle - fat) * 0.5 * std::erfc((middle - x) / (std::sqrt(2.0) * blur)); },
       0.0));
   EXPECT_NEAR(MeasureHold(filter), 2.2 * distinctness, 0.02 * 2.2);
+}
+
+// A tissue that is harder than a hand pushes is none that the hand is in. A bank in it, behind a
+// gap, holds as a boundary does, even if the tissue drags. Expectation: eq. 13 with the largest
+// gradient of a dip of depth D and width w, D/(w sqrt(e)).
+TEST(TissueBoundary, HoldsBehindAGapInHardTissue)
+{
+  constexpr double depth = 100.0;      // HU
+  constexpr double strength = 12.0;    // N
+  constexpr double kernel = 1.0 * 0.9; // mm, the width of the kernel's Gaussian
+  const double width = std::hypot(SeptumWidth, kernel);
+  const double gradient = depth * SeptumWidth / width / (width * std::exp(0.5));
+  const double distinctness = (gradient - 16.0) / (48.0 - 16.0);
+  ASSERT_LT(distinctness, 0.6);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  ASSERT_TRUE(filter->GetProperty()->ApplyPreset("CT contrast"));
+  vtkPiecewiseFunction* const strengths = filter->GetProperty()->GetSurfaceStrength();
+  strengths->RemoveAllPoints();
+  strengths->AddPoint(0.0, strength);
+  filter->SetInputData(0, MakeLayers([](double x) { return 60.0 + Dip(x, depth); }, 0.0));
+  EXPECT_NEAR(MeasureHold(filter), strength * distinctness, 0.02 * strength);
 }
 } // namespace

@@ -35,6 +35,11 @@ constexpr double Unlike = 0.5;
 constexpr double Alike = 0.65;
 ///@}
 ///@{
+/** Strengths (N) up to which a hand gets into a tissue, and from which on it does not. */
+constexpr double Soft = 5.0;
+constexpr double Hard = 10.0;
+///@}
+///@{
 /** Rises behind an edge (edge's heights) with which the edge is no ripple yet, and all ripple. */
 constexpr double RippleBegins = 0.2;
 constexpr double Ripple = 0.6;
@@ -282,7 +287,10 @@ double PreciseSurroundings::ComputeLikeness(const ValuePair& sides) const noexce
   const BakedVolume& baked = *this->Model.Baked;
   const double ahead = baked.Materials(sides.Ahead)[2];
   const double behind = baked.Materials(sides.Behind)[2];
-  return ahead > 0.0 ? std::clamp((behind / ahead - Unlike) / (Alike - Unlike), 0.0, 1.0) : 0.0;
+  const double soft = std::clamp((Hard - ahead) / (Hard - Soft), 0.0, 1.0);
+  return ahead > 0.0 && soft > 0.0
+    ? soft * std::clamp((behind / ahead - Unlike) / (Alike - Unlike), 0.0, 1.0)
+    : 0.0;
 }
 
 double PreciseSurroundings::ComputeHeldOfRipple(const Vector3& index, const Law::Slope& slope,

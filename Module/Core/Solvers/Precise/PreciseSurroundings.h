@@ -194,7 +194,8 @@ private:
     const Join& join, PrecisePoint& point) const noexcept;
   /**
    * Returns how alike the tissues on both sides of an edge are: 1 if the one behind it has 0.65 of
-   * the strength ahead or more, 0 if it has half or less, as air does, or fat beside muscle.
+   * the strength ahead or more, 0 if it has half or less, as air does, or fat beside muscle. It is
+   * 0, too, if a hand does not get into the tissue ahead: from 10 N on, by degrees above 5 N.
    */
   double ComputeLikeness(const ValuePair& sides) const noexcept;
   /**
