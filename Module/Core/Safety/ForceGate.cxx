@@ -162,10 +162,13 @@ void ForceGate::ReportData(double residency, double period) noexcept
 
 void ForceGate::ReportFault(GateReason fault) noexcept
 {
-  if (this->IsOpen())
+  // A clutch only interrupts, but the device that is back may not be where the hand has left it.
+  const bool isOver = this->Returns && fault == GateReason::DeviceLost;
+  if (this->IsOpen() || isOver)
   {
     this->State = GateState::Fault;
     this->Cause = fault;
+    this->Returns = false;
   }
 }
 

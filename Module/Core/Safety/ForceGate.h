@@ -44,7 +44,7 @@
  *   ReportSilence             -           -              Fading, unless held
  *   ReportUnstable            -           -              Fading
  *   ReportNotReady            -           Disarmed (d)   Disarmed
- *   ReportFault               -           -              Fault
+ *   ReportFault               - (m)       - (m)          Fault
  *   ReportGap                 -           -              open (h)
  *   ReportJump                -           -              open (j)
  *   ReportCommand of zero:
@@ -67,7 +67,7 @@
  *   (j) The ramp begins at 0.
  *   (k) Until SetClutched(false), Arm only ends a fade and makes the force return afterwards.
  *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (m) As Arm, if the force returns. It does not after Disarm, FadeOut or ReportNotReady.
+ *   (m) As Arm, if it returns: not after Disarm, FadeOut, ReportNotReady or DeviceLost, now Fault.
  *
  * Faults, Disarm and the clutch act in the tick in which they come. When the gate opens, the share
  * never jumps: the ramp takes RampTime, and the opening FadeTime.

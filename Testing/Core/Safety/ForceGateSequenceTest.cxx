@@ -134,6 +134,12 @@ struct Flags
     {
       this->Fault = fault;
     }
+    else if (this->Returns && fault == GateReason::DeviceLost)
+    {
+      this->IsArmed = true;
+      this->Fault = fault;
+      this->Returns = false;
+    }
     bool hasForce = false;
     if (!this->CanFlow())
     {

@@ -139,12 +139,12 @@ constexpr Row Table[] = {
   { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
   { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
   // Clutched, and the force returns.
-  { "DC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "Kr" "K" },
-  { "DhC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "KH" "K" },
-  { "dC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dr" "d" },
-  { "dhC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dH" "d" },
-  { "OC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "Or" "O" },
-  { "OhC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OH" "O" },
+  { "DC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "Kr" "K" },
+  { "DhC", "KKK" "DDK" "KKK" "NL" "KK" "KKK" "KH" "K" },
+  { "dC", "ddd" "ddd" "ddd" "dL" "dd" "ddd" "dr" "d" },
+  { "dhC", "ddd" "ddd" "ddd" "dL" "dd" "ddd" "dH" "d" },
+  { "OC", "OOO" "dOO" "OOO" "dL" "OO" "OOO" "Or" "O" },
+  { "OhC", "OOO" "dOO" "OOO" "dL" "OO" "OOO" "OH" "O" },
 };
 // clang-format on
 
@@ -391,7 +391,7 @@ TEST(ForceGate, OfAnOrderToArmSaysWhetherItBeginsAnew)
   }
 }
 
-TEST(ForceGate, ReturnsAfterTheClutchUnlessItWasDisarmedMeanwhile)
+TEST(ForceGate, ReturnsAfterTheClutchUnlessItWasDisarmedOrLostMeanwhile)
 {
   for (const Row& row : Table)
   {
@@ -403,7 +403,8 @@ TEST(ForceGate, ReturnsAfterTheClutchUnlessItWasDisarmedMeanwhile)
       Apply(gate, event);
       EXPECT_FALSE(gate.IsOpen()) << causes << ", event " << i;
       const bool arms = event == Arm || event == ArmFlowing || event == ArmAmongOthers;
-      const bool disarms = event == Disarm || event == FadeOut || event == NotReady;
+      const bool disarms =
+        event == Disarm || event == FadeOut || event == NotReady || event == Lost;
       EXPECT_EQ(gate.SetClutched(false), arms || (Has(causes, 'C') && !disarms))
         << causes << ", event " << i;
       EXPECT_EQ(gate.IsOpen(), arms || (Has(causes, 'C') && !disarms));
