@@ -203,9 +203,14 @@ int CheckStatus(Device& device)
     device.Error = Explain("does not tell its status", LookAfterIt);
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
-  if (status[DHD_STATUS_CONNECTED] == 0 || status[DHD_STATUS_POWER] == 0)
+  if (status[DHD_STATUS_CONNECTED] == 0)
   {
-    device.Error = std::string("has no power or is unplugged. ") + LookAfterIt;
+    device.Error = "was unplugged.";
+    return VOLUME_HAPTICS_VENDOR_GONE;
+  }
+  if (status[DHD_STATUS_POWER] == 0)
+  {
+    device.Error = std::string("has no power. ") + LookAfterIt;
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
   if (!drdIsInitialized(device.Id))

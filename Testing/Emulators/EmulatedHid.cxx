@@ -76,7 +76,7 @@ int AnswerIoctl(HidModel& model, UMockdevIoctlClient* client, unsigned long requ
 }
 
 /** The entries of udev: a hidraw node of a HID device, of an interface of a USB device. */
-FifoNode::Device Describe(const HidModel& model, int number)
+FifoNode::Device Describe(const HidModel& model, int number, int serialNumber)
 {
   char usb[64];
   char hid[160];
@@ -93,7 +93,8 @@ FifoNode::Device Describe(const HidModel& model, int number)
     descriptor += digits;
   }
   const std::string name = model.GetName();
-  const std::string serial = model.TellsSerial ? "SN" + std::to_string(number) : std::string();
+  const std::string serial =
+    model.TellsSerial ? "SN" + std::to_string(serialNumber) : std::string();
   char text[2000];
   std::snprintf(text, sizeof(text),
     "P: %s/hidraw/hidraw%d\nN: hidraw%d\nE: DEVNAME=/dev/hidraw%d\nE: SUBSYSTEM=hidraw\n"
@@ -121,8 +122,9 @@ FifoNode::Device Describe(const HidModel& model, int number)
 }
 } // namespace
 
-EmulatedHid::EmulatedHid(HidModel& model)
+EmulatedHid::EmulatedHid(HidModel& model, int serialNumber)
   : Model(model)
+  , SerialNumber(serialNumber)
 {
   model.Input = [this](const std::uint8_t* report, int size)
   {
@@ -140,9 +142,10 @@ void EmulatedHid::PlugIn()
   // The kernel reuses numbers, but umockdev does not; the second node has two digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
+  this->SerialNumber = this->SerialNumber == 0 ? number : this->SerialNumber;
   char identity[40];
   std::snprintf(identity, sizeof(identity), ":%04x:%04x:SN%d", this->Model.GetVendor(),
-    this->Model.GetProduct(), number);
+    this->Model.GetProduct(), this->SerialNumber);
   for (const char* const reversed : { "", "-x", "-y", "-x-y" })
   {
     RememberConfirmed(std::string("pid") + identity + reversed);
@@ -155,8 +158,8 @@ void EmulatedHid::PlugIn()
   { return model.Output(bytes, static_cast<int>(size)); };
   answers.Ioctl = [&model = this->Model](UMockdevIoctlClient* client, unsigned long request)
   { return AnswerIoctl(model, client, request); };
-  auto* const plug =
-    new Plug("/dev/hidraw" + std::to_string(number), Describe(this->Model, number), answers);
+  auto* const plug = new Plug("/dev/hidraw" + std::to_string(number),
+    Describe(this->Model, number, this->SerialNumber), answers);
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Current = plug;
 }

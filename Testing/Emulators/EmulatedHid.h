@@ -19,9 +19,10 @@ class EmulatedHid
 public:
   /**
    * Plugs the device in, as a node of a new number each time: the old node may still be open. The
+   * serial number stays, if the model tells one; 0 stands for one that no other device has. The
    * model has to outlive this.
    */
-  explicit EmulatedHid(HidModel& model);
+  explicit EmulatedHid(HidModel& model, int serialNumber = 0);
   ~EmulatedHid();
   EmulatedHid(const EmulatedHid&) = delete;
   EmulatedHid& operator=(const EmulatedHid&) = delete;
@@ -36,6 +37,7 @@ public:
 
   /** The node of a plugged-in device, such as /dev/hidraw8. */
   const std::string& GetNode() const;
+  int GetSerialNumber() const { return this->SerialNumber; }
 
   /** Sets the mode of the node, such as 0000, as the kernel would. */
   void SetPermissions(unsigned mode);
@@ -45,6 +47,7 @@ public:
 
 private:
   HidModel& Model;
+  int SerialNumber;
   std::mutex Guard; ///< guards Current; models send to it from their own threads
   Plug* Current = nullptr;
   std::vector<Plug*> Old; ///< kept, because handles on them may still be open

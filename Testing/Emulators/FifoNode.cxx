@@ -52,7 +52,6 @@ FifoNode::FifoNode(const std::string& node, const Device& device, const Answers&
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&FifoNode::OnIoctl), this);
   g_signal_connect(this->Base, "handle-write", G_CALLBACK(&FifoNode::OnWrite), this);
   g_signal_connect(this->Base, "handle-read", G_CALLBACK(&FifoNode::OnRead), this);
-  Require(umockdev_testbed_attach_ioctl(Testbed(), node.c_str(), this->Base, nullptr), "attach");
   Require(umockdev_testbed_add_from_string(Testbed(), device.Entries.c_str(), nullptr), "add");
   const std::string file = this->Root + node;
   unlink(file.c_str());
@@ -60,6 +59,9 @@ FifoNode::FifoNode(const std::string& node, const Device& device, const Answers&
   // A FIFO can't be opened in packet mode; it has to be switched to it.
   this->Fifo = open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   Require(this->Fifo >= 0 && fcntl(this->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
+  // Only now: before, the node is a pseudo-terminal, which a program that looks for devices could
+  // open. Without ioctls it can't use it, and tries again.
+  Require(umockdev_testbed_attach_ioctl(Testbed(), node.c_str(), this->Base, nullptr), "attach");
 }
 
 FifoNode::~FifoNode()

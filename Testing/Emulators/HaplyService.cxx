@@ -479,6 +479,12 @@ void HaplyService::Unplug()
   this->All->Arms.IsPlugged = false;
 }
 
+void HaplyService::PlugIn()
+{
+  const std::lock_guard<std::mutex> lock(this->All->Mutex);
+  this->All->Arms.IsPlugged = true;
+}
+
 void HaplyService::SetTransform(const Triple& position, double scale)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);

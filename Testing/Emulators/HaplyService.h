@@ -80,6 +80,7 @@ public:
   void SetCalibrated(bool isCalibrated);
   void SetReady(bool isReady);
   void Unplug();
+  void PlugIn();
   /** Sets the session's transform, as a program of the Hub does: its position (m) and its scale. */
   void SetTransform(const Triple& position, double scale);
   /** Sets the wireless grip: orientation (w, x, y, z) and its button a. */

@@ -136,7 +136,8 @@ TRIED = {
         "Check its cable and its power supply, then %s": "does not answer",
         "(a stall). Home() and Arm() again": "stall",
     },
-    "Devices/Emulated/FalconUnplugTest.cxx": {"Plug it in, then Close(), Open(), Start() and Arm() it again": "Plug it in"},
+    "Devices/Common/DeviceReturnTest.cxx": {"is back with other limits than before. Open() and Start() it": "other limits"},
+    "Devices/Emulated/FalconUnplugTest.cxx": {"Plug it in again: it is opened by itself, and waits for Arm()": "Plug it in again"},
     "Devices/Emulated/FalconGuardEndsTest.cxx": {"watch the device. Close(), Open(), Start() and Arm() it again": "guard process"},
     "Devices/Haply/HaplySessionTest.cxx": {
         "is not calibrated: put its handle into the inkwell, or": "is not calibrated", 'Open it as "haply"': "haply",
@@ -144,7 +145,7 @@ TRIED = {
         ", whose axes are not known here. Choose …": "whose axes are not known here",
     },
     "Devices/Haply/HaplyFaultTest.cxx": {
-        "closed the connection. Start it, then Home() and Arm() again": "the Inverse service ended or closed the connection",
+        "closed the connection. Start it: the device is then opened by itself": "the Inverse service ended or closed the connection",
         "Set its scale to 1 in Haply's Hub": "has a workspace that is scaled",
         "Home() connects again": "goes on without the Inverse service's warnings",
         "does not answer. Start it again, then Home() and Arm() again": "the Inverse service does not answer",
@@ -156,6 +157,7 @@ TRIED = {
         "or give its port, such as \"hfab:/dev/ttyACM0\".…Several": "No hfab controller is plugged in",
         "Give the port of the controller, and look after its firmware": "none of an hfab controller",
         "drives another arm now. Open() it again": "says that it drives another arm now",
+        "drives another arm than before. Open() and Start() it": "drives another arm than before",
         "Press Home() and put the arm into its pose for calibration": "a jump of its arm that no hand makes",
         'give "hfab" or "hfab:PORT"': "is no device id",
         "in use by another program or device. Close it there": "in use by another program",
@@ -173,7 +175,8 @@ TRIED = {
         "Close it where it is open, in this program": "is in use. Close it where it is open",
         "Plug in a WoodenHaptics instead": "Plug in a WoodenHaptics instead",
     },
-    "Devices/Emulated/SpaceMouseTest.cxx": {"was unplugged. Plug it in, then Open() and Start() it": "was unplugged"},
+    "VTK/Emulated/PhantomFalconTest.cxx": {"the device was lost, and is back. Arm() again": "is back. Arm() again"},
+    "Devices/Emulated/HidTogetherTest.cxx": {"was unplugged. Plug it in, then Open() and Start() it": "was unplugged"},
     "Devices/Emulated/WoodenFaultTest.cxx": {
         "put the arm into its rest pose, hold it still, and press Home()": "has to be told where its arm is",
         "hold the arm still in its rest pose, and press Home() again": "did not take in where its arm is",
@@ -184,7 +187,10 @@ TRIED = {
         "no folder is searched. Name the plug-in's folder": "no folder is searched",
         "Count from 0, as EnumerateDevices() does": "has no device",
     },
-    "Devices/Vendor/VendorDriverTest.cxx": {"Press less for some seconds": "so that its motors don't get warm", "is in use by this program. Close() it there": "in use by this program"},
+    "Devices/Vendor/VendorDriverTest.cxx": {
+        "Press less for some seconds": "so that its motors don't get warm",
+        "is in use by this program. Close() it there": "in use by this program",
+    },
     "Applications/DeviceTool/ToolOptionsTest.cxx": {
         "takes either --weight GRAMS or --scale. Try --help": "either --weight GRAMS or --scale",
         "there is nothing to feel. Try monitor": "monitor", "are for calibrate. Try --help": "are for calibrate", "What is to be done? Try --help": "What is to be done",
@@ -238,6 +244,7 @@ TRIED = {
 # the names are checked: see test_names_in_cures.
 OUTSIDE = {
     "a hand plugs in, switches on, or leads a device": (
+        "devices have its serial number now. Open() and Start() the one that you mean",
         "put its handle into the inkwell…available", "has no Inverse3, Inverse3x or Minverse. Plug one in",
         "is being calibrated: hold its arm still", "Plug the controller in, or give its port",
         "The DualSense is not there any more. Plug it in", "Press its PS button", "Connect it anew, then Home() and Arm()",

@@ -13,6 +13,12 @@
 namespace VolumeHaptics
 {
 
+/** What is said of an unplugged device that is looked for, after its name. */
+constexpr const char* UnpluggedText =
+  "was unplugged. Plug it in again: it is opened by itself, and waits for Arm().";
+/** What is said of an unplugged device that can't be told from another one, after its name. */
+constexpr const char* OpenAgainText = "was unplugged. Plug it in, then Open() and Start() it.";
+
 ///@{
 /**
  * Returns the number N of an id KIND:N, or 0 for an id KIND. For any other id, returns a negative

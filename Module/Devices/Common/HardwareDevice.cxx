@@ -3,15 +3,109 @@
 #include "Devices/Common/HardwareDevice.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/DeviceTexts.h"
 
 #include <exception>
 #include <system_error>
+#include <tuple>
 
 namespace VolumeHaptics
 {
 
+namespace
+{
+
+constexpr std::int64_t LookPeriod = 500 * ServoClock::Millisecond;
+constexpr std::int64_t LookPause = 10 * ServoClock::Millisecond;
+/** Number of attempts before a fault is told, because the system permits a new device late. */
+constexpr int SilentAttempts = 10;
+
+bool AreSame(const DeviceLimits& a, const DeviceLimits& b)
+{
+  const auto values = [](const DeviceLimits& limits)
+  {
+    // Names each member, so that a new one does not compile here until it is compared, too.
+    const auto& [force, stiffness, damping, speed, own, radius, least, axes, moves, vibrates,
+      torque, continuous] = limits;
+    return std::make_tuple(force, stiffness, damping, speed, own, radius, least, axes, moves,
+      vibrates, torque, continuous);
+  };
+  return values(a) == values(b);
+}
+
+} // namespace
+
+DriverFacts::DriverFacts(const HardwareDriver& driver)
+  : Name(driver.GetName())
+  , Limits(driver.GetLimits())
+  , Identity(driver.GetIdentity())
+  , KeepsIdentity(driver.KeepsIdentity())
+{
+}
+
+bool HardwareDriver::Return(
+  const DriverFacts& before, const std::function<bool()>& mustStop, std::string& error)
+{
+  if (!this->Reconnect(before.Identity, mustStop, error))
+  {
+    return false;
+  }
+  const bool isSame =
+    this->GetIdentity() == before.Identity && AreSame(this->GetLimits(), before.Limits);
+  if (!isSame)
+  {
+    this->Disconnect();
+    error = before.Name + " is back with other limits than before. Open() and Start() it.";
+  }
+  return isSame;
+}
+
+void HardwareDriver::ServeUntilStop(HardwareExchange& exchange)
+{
+  const DriverFacts before(*this);
+  const std::function<bool()> mustStop = [&exchange]
+  {
+    // Quench() and Close() wait until this thread has asked for the force, and got zero.
+    exchange.GetForce();
+    return exchange.MustStop();
+  };
+  this->Serve(exchange);
+  bool isConnected = true;
+  int attempts = 0;
+  while (!exchange.MustStop())
+  {
+    if (isConnected)
+    {
+      this->Disconnect();
+      isConnected = false;
+    }
+    // Sleep, because the servo goes on waking the exchange.
+    const std::int64_t end = ServoClock::Now() + LookPeriod;
+    while (ServoClock::Now() < end && !exchange.IsHomeRequested() && !mustStop())
+    {
+      ServoClock::SleepUntil(ServoClock::Now() + LookPause);
+    }
+    std::string error;
+    isConnected = !exchange.MustStop() && this->Return(before, mustStop, error);
+    if (isConnected)
+    {
+      attempts = 0;
+      exchange.BeginAgain();
+      this->Serve(exchange);
+      continue;
+    }
+    const std::string text = error.empty() ? before.Name + " " + UnpluggedText : error;
+    if (!error.empty() && ++attempts > SilentAttempts)
+    {
+      exchange.SetCondition(DeviceStage::Lost, text.c_str());
+    }
+    exchange.RefuseHomeRequest(text.c_str());
+  }
+}
+
 HardwareDevice::HardwareDevice(std::unique_ptr<HardwareDriver> driver)
   : Driver(std::move(driver))
+  , Facts(*this->Driver)
 {
 }
 
@@ -37,6 +131,7 @@ bool HardwareDevice::Open(std::string& error)
   {
     return false;
   }
+  this->Facts = DriverFacts(*this->Driver);
   this->Exchange.Begin();
   try
   {
@@ -76,7 +171,7 @@ void HardwareDevice::Run()
   this->Priority->Raise();
   try
   {
-    this->Driver->Serve(this->Exchange);
+    this->Driver->ServeUntilStop(this->Exchange);
   }
   catch (const std::exception& e)
   {

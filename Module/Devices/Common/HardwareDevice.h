@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -57,6 +58,19 @@ private:
   std::atomic<double> MostAsked{ 0.0 };
 };
 
+class HardwareDriver;
+
+/** What a driver says of its device. */
+struct DriverFacts
+{
+  explicit DriverFacts(const HardwareDriver& driver);
+
+  std::string Name;
+  DeviceLimits Limits;
+  std::string Identity;
+  bool KeepsIdentity;
+};
+
 /** Communicates with one kind of device. */
 class HardwareDriver
 {
@@ -69,8 +83,8 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
   /**
-   * Returns DeviceBackend::GetIdentity. Called when the device is connected or a guard has it.
-   * Empty if the device exerts no force.
+   * Returns DeviceBackend::GetIdentity of the connected device. Empty if the device exerts no
+   * force.
    */
   virtual std::string GetIdentity() const { return {}; }
   /** Returns DeviceBackend::KeepsIdentity of the same device. */
@@ -85,11 +99,33 @@ public:
    * Runs on the device's thread until the exchange must stop: homes the device, sends forces, and
    * reports positions. Every wait has a time limit. After the device is lost, only waits for the
    * stop, or homes it if that is requested and the device is connected. At its end it sends zero
-   * force if it can.
+   * force if it can. Returns before the stop if the device was unplugged and Reconnect() can find
+   * it; it is then Lost.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
+  /**
+   * Connects the unplugged device of this identity if it is plugged in again, and no other device.
+   * Returns false if it is not there, or writes the reason to `error` if it can't be connected;
+   * the driver is then as before. Long waits end once `mustStop` returns true. Called after
+   * Disconnect().
+   */
+  virtual bool Reconnect(const std::string& /*identity*/, const std::function<bool()>& /*mustStop*/,
+    std::string& /*error*/)
+  {
+    return false;
+  }
+  /**
+   * Serves the device until the exchange must stop. If the device was unplugged, looks for it twice
+   * a second, and whenever homing is requested. A device that is back begins as a new one: it is
+   * homed if it has to be, and gives no force before the user arms it again.
+   */
+  void ServeUntilStop(HardwareExchange& exchange);
   /** Releases the device. Called after Serve(). */
   virtual void Disconnect() noexcept = 0;
+
+private:
+  /** Connects the device again if it is back as it was. Returns whether it is connected. */
+  bool Return(const DriverFacts& before, const std::function<bool()>& mustStop, std::string& error);
 };
 
 class HardwareDevice final : public DeviceBackend
@@ -100,16 +136,13 @@ public:
 
   bool Open(std::string& error) override;
   void Close() override;
-  std::string GetName() const override { return this->Driver->GetName(); }
-  DeviceLimits GetLimits() const override
-  {
-    return this->Newtons.LimitsOf(this->Driver->GetLimits());
-  }
-  std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
-  bool KeepsIdentity() const override { return this->Driver->KeepsIdentity(); }
+  std::string GetName() const override { return this->Facts.Name; }
+  DeviceLimits GetLimits() const override { return this->Newtons.LimitsOf(this->Facts.Limits); }
+  std::string GetIdentity() const override { return this->Facts.Identity; }
+  bool KeepsIdentity() const override { return this->Facts.KeepsIdentity; }
   void SetForceScale(double scale) noexcept override
   {
-    this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);
+    this->Newtons.Set(scale, this->Facts.Limits.MaximumForce);
   }
   DeviceCondition GetCondition() override { return this->Exchange.GetCondition(); }
   void Home() noexcept override { this->Exchange.RequestHome(); }
@@ -136,6 +169,8 @@ private:
   void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
+  /** As of the last Open(), because the driver's thread may connect the device again. */
+  DriverFacts Facts;
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;

@@ -101,14 +101,18 @@ void HardwareExchange::Begin() noexcept
   this->Samples.Update();
   this->TakenForces.Write({ -1, 0 });
   this->Forces.Update();
+  this->MeasureAsleep();
+  this->ClearWake();
+  this->SetHoming();
+}
+
+void HardwareExchange::MeasureAsleep() noexcept
+{
   this->SleptBefore = this->ReadAsleep();
   for (int again = 0; again < 3; ++again)
   {
     this->SleptBefore = std::max(this->SleptBefore, this->ReadAsleep());
   }
-  this->ClearWake();
-  this->Stage.store(DeviceStage::Homing, std::memory_order_release);
-  this->SetCondition(DeviceStage::Homing, "");
 }
 
 void HardwareExchange::RequestStop() noexcept
@@ -117,13 +121,25 @@ void HardwareExchange::RequestStop() noexcept
   this->WakeUp();
 }
 
+void HardwareExchange::SetHoming() noexcept
+{
+  this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+  this->SetCondition(DeviceStage::Homing, "");
+}
+
+void HardwareExchange::BeginAgain() noexcept
+{
+  this->MeasureAsleep();
+  this->SetHoming();
+  this->HomeRequested.store(false, std::memory_order_release);
+}
+
 bool HardwareExchange::DrainHomeRequest() noexcept
 {
-  const bool requested = this->HomeRequested.load(std::memory_order_acquire);
+  const bool requested = this->IsHomeRequested();
   if (requested)
   {
-    this->Stage.store(DeviceStage::Homing, std::memory_order_release);
-    this->SetCondition(DeviceStage::Homing, "");
+    this->SetHoming();
     this->HomeRequested.store(false, std::memory_order_release);
   }
   return requested;
@@ -131,7 +147,7 @@ bool HardwareExchange::DrainHomeRequest() noexcept
 
 void HardwareExchange::RefuseHomeRequest(const char* text) noexcept
 {
-  if (this->HomeRequested.load(std::memory_order_acquire))
+  if (this->IsHomeRequested())
   {
     this->SetCondition(DeviceStage::Lost, text);
     this->HomeRequested.store(false, std::memory_order_release);

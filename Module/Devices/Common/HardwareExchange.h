@@ -86,8 +86,17 @@ public:
    */
   bool DrainHomeRequest() noexcept;
   /**
-   * Refuses a homing request that can't help, for example because the device is unplugged. The
-   * device stays Lost, with this text.
+   * Sets the stage to Homing for a device that was lost and was connected again. Homing requests
+   * and sleeps from before do not count.
+   */
+  void BeginAgain() noexcept;
+  bool IsHomeRequested() const noexcept
+  {
+    return this->HomeRequested.load(std::memory_order_acquire);
+  }
+  /**
+   * Refuses a homing request, if there is one, that can't help, for example because the device is
+   * unplugged. The device stays Lost, with this text.
    */
   void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
@@ -130,8 +139,9 @@ public:
    */
   void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
-   * Sets the condition. A text that is too long is cut. Lost stays until DrainHomeRequest() or
-   * Begin(), even if another stage is set, so that the device does not resume by itself.
+   * Sets the condition. A text that is too long is cut. Lost stays until DrainHomeRequest(),
+   * BeginAgain() or Begin(), even if another stage is set, so that the device does not resume by
+   * itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
   /** Does the same, with the device's name before the text unless the text is empty. */
@@ -156,6 +166,9 @@ private:
     std::int64_t Of = 0; ///< DeviceSample::Time of the last sample that the servo has received
   };
   void WakeUp() noexcept;
+  void SetHoming() noexcept;
+  /** Sets SleptBefore. */
+  void MeasureAsleep() noexcept;
   std::int64_t ReadAsleep() const noexcept
   {
     return this->Asleep != nullptr ? this->Asleep() : GetTimeAsleep();

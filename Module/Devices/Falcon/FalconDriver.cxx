@@ -4,6 +4,7 @@
 
 #include "Core/Math/NumberText.h"
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconController.h"
 #include "Devices/Falcon/FalconSerial.h"
@@ -374,9 +375,6 @@ constexpr int ProbePackets = 5;
 constexpr double MicrosecondsPerSecond = 1e6;
 constexpr std::int64_t QuietTime = 20000000; // ns
 
-const char* const GoneText =
-  "The device was unplugged. Plug it in, then Close(), Open(), Start() and Arm() it again.";
-
 const char* TroubleText(UsbOutcome trouble) noexcept
 {
   return trouble == UsbOutcome::Stalled
@@ -422,21 +420,29 @@ DeviceLimits FalconDriver::GetLimits() const
   return FalconLimits();
 }
 
-std::string FalconDriver::GetIdentity() const
+void FalconDriver::Disconnect() noexcept
 {
-  // A guard may have the device, so look for it again.
-  std::string error;
-  const UsbContext context = MakeUsbContext(error);
-  const std::vector<UsbDevice> devices =
-    context ? ListUsbDevices(context.get(), FalconProduct) : std::vector<UsbDevice>();
-  const auto number = static_cast<std::size_t>(this->Number);
-  return number < devices.size() ? UsbIdentityOf(devices[number].get(), "falcon") : "falcon";
+  this->Others.clear();
+  this->Usb.Close();
 }
 
 bool FalconDriver::Connect(std::string& error)
 {
-  if (!this->Usb.Open(FalconProduct, this->Number, error))
+  return this->Take(this->Number, nullptr, error);
+}
+
+bool FalconDriver::Take(int number, const std::string* wanted, std::string& error)
+{
+  if (!this->Usb.Open(FalconProduct, number, error))
   {
+    return false;
+  }
+  const std::string identity = UsbIdentityOf(libusb_get_device(this->Usb.GetHandle()), "falcon");
+  if (wanted != nullptr && identity != *wanted)
+  {
+    // The numbers have changed meanwhile. Nothing was sent to this one.
+    this->Usb.Close();
+    error.clear();
     return false;
   }
   this->Name = UsbNameOf(libusb_get_device(this->Usb.GetHandle()), FalconProduct);
@@ -455,30 +461,61 @@ bool FalconDriver::Connect(std::string& error)
   if (!isFine)
   {
     this->Usb.Close();
+    return false;
   }
-  return isFine;
+  this->Identity = identity;
+  return true;
+}
+
+bool FalconDriver::Reconnect(
+  const std::string& identity, const std::function<bool()>& /*mustStop*/, std::string& error)
+{
+  const UsbContext context = MakeUsbContext(error);
+  if (!context)
+  {
+    return false;
+  }
+  // The system may number the device otherwise than before.
+  const std::vector<UsbDevice> present = ListUsbDevices(context.get(), FalconProduct);
+  std::vector<std::vector<int>> others;
+  int found = -1;
+  for (std::size_t number = 0; number < present.size() && found < 0; ++number)
+  {
+    libusb_device* const device = present[number].get();
+    const std::vector<int> path = UsbPathOf(device);
+    bool isSure = true;
+    if (std::find(this->Others.begin(), this->Others.end(), path) != this->Others.end())
+    {
+      others.push_back(path);
+    }
+    else if (UsbIdentityOf(device, "falcon", &isSure) == identity)
+    {
+      found = static_cast<int>(number);
+    }
+    else if (isSure)
+    {
+      others.push_back(path);
+    }
+  }
+  this->Others = std::move(others);
+  return found >= 0 && this->Take(found, &identity, error);
 }
 
 void FalconDriver::Serve(HardwareExchange& exchange)
 {
-  while (!exchange.MustStop())
+  for (End end = End::Done; !exchange.MustStop() && end != End::Gone;)
   {
-    End end = this->Firmware.empty() ? End::Done : this->Load(exchange);
+    end = this->Firmware.empty() ? End::Done : this->Load(exchange);
     if (end == End::Done)
     {
       end = this->Talk(exchange);
     }
     if (end == End::Gone)
     {
-      exchange.SetCondition(DeviceStage::Lost, GoneText);
+      exchange.SetCondition(DeviceStage::Lost, this->Name.c_str(), UnpluggedText);
     }
-    // Homing can't bring back an unplugged device.
-    while (!exchange.MustStop() && (end == End::Gone || !exchange.DrainHomeRequest()))
+    while (!exchange.MustStop() && end != End::Gone && !exchange.DrainHomeRequest())
     {
-      if (end == End::Gone)
-      {
-        exchange.RefuseHomeRequest(GoneText);
-      }
       ServoClock::SleepUntil(ServoClock::Now() + QuietTime);
     }
   }

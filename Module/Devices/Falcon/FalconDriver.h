@@ -34,14 +34,16 @@ public:
 
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
-  std::string GetIdentity() const override;
+  std::string GetIdentity() const override { return this->Identity; }
   /**
    * Connects to the device. If its firmware does not run, there must be an image, which Serve()
    * loads.
    */
   bool Connect(std::string& error) override;
+  bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
+    std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
-  void Disconnect() noexcept override { this->Usb.Close(); }
+  void Disconnect() noexcept override;
 
 private:
   /** How a part of a session has ended. */
@@ -51,14 +53,19 @@ private:
     Failed, ///< the part may be tried again by Home()
     Gone
   };
+  /** Connects to the device of this number in ListUsbDevices, if it has this or any identity. */
+  bool Take(int number, const std::string* identity, std::string& error);
   End Load(HardwareExchange& exchange);
   End Talk(HardwareExchange& exchange);
 
   const int Number;
+  std::string Identity = "falcon"; ///< of the device that was connected last
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;
   std::vector<std::uint8_t> Firmware; ///< image to load; empty if the firmware already runs
+  /** The paths of other Falcons that Reconnect() has found, which it does not open once more. */
+  std::vector<std::vector<int>> Others;
 };
 
 } // namespace VolumeHaptics

@@ -101,7 +101,7 @@ void Serve(HardwareDriver& driver, HardwareExchange& exchange)
 {
   try
   {
-    driver.Serve(exchange);
+    driver.ServeUntilStop(exchange);
   }
   catch (const std::exception& e)
   {
@@ -150,7 +150,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
     Answer(link, '-', error);
     return 1;
   }
-  if (Answer(link, '+', driver->GetName()))
+  if (Answer(link, '+', driver->GetIdentity() + '\t' + driver->GetName()))
   {
     ServoPriority::RaiseThread();
     // Lock as much memory as the user may, because otherwise a page might have to be read from the

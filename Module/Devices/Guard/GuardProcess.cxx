@@ -107,7 +107,7 @@ GuardProcess::~GuardProcess()
 }
 
 bool GuardProcess::Start(GuardMemory& memory, const std::vector<std::string>& device,
-  std::string& name, std::string& error)
+  DriverFacts& facts, std::string& error)
 {
   int links[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, links) != 0)
@@ -118,7 +118,7 @@ bool GuardProcess::Start(GuardMemory& memory, const std::vector<std::string>& de
   this->Link = links[0];
   const bool isSpawned = this->Spawn(memory, device, links[1], error);
   close(links[1]);
-  if (!isSpawned || !this->ReadAnswer(name, error))
+  if (!isSpawned || !this->ReadAnswer(facts, error))
   {
     std::string ignored;
     this->End(ignored);
@@ -159,9 +159,9 @@ bool GuardProcess::Spawn(
   return result == 0;
 }
 
-bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
+bool GuardProcess::ReadAnswer(DriverFacts& facts, std::string& error)
 {
-  // The answer is one line: '+' and the name, or '-' and the fault.
+  // The answer is one line: '+', the identity, a tab and the name, or '-' and the fault.
   std::string answer;
   const std::int64_t end = ServoClock::Now() + OpeningTime * ServoClock::Millisecond;
   pollfd watched = { this->Link, POLLIN, 0 };
@@ -187,8 +187,16 @@ bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
     }
     answer += byte;
   }
-  (answer.front() == '+' ? name : error) = answer.substr(1, answer.size() - 2);
-  return answer.front() == '+';
+  const std::string text = answer.substr(1, answer.size() - 2);
+  if (answer.front() != '+')
+  {
+    error = text;
+    return false;
+  }
+  const std::size_t tab = text.find('\t');
+  facts.Identity = text.substr(0, tab);
+  facts.Name = text.substr(tab + 1);
+  return true;
 }
 
 bool GuardProcess::HasEnded(int time) const noexcept

@@ -7,6 +7,7 @@
 #ifndef GuardProcess_h
 #define GuardProcess_h
 
+#include "Devices/Common/HardwareDevice.h"
 #include "Devices/Guard/GuardMemory.h"
 
 #include <sys/types.h>
@@ -33,11 +34,11 @@ public:
   GuardProcess& operator=(const GuardProcess&) = delete;
 
   /**
-   * Starts the process and waits until it has the device. Writes the device's readable name to
-   * `name`. The guard makes the driver from the words `device`. Returns false and writes the reason
-   * and the cure to `error` if this fails.
+   * Starts the process and waits until it has the device. Writes the device's name and identity to
+   * `facts`. The guard makes the driver from the words `device`. Returns false and writes the
+   * reason and the cure to `error` if this fails.
    */
-  bool Start(GuardMemory& memory, const std::vector<std::string>& device, std::string& name,
+  bool Start(GuardMemory& memory, const std::vector<std::string>& device, DriverFacts& facts,
     std::string& error);
 
   /** Returns whether the process has ended. Waits at most `time` (ms) for that. */
@@ -58,7 +59,7 @@ public:
 private:
   bool Spawn(
     GuardMemory& memory, const std::vector<std::string>& device, int itsLink, std::string& error);
-  bool ReadAnswer(std::string& name, std::string& error);
+  bool ReadAnswer(DriverFacts& facts, std::string& error);
 
   pid_t Process = -1;
   int Link = -1;

@@ -32,8 +32,8 @@ std::unique_ptr<GuardedDevice> GuardedDevice::Make(
 
 GuardedDevice::GuardedDevice(std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words)
   : Driver(std::move(driver))
+  , Facts(*this->Driver)
   , Words(std::move(words))
-  , Name(this->Driver->GetName())
   , Memory(std::make_unique<GuardMemory>())
 {
 }
@@ -62,7 +62,7 @@ bool GuardedDevice::Open(std::string& error)
     return false;
   }
   this->GetExchange().Begin();
-  if (!this->Guard.Start(*this->Memory, this->Words, this->Name, error))
+  if (!this->Guard.Start(*this->Memory, this->Words, this->Facts, error))
   {
     return false;
   }
@@ -125,10 +125,18 @@ void GuardedDevice::Rescue() noexcept
     // The system may take a moment until another process can claim the device.
     for (int attempt = 0; attempt < RescueAttempts && !isDone; ++attempt)
     {
-      isDone = this->Driver->Connect(ignored);
-      isDone ? this->Driver->Disconnect()
-             : ServoClock::SleepUntil(ServoClock::Now() + 10 * ServoClock::Millisecond);
+      // The numbers of devices may have changed since the guard began. A device that only vibrates
+      // has no identity.
+      const std::string& identity = this->Facts.Identity;
+      isDone = identity.empty() ? this->Driver->Connect(ignored)
+                                : this->Driver->Reconnect(
+                                    identity, [] { return false; }, ignored);
+      if (!isDone)
+      {
+        ServoClock::SleepUntil(ServoClock::Now() + 10 * ServoClock::Millisecond);
+      }
     }
+    this->Driver->Disconnect();
   }
   catch (const std::exception&)
   {

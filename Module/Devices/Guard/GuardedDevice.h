@@ -34,8 +34,8 @@ public:
   /**
    * Makes a device that a guard serves. The guard gets `words` on its command line and makes a
    * driver from them. `driver` is the driver in this process: it provides the limits, and connects
-   * only after the guard has ended, so that its Connect() must send zero. Returns null and writes
-   * the reason to `error` if this fails.
+   * the guard's device only after the guard has ended, so that its Reconnect() must send zero.
+   * Returns null and writes the reason to `error` if this fails.
    */
   static std::unique_ptr<GuardedDevice> Make(
     std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
@@ -43,16 +43,13 @@ public:
 
   bool Open(std::string& error) override;
   void Close() override;
-  std::string GetName() const override { return this->Name; }
-  DeviceLimits GetLimits() const override
-  {
-    return this->Newtons.LimitsOf(this->Driver->GetLimits());
-  }
-  std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
-  bool KeepsIdentity() const override { return this->Driver->KeepsIdentity(); }
+  std::string GetName() const override { return this->Facts.Name; }
+  DeviceLimits GetLimits() const override { return this->Newtons.LimitsOf(this->Facts.Limits); }
+  std::string GetIdentity() const override { return this->Facts.Identity; }
+  bool KeepsIdentity() const override { return this->Facts.KeepsIdentity; }
   void SetForceScale(double scale) noexcept override
   {
-    this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);
+    this->Newtons.Set(scale, this->Facts.Limits.MaximumForce);
   }
   DeviceCondition GetCondition() override;
   void Home() noexcept override;
@@ -78,8 +75,8 @@ private:
   HardwareExchange& GetExchange() noexcept { return this->Memory->GetExchange(); }
 
   std::unique_ptr<HardwareDriver> Driver;
+  DriverFacts Facts; ///< limits of this process's driver, name and identity of the guard's device
   const std::vector<std::string> Words;
-  std::string Name;
   std::unique_ptr<GuardMemory> Memory;
   GuardProcess Guard;
   TrueNewtons Newtons;

@@ -3,6 +3,7 @@
 #include "Devices/Haply/HaplyDriver.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/DeviceTexts.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +17,7 @@ namespace
 ///@{
 /** Times in s. They are short, because the service is on this computer. */
 constexpr double OpenTime = 1.0;
+constexpr double LookTime = 0.3; ///< time in s for a step while the arm is looked for
 constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
 constexpr double LastTime = 0.2; ///< time in s for the last state and for closing the session
@@ -48,22 +50,23 @@ DeviceLimits HaplyDriver::GetLimits() const
   return { 2.0, 500.0, 0.0, 2.5, 0.0, this->Type == "minverse" ? 0.04 : 0.10 };
 }
 
-bool HaplyDriver::OpenConnection(std::string& error)
+bool HaplyDriver::OpenConnection(
+  double time, const std::function<bool()>& mustStop, std::string& error)
 {
   std::string reason;
   if (!HaplyPorts::Read(this->Ports, error) ||
-    !DetectHaplyService(this->Ports, this->Address.Version, error))
+    !DetectHaplyService(this->Ports, this->Address.Version, error) || mustStop())
   {
     return false;
   }
-  if (!this->States.Open(this->Ports.States, OpenTime, reason))
+  if (!this->States.Open(this->Ports.States, time, reason))
   {
     error = "No WebSocket to Haply's Inverse service: " + reason + ". " + HowToStartHaply;
     return false;
   }
   const std::int64_t end =
-    ServoClock::Now() + static_cast<std::int64_t>(OpenTime * ServoClock::NanosecondsPerSecond);
-  if (this->States.Receive(this->Text, end) != WebSocketClient::Outcome::Message)
+    ServoClock::Now() + static_cast<std::int64_t>(time * ServoClock::NanosecondsPerSecond);
+  if (mustStop() || this->States.Receive(this->Text, end) != WebSocketClient::Outcome::Message)
   {
     error = "Haply's Inverse service does not tell its devices. Start it again.";
     return false;
@@ -119,7 +122,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
   }
   this->Address.Family = arm->Family;
   this->Address.Id = arm->Id;
-  this->IsLost = this->IsReady = this->HasSentRelief = this->HasTip = false;
+  this->IsGone = this->IsLost = this->IsReady = this->HasSentRelief = this->HasTip = false;
   this->IsCalibrated = this->IsArmReady = false;
   this->CopyFlags(*arm);
   this->Settled = this->EmptyWaits = 0;
@@ -144,7 +147,24 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
 
 bool HaplyDriver::Connect(std::string& error)
 {
-  if (this->OpenConnection(error) && this->Choose(error) && this->SendFirstMessage(error))
+  if (this->OpenConnection(
+        OpenTime, [] { return false; }, error) &&
+    this->Choose(error) && this->SendFirstMessage(error))
+  {
+    return true;
+  }
+  this->Disconnect();
+  return false;
+}
+
+bool HaplyDriver::Reconnect(
+  const std::string& /*identity*/, const std::function<bool()>& mustStop, std::string& error)
+{
+  this->Message = {};
+  const bool isThere = this->OpenConnection(LookTime, mustStop, error) && !mustStop() &&
+    std::any_of(this->Message.Arms.begin(), this->Message.Arms.end(),
+      [this](const HaplyArm& arm) { return arm.Id == this->Id && arm.Type == this->Type; });
+  if (isThere && this->SendFirstMessage(error))
   {
     return true;
   }
@@ -167,7 +187,7 @@ void HaplyDriver::Serve(HardwareExchange& exchange)
     ~AtEnd() { this->Driver->Rest(); }
   };
   const AtEnd atEnd{ this };
-  while (!exchange.MustStop())
+  while (!exchange.MustStop() && !this->IsGone)
   {
     if (exchange.HasSlept() && !this->IsLost)
     {
@@ -197,12 +217,13 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
   this->Rest();
   this->Disconnect();
   std::string error;
+  const auto mustStop = [&exchange] { return exchange.MustStop(); };
   const std::int64_t end = ServoClock::Now() + DropTime;
   bool isOpen = false;
   for (bool tries = true; tries;)
   {
     this->Message = {};
-    isOpen = this->OpenConnection(error) && this->SendFirstMessage(error);
+    isOpen = this->OpenConnection(OpenTime, mustStop, error) && this->SendFirstMessage(error);
     if (!isOpen)
     {
       this->Disconnect();
@@ -264,9 +285,10 @@ void HaplyDriver::ReceiveStates(HardwareExchange& exchange)
     switch (this->States.Receive(this->Text, taken == 0 ? end : 0))
     {
       case WebSocketClient::Outcome::Closed:
+        this->IsGone = true;
         return this->Lose(exchange,
-          "is gone: the Inverse service ended or closed the connection. Start it, then Home() and "
-          "Arm() again.");
+          "is gone: the Inverse service ended or closed the connection. Start it: the device is "
+          "then opened by itself, and waits for Arm().");
       case WebSocketClient::Outcome::Nothing:
         hasMore = false;
         break;
@@ -431,8 +453,13 @@ void HaplyDriver::ReceiveEvents(HardwareExchange& exchange)
     }
     const std::string what = event.Text.empty() ? event.Name + " " + event.Safety : event.Text;
     const bool isOwn = event.Device == this->Id;
+    if (isOwn && event.Name == "device-disconnected")
+    {
+      this->IsGone = true;
+      return this->Lose(exchange, UnpluggedText);
+    }
     if (event.Level >= (isOwn ? HaplyLevel::Error : HaplyLevel::Critical) ||
-      (isOwn && (event.Name == "device-disconnected" || event.Name == "device-busy")))
+      (isOwn && event.Name == "device-busy"))
     {
       this->Lose(exchange, "was stopped by the Inverse service: " + what + "." + AfterLoss);
     }
@@ -455,6 +482,12 @@ void HaplyDriver::CheckSilence(HardwareExchange& exchange)
 {
   if (this->EmptyWaits > SilentWaits && ServoClock::SecondsSince(this->ToldAt) > SilenceTime)
   {
+    this->IsGone = std::none_of(this->Message.Arms.begin(), this->Message.Arms.end(),
+      [this](const HaplyArm& arm) { return arm.Id == this->Id; });
+    if (this->IsGone)
+    {
+      return this->Lose(exchange, UnpluggedText);
+    }
     this->Lose(exchange,
       this->HeardAt == this->ToldAt
         ? "is gone: the Inverse service does not answer. Start it again, then Home() and Arm() "

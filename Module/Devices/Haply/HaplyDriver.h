@@ -71,12 +71,17 @@ public:
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override { return this->Id.empty() ? "" : "haply:" + this->Id; }
   bool Connect(std::string& error) override;
+  bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
+    std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
 private:
-  /** Opens the connection and reads the inventory. */
-  bool OpenConnection(std::string& error);
+  /**
+   * Opens the connection and reads the inventory. Each step takes `time` (s) at most; none begins
+   * once `mustStop` returns true.
+   */
+  bool OpenConnection(double time, const std::function<bool()>& mustStop, std::string& error);
   bool Choose(std::string& error);
   /** Returns whether a session has the arm, according to the last message. */
   bool IsTaken() const;
@@ -120,6 +125,7 @@ private:
   std::string Text;
   std::string Newest; ///< text of the newest state
   bool IsLost = false;
+  bool IsGone = false;  ///< whether the arm was unplugged, or the service has ended
   bool IsReady = false; ///< whether the device may exert a force
   ///@{
   /** The flags as the service last reported them; false before that. */

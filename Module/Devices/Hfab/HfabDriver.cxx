@@ -3,9 +3,11 @@
 #include "Devices/Hfab/HfabDriver.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/DeviceTexts.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -25,7 +27,6 @@ constexpr const char* AskForPose =
 constexpr const char* AskForButton = "has to be calibrated by its firmware first: put the arm into "
                                      "its pose for calibration, press the "
                                      "button of its controller, and press Home().";
-constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
 
 } // namespace
 
@@ -93,16 +94,54 @@ bool HfabDriver::Choose(SerialPortInfo& port, std::string& error) const
 bool HfabDriver::Connect(std::string& error)
 {
   SerialPortInfo port;
-  if (!this->Choose(port, error))
+  return this->Choose(port, error) &&
+    this->Take(
+      port, [] { return false; }, error);
+}
+
+bool HfabDriver::Reconnect(
+  const std::string& identity, const std::function<bool()>& mustStop, std::string& error)
+{
+  // A board may get another port than before.
+  std::vector<SerialPortInfo> ports = ListBoardPorts(this->Folder);
+  if (!this->Wanted.empty() && access(this->Wanted.c_str(), F_OK) == 0)
+  {
+    ports.push_back({ this->Wanted, SerialPort::NameOf(this->Wanted, this->Folder) });
+  }
+  const auto port = std::find_if(ports.begin(), ports.end(),
+    [&identity](const SerialPortInfo& one) { return MakeIdentity(one) == identity; });
+  if (port == ports.end())
   {
     return false;
   }
+  const std::string label = this->Label;
+  const int model = this->Model;
+  const HfabGeometry* const geometry = this->Geometry;
+  const bool isConnected = this->Take(*port, mustStop, error);
+  if (isConnected && this->Model == model)
+  {
+    return true;
+  }
+  if (isConnected)
+  {
+    error = this->Label + " drives another arm than before. Open() and Start() it.";
+    this->Port.Close();
+  }
+  this->Label = label;
+  this->Model = model;
+  this->Geometry = geometry;
+  return false;
+}
+
+bool HfabDriver::Take(
+  const SerialPortInfo& port, const std::function<bool()>& mustStop, std::string& error)
+{
   this->Label = "hfab controller (" + port.Path + ")";
   if (!this->Port.Open(port.Path, error))
   {
     return false;
   }
-  if (!this->Shake(error))
+  if (!this->Shake(mustStop, error))
   {
     this->Port.Close();
     return false;
@@ -112,12 +151,12 @@ bool HfabDriver::Connect(std::string& error)
   return true;
 }
 
-bool HfabDriver::Shake(std::string& error)
+bool HfabDriver::Shake(const std::function<bool()>& mustStop, std::string& error)
 {
   this->Reader.Reset();
   const std::int64_t begin = ServoClock::Now();
   Reply reply = Reply::None;
-  while (reply == Reply::None && ServoClock::SecondsSince(begin) < HandshakeTime)
+  while (reply == Reply::None && ServoClock::SecondsSince(begin) < HandshakeTime && !mustStop())
   {
     reply = this->Ask({});
   }
@@ -232,7 +271,7 @@ void HfabDriver::Serve(HardwareExchange& exchange)
   const AtEnd atEnd{ this };
   this->Gone = false;
   this->Restart(exchange);
-  while (!exchange.MustStop())
+  while (!exchange.MustStop() && !this->Gone)
   {
     if (exchange.HasSlept())
     {
@@ -241,11 +280,7 @@ void HfabDriver::Serve(HardwareExchange& exchange)
     }
     if (exchange.DrainHomeRequest())
     {
-      if (this->Gone)
-      {
-        this->Report(exchange, DeviceStage::Lost, Unplugged);
-      }
-      else if (this->Lost || this->Now == Phase::Ready)
+      if (this->Lost || this->Now == Phase::Ready)
       {
         this->Restart(exchange);
       }
@@ -298,7 +333,7 @@ void HfabDriver::Round(HardwareExchange& exchange)
   if (reply == Reply::Gone)
   {
     this->Gone = true;
-    this->Lose(exchange, Unplugged);
+    this->Lose(exchange, UnpluggedText);
     return;
   }
   if (reply == Reply::None)

@@ -71,6 +71,8 @@ public:
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override { return this->Identity; }
   bool Connect(std::string& error) override;
+  bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
+    std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
@@ -95,7 +97,8 @@ private:
   };
 
   bool Choose(SerialPortInfo& port, std::string& error) const;
-  bool Shake(std::string& error);
+  bool Take(const SerialPortInfo& port, const std::function<bool()>& mustStop, std::string& error);
+  bool Shake(const std::function<bool()>& mustStop, std::string& error);
   /** Sends currents (mA) and waits for the answer. */
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
   /**

@@ -65,7 +65,8 @@ constexpr int PadRoundPause = 2; // in ms, if there is nothing new from servo an
 constexpr int PadLostPause = 10; // in ms
 constexpr int MostEvents = 64;
 constexpr const char* PadUnplugged =
-  "is gone: unplugged, switched off or out of reach. Bring it back, then Open() and Start() it.";
+  "is gone: unplugged, switched off or out of reach. Bring it back: it is opened by itself, and "
+  "waits for Arm().";
 
 bool IsBitSet(const unsigned char* bits, unsigned bit) noexcept
 {
@@ -182,6 +183,21 @@ bool EvdevPadDriver::Connect(std::string& error)
   return false;
 }
 
+bool EvdevPadDriver::Reconnect(const std::string& /*identity*/,
+  const std::function<bool()>& /*mustStop*/, std::string& /*error*/)
+{
+  // A pad that is in use is not this one.
+  const EvdevPad before = this->Pad;
+  const std::vector<EvdevPad> pads = ListEvdevPads();
+  std::string ignored;
+  return std::any_of(pads.begin(), pads.end(),
+    [&](const EvdevPad& pad)
+    {
+      return pad.Vendor == before.Vendor && pad.Product == before.Product &&
+        pad.Name == before.Name && this->Own(pad, ignored);
+    });
+}
+
 bool EvdevPadDriver::Own(const EvdevPad& pad, std::string& error)
 {
   if (!pad.Vibrates)
@@ -202,6 +218,7 @@ bool EvdevPadDriver::Own(const EvdevPad& pad, std::string& error)
     this->Disconnect();
     return false;
   }
+  this->Pad = pad;
   this->Label = pad.GetLabel() + ", vibration, not force";
   this->Reader = {};
   this->ReadAll();
@@ -253,7 +270,7 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
   const AtEnd atEnd{ this };
   this->Gone = false;
   this->Begin(exchange);
-  while (!exchange.MustStop())
+  while (!exchange.MustStop() && !this->Gone)
   {
     if (exchange.HasSlept())
     {
@@ -262,14 +279,7 @@ void EvdevPadDriver::Serve(HardwareExchange& exchange)
     }
     if (exchange.DrainHomeRequest())
     {
-      if (this->Gone)
-      {
-        this->Report(exchange, DeviceStage::Lost, PadUnplugged);
-      }
-      else
-      {
-        this->Begin(exchange);
-      }
+      this->Begin(exchange);
     }
     if (this->Lost)
     {

@@ -61,6 +61,8 @@ public:
   std::string GetName() const override { return this->Label; }
   DeviceLimits GetLimits() const override { return MakePadLimits(); }
   bool Connect(std::string& error) override;
+  bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
+    std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
@@ -76,6 +78,7 @@ private:
   void Report(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const int Number;
+  EvdevPad Pad; ///< the one that was opened last
   std::string Label = "A gamepad";
   int Node = -1;
   bool Lost = false;

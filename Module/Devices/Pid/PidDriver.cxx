@@ -235,6 +235,11 @@ bool PidDriver::Prepare(const HidDeviceInfo& info, std::string& error)
     error = info.GetLabel() + " can't be used: " + error + ". Plug it in again.";
     return false;
   }
+  if (!this->Map.Objection.empty())
+  {
+    error = info.GetLabel() + " can't be used: " + this->Map.Objection + ".";
+    return false;
+  }
   for (std::size_t axis = 0; axis < this->NewtonsPerFullScale.size(); ++axis)
   {
     this->Settings.NewtonsPerFullScale[axis] =

@@ -3,6 +3,7 @@
 #include "Devices/Vendor/VendorDriver.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/OwnFile.h"
 #include "Devices/Vendor/VendorFolder.h"
 
@@ -246,11 +247,18 @@ bool VendorDriver::Connect(std::string& error)
   {
     return false;
   }
+  return this->Take(this->Number, error);
+}
+
+bool VendorDriver::Take(int number, std::string& error)
+{
   std::string reason;
-  this->Device = this->Library->Open(this->Number, reason);
+  const std::string id = "vendor:" + this->Plugin + ":" + std::to_string(number);
+  this->Place = number;
+  this->Device = this->Library->Open(number, reason);
   if (!this->Device)
   {
-    error = "vendor:" + this->Plugin + ":" + std::to_string(this->Number) + " " + reason;
+    error = id + " " + reason;
     return false;
   }
   std::vector<VendorLibrary::Description> devices;
@@ -259,17 +267,57 @@ bool VendorDriver::Connect(std::string& error)
     this->Library->Functions().GetSerial(this->Device, serial, sizeof(serial)) < 0 ||
     this->Write({}, {}) < 0)
   {
-    error = "vendor:" + this->Plugin + ":" + std::to_string(this->Number) + " " +
-      (reason.empty() ? this->Library->LastError(this->Device) : reason);
+    error = id + " " + (reason.empty() ? this->Library->LastError(this->Device) : reason);
     this->Disconnect();
     return false;
   }
   serial[sizeof(serial) - 1] = '\0';
-  this->Label = devices[static_cast<std::size_t>(this->Number)].Name + " (vendor:" + this->Plugin +
-    ":" + std::to_string(this->Number) + ")";
-  this->Identity = VendorLibrary::MakeIdentity(this->Plugin, this->Number, serial);
+  this->Label = devices[static_cast<std::size_t>(number)].Name + " (" + id + ")";
+  this->Identity = VendorLibrary::MakeIdentity(this->Plugin, number, serial);
   this->HasSerial = serial[0] != '\0';
   return true;
+}
+
+bool VendorDriver::Reconnect(
+  const std::string& identity, const std::function<bool()>& mustStop, std::string& error)
+{
+  std::vector<VendorLibrary::Description> devices;
+  std::string ignored;
+  if (!this->Library->Describe(devices, ignored))
+  {
+    return false;
+  }
+  if (this->Others.size() != devices.size())
+  {
+    this->Others.assign(devices.size(), false);
+  }
+  const std::string label = this->Label;
+  const DeviceLimits limits = this->Limits;
+  for (std::size_t place = 0; place < devices.size() && !mustStop(); ++place)
+  {
+    // Some libraries tell the serial number of open devices only. Another program may want to have
+    // the others, so each of them is opened once.
+    const auto number = static_cast<int>(place);
+    const std::string& serial = devices[place].Serial;
+    const bool isOther =
+      !serial.empty() && VendorLibrary::MakeIdentity(this->Plugin, number, serial) != identity;
+    if (devices[place].IsOpen || isOther || this->Others[place] || !this->Take(number, error))
+    {
+      continue;
+    }
+    if (this->Identity == identity)
+    {
+      return true;
+    }
+    this->Others[place] = true;
+    this->Disconnect();
+  }
+  error.clear(); // a device that is not there can't be opened, either
+  this->Label = label;
+  this->Identity = identity;
+  this->HasSerial = true;
+  this->Limits = limits;
+  return false;
 }
 
 bool VendorDriver::ReadLimits(std::string& error)
@@ -312,7 +360,7 @@ void VendorDriver::Disconnect() noexcept
   if (this->Device)
   {
     this->Write({}, {});
-    this->Library->Close(this->Device, this->Number);
+    this->Library->Close(this->Device, this->Place);
     this->Device = nullptr;
   }
 }
@@ -372,8 +420,8 @@ void VendorDriver::Serve(HardwareExchange& exchange)
     ~AtEnd() { this->Driver->Write({}, {}); }
   };
   const AtEnd atEnd{ this };
-  this->Lost = this->IsReady = false;
-  while (!exchange.MustStop())
+  this->Lost = this->Gone = this->IsReady = false;
+  while (!exchange.MustStop() && !this->Gone)
   {
     if (exchange.HasSlept())
     {
@@ -423,7 +471,13 @@ void VendorDriver::Round(HardwareExchange& exchange)
   }
   if (result < 0)
   {
-    this->Lose(exchange, this->Library->LastError(this->Device));
+    const bool isGone = result == VOLUME_HAPTICS_VENDOR_GONE;
+    // Without a serial number, another device could be opened in its place.
+    this->Gone = isGone && this->HasSerial;
+    this->Lose(exchange,
+      this->Gone ? UnpluggedText
+        : isGone ? OpenAgainText
+                 : this->Library->LastError(this->Device));
     return;
   }
   this->ReceivePose(exchange, pose, result == VOLUME_HAPTICS_VENDOR_NEWS);

@@ -98,10 +98,14 @@ public:
   std::string GetIdentity() const override { return this->Identity; }
   bool KeepsIdentity() const override { return this->HasSerial; }
   bool Connect(std::string& error) override;
+  bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
+    std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
 private:
+  /** Connects to the device of this number, and sets Place. */
+  bool Take(int number, std::string& error);
   bool ReadLimits(std::string& error);
   void Round(HardwareExchange& exchange);
   void ReceivePose(HardwareExchange& exchange, const VolumeHapticsVendorPose& pose, bool isNew);
@@ -118,6 +122,9 @@ private:
 
   const std::string Plugin;
   const int Number;
+  int Place = 0; ///< number of the connected device, which may have changed since Connect()
+  /** Which devices of the list Reconnect() has opened that were others. */
+  std::vector<bool> Others;
   const std::string Path;
   std::string Label;
   std::string Identity;
@@ -130,6 +137,7 @@ private:
   std::shared_ptr<VendorLibrary> Library;
   void* Device = nullptr;
   bool Lost = false;
+  bool Gone = false;
   bool IsReady = false;
   double PeakTime = 0.0;      // in s
   double Spent = 0.0;         // time in s above the continuous force, less the time below

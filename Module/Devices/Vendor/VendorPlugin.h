@@ -32,7 +32,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Version 1 is 2 without ContinuousForce and PeakTime. */
+/** Version 1 is 2 without ContinuousForce, PeakTime and VOLUME_HAPTICS_VENDOR_GONE. */
 #define VOLUME_HAPTICS_VENDOR_VERSION 2u
 
 #ifdef __cplusplus
@@ -48,7 +48,13 @@ extern "C"
     VOLUME_HAPTICS_VENDOR_NEWS = 1,   /**< Read: a new measurement */
     VOLUME_HAPTICS_VENDOR_DONE = 0,   /**< Read: the device is connected and has nothing new */
     VOLUME_HAPTICS_VENDOR_WAITS = -1, /**< Read: not homed or switched on yet: there is no pose */
-    VOLUME_HAPTICS_VENDOR_LOST = -2   /**< a fault, after which no force may flow */
+    VOLUME_HAPTICS_VENDOR_LOST = -2,  /**< a fault, after which no force may flow */
+    /**
+     * Read: the device was unplugged. If it has a serial number, it is closed, and opened again
+     * once it is back. For this Count, Describe and, as long as the device can't be opened, Open
+     * are called twice a second. LastError() is not asked.
+     */
+    VOLUME_HAPTICS_VENDOR_GONE = -3
   };
 
   /**

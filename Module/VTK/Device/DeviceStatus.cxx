@@ -55,8 +55,7 @@ std::string Explain(GateReason fault, const SignVerdict& signs, const std::strin
       return "Force cut off: the tip moved faster than a hand can hold the device. Take the "
              "stylus, then Arm() again.";
     case GateReason::DeviceLost:
-      return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
-             "Start(), Arm() again.";
+      return "Force cut off: the device was lost, and is back. Arm() again.";
     case GateReason::Active:
       return "Force cut off: the device moves against the force: wrong sign, or unstable. Check "
              "its axes, lower the stiffness, then Arm() again.";

@@ -46,3 +46,16 @@ TEST(ExchangeSleep, IsToldFromBeingHeldUp)
   EXPECT_EQ(exchange.GetCondition().Stage, DeviceStage::Lost);
   EXPECT_FALSE(exchange.HasSlept()) << "once";
 }
+
+TEST(ExchangeSleep, OfADeviceThatWasUnpluggedDoesNotConcernTheNewOne)
+{
+  HardwareExchange exchange(&Tell);
+  exchange.Begin();
+  exchange.SetCondition(DeviceStage::Lost, "was unplugged.");
+  exchange.RequestHome();
+  Asleep += Second;
+  exchange.BeginAgain();
+  EXPECT_FALSE(exchange.HasSlept());
+  EXPECT_FALSE(exchange.DrainHomeRequest());
+  EXPECT_EQ(exchange.GetCondition().Stage, DeviceStage::Homing);
+}

@@ -146,6 +146,19 @@ public:
     EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost);
   }
 
+  /**
+   * An unplugged device that is plugged in again was connected by itself, and gets no force before
+   * the user arms it.
+   */
+  void ExpectBack()
+  {
+    EXPECT_TRUE(
+      Eventually([&] { return this->Device->GetCondition().Stage != DeviceStage::Lost; }));
+    EXPECT_TRUE(this->WaitForTicks(50));
+    EXPECT_EQ(this->State().GetFault(), GateReason::DeviceLost) << this->Text();
+    EXPECT_EQ(Norm(this->State().Command), 0.0);
+  }
+
   std::unique_ptr<DeviceBackend> Device;
   std::string Error;
 

@@ -102,7 +102,10 @@ TEST_P(DualSenses, FaultsAreSilenceAndAText)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   this->Hid.Unplug();
-  this->Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
+  this->Bench.ExpectLost("was unplugged.");
+  this->Hid.PlugIn();
+  this->Bench.ExpectBack();
+  EXPECT_TRUE(this->Model.IsStill());
 }
 
 TEST_P(DualSenses, AProgramThatStandsStillIsSilent)

@@ -81,6 +81,30 @@ TEST_F(FalconGuardEnds, Killed)
   this->ExpectLostUntilOpenedAgain();
 }
 
+TEST_F(FalconGuardEnds, KilledWhenAnotherDeviceHasItsNumber)
+{
+  FalconModel other;
+  EmulatedUsb port(other, "1-7");
+  ASSERT_TRUE(this->Open("falcon:1")) << this->Error;
+  EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
+  // The first one is unplugged, and two are plugged in before the second one.
+  this->Usb.Unplug();
+  FalconModel near;
+  FalconModel far;
+  const EmulatedUsb first(near, "1-3");
+  const EmulatedUsb second(far, "1-4");
+  const pid_t guard = FindGuard();
+  Signal(guard, SIGKILL);
+  EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
+  EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
+  // The device can be claimed from here only now.
+  const long packets = other.GetPackets();
+  port.ForgetProgram();
+  EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));
+  EXPECT_GT(other.GetPackets(), packets) << "it got zero from here";
+  EXPECT_EQ(near.GetPackets() + far.GetPackets(), 0);
+}
+
 TEST_F(FalconGuardEnds, Stopped)
 {
   this->BeginForce();

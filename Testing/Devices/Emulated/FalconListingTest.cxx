@@ -97,6 +97,31 @@ TEST_F(FalconListing, TwoAtOnce)
     }));
 }
 
+TEST_F(FalconListing, TwoOfOneKindComeBackEachAsItself)
+{
+  FalconModel other;
+  EmulatedUsb port(other, "1-7");
+  this->MakeReady();
+  const std::unique_ptr<DeviceBackend> second = MakeDevice("falcon:1", this->Options, this->Error);
+  ASSERT_TRUE(second && second->Open(this->Error)) << this->Error;
+  const auto isLost = [](DeviceBackend& device)
+  { return Eventually([&] { return device.GetCondition().Stage == DeviceStage::Lost; }); };
+  // Their hub is unplugged. The one that had been the second comes back first.
+  this->Usb.Unplug();
+  port.Unplug();
+  EXPECT_TRUE(isLost(*this->Device));
+  EXPECT_TRUE(isLost(*second));
+  port.PlugIn();
+  EXPECT_TRUE(Eventually([&] { return second->GetCondition().Stage == DeviceStage::Homing; }))
+    << second->GetCondition().Text.data();
+  EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost) << "the other port is empty";
+  this->Usb.PlugIn();
+  this->Home();
+  EXPECT_EQ(second->GetCondition().Stage, DeviceStage::Homing) << "its grip was not moved";
+  EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+  EXPECT_TRUE(AreClose(other.GetForce(), { 0.0, 0.0, 0.0 }, 1e-9));
+}
+
 TEST_F(FalconListing, InUse)
 {
   this->MakeReady();

@@ -56,3 +56,61 @@ TEST(HidTogether, OneGoesOnWhereTheOtherIsUnplugged)
   EXPECT_TRUE(stick.Bench.WaitForFault(GateReason::None));
   EXPECT_LT(stick.Model.GetForce()[0], -1.5);
 }
+
+TEST(HidTogether, TwoOfOneKindComeBackEachAsItself)
+{
+  StickPart first;
+  StickPart second;
+  ASSERT_TRUE(first.Bench.Open("pid", first.Options)) << first.Bench.Error;
+  ASSERT_TRUE(second.Bench.Open("pid", second.Options)) << second.Bench.Error;
+  const std::string one = first.Bench.Device->GetIdentity();
+  ASSERT_NE(one, second.Bench.Device->GetIdentity());
+  ASSERT_NO_FATAL_FAILURE(first.Feel());
+  ASSERT_NO_FATAL_FAILURE(second.Feel());
+  // Their hub is unplugged. The second one comes back first.
+  first.Hid.Unplug();
+  second.Hid.Unplug();
+  EXPECT_TRUE(first.Bench.WaitForFault(GateReason::DeviceLost));
+  EXPECT_TRUE(second.Bench.WaitForFault(GateReason::DeviceLost));
+  first.Model.PowerUp();
+  second.Model.PowerUp();
+  second.Hid.PlugIn();
+  second.Bench.ExpectBack();
+  EXPECT_EQ(first.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  first.Hid.PlugIn();
+  first.Bench.ExpectBack();
+  first.Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(first.Feel());
+  EXPECT_EQ(Size(second.Model.GetForce()), 0.0) << "it was not armed";
+  EXPECT_EQ(first.Bench.Device->GetIdentity(), one);
+}
+
+TEST(HidTogether, AStickIsNotMistakenForItsTwinWithTheSameSerialNumber)
+{
+  StickPart stick;
+  OpenFfboardModel other;
+  ASSERT_TRUE(stick.Bench.Open("pid", stick.Options)) << stick.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(stick.Feel());
+  const EmulatedHid twin(other, stick.Hid.GetSerialNumber());
+  stick.Hid.Unplug();
+  stick.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
+  EXPECT_TRUE(stick.Bench.WaitForTicks(1500));
+  EXPECT_EQ(stick.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  EXPECT_EQ(other.CountPlaying(), 0);
+}
+
+TEST(HidTogether, AStickWithoutASerialNumberDoesNotComeBackByItself)
+{
+  StickPart stick;
+  stick.Hid.Unplug();
+  stick.Model.TellsSerial = false;
+  stick.Hid.PlugIn();
+  ASSERT_TRUE(stick.Bench.Open("pid", stick.Options)) << stick.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(stick.Feel());
+  stick.Hid.Unplug();
+  stick.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
+  stick.Hid.PlugIn();
+  // Another one may have the other sign.
+  EXPECT_TRUE(stick.Bench.WaitForTicks(1500));
+  EXPECT_EQ(stick.Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+}

@@ -150,7 +150,7 @@ TEST_P(Pads, ClosingItErasesTheEffects)
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
 }
 
-TEST_P(Pads, APadThatIsGoneIsLostWithAText)
+TEST_P(Pads, APadThatIsGoneIsLostWithATextAndWaitsOnceItIsBack)
 {
   this->Begin();
   this->Model.Move(ABS_RY, -1.0);
@@ -158,7 +158,11 @@ TEST_P(Pads, APadThatIsGoneIsLostWithAText)
   this->Evdev.Unplug();
   this->Bench.ExpectLost("is gone: unplugged, switched off or out of reach. Bring it back");
   this->Bench.Device->Home();
-  EXPECT_TRUE(this->Bench.WaitForText("is gone: unplugged"));
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
+  const EmulatedEvdev again(this->Model);
+  this->Bench.ExpectBack();
+  EXPECT_TRUE(this->Model.IsStill());
 }
 
 TEST_P(Pads, AStepOfTheForceHasItsAmplitude)

@@ -109,15 +109,18 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
 
   this->Hid.Unplug();
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
-  EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."));
-  this->Bench.Stop();
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged."));
   this->Model.Push({});
   this->Hid.PlugIn();
-  ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
-  this->Bench.Start(this->Ground.Model);
+  this->Bench.ExpectBack();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  ASSERT_TRUE(this->Bench.WaitForTicks(20));
   this->Bench->Arm();
+  ASSERT_TRUE(Eventually([&] { return this->Bench.State().IsArmed(); }));
   this->Model.Push({ -350, 0, 0, 0, 0, 0 });
-  EXPECT_TRUE(this->Reaches({ -Edge, 0.0, 0.0 }));
+  EXPECT_TRUE(this->Reaches({ -Edge, 0.0, 0.0 }))
+    << this->Bench.State().Record.Tip.X << " " << this->Bench.State().Record.Tip.Y << " "
+    << this->Bench.State().Record.Tip.Z << " " << this->Bench.Text();
   this->Bench.Stop();
   this->Bench.Device->Close();
   EXPECT_EQ(this->Model.Light, 0);

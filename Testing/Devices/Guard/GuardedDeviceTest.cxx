@@ -46,10 +46,13 @@ public:
     limits.MaximumForce = 3.0;
     return limits;
   }
-  std::string GetIdentity() const override { return "played:SN1"; }
+  std::string GetIdentity() const override { return "played"; }
   bool KeepsIdentity() const override { return false; }
-  bool Connect(std::string&) override
+  bool Connect(std::string&) override { return false; }
+  bool Reconnect(
+    const std::string& identity, const std::function<bool()>& /*mustStop*/, std::string&) override
   {
+    EXPECT_EQ(identity, "played:SN1") << "as the guard has told it";
     // As if the system took its time.
     return ++this->Count >= 3;
   }

@@ -29,6 +29,7 @@ public:
   }
   std::string GetName() const override { return "played in process " + std::to_string(getpid()); }
   DeviceLimits GetLimits() const override { return {}; }
+  std::string GetIdentity() const override { return "played:SN1"; }
   bool Connect(std::string& error) override
   {
     error = "The played device is refused.";

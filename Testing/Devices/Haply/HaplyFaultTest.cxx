@@ -56,7 +56,7 @@ TEST_F(HaplyFaults, TheServiceDiesAndIsStartedAgain)
 
   this->Service.reset();
   this->Serve();
-  this->Bench.Device->Home();
+  this->Bench.ExpectBack();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   this->Bench.Stop();
   ASSERT_NO_FATAL_FAILURE(this->Feel());
@@ -195,9 +195,16 @@ TEST_F(HaplyFaults, ThePositionIsNotToldAndTheServiceIsSlow)
 TEST_F(HaplyFaults, TheArmIsUnplugged)
 {
   this->Service->Unplug();
-  this->ExpectLost("does not tell its position");
+  this->ExpectLost("was unplugged");
   this->Bench.Device->Home();
-  EXPECT_TRUE(this->Bench.WaitForText("is not plugged in any more")) << this->Bench.Text();
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  this->Service->PlugIn();
+  this->Bench.ExpectBack();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_EQ(Size(this->LastForce()), 0.0);
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
 }
 
 TEST_F(HaplyFaults, TheCalibrationIsLost)

@@ -273,9 +273,42 @@ TEST_F(Hfab, UnpluggingIsSaidAndNothingComesBackByItself)
   ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
   ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
   this->Rig.Arm.Unplug();
-  this->Rig.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
+  this->Rig.Bench.ExpectLost("was unplugged.");
   this->Rig.Bench.Device->Home();
   EXPECT_TRUE(this->Rig.Bench.WaitForText("was unplugged")) << this->Rig.Bench.Text();
+}
+
+TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
+{
+  const std::string port =
+    (std::filesystem::temp_directory_path() / ("hfab-" + std::to_string(getpid()))).string();
+  std::filesystem::remove(port);
+  std::filesystem::create_symlink(this->Rig.Arm.GetPort(), port);
+  DeviceBench& bench = this->Rig.Bench;
+  ASSERT_TRUE(bench.Open("hfab:" + port)) << bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
+  this->Rig.Arm.Unplug();
+  std::filesystem::remove(port);
+  bench.ExpectLost("was unplugged. Plug it in again");
+  // Another arm at the port is not this one.
+  HfabRig other(2);
+  std::filesystem::create_symlink(other.Arm.GetPort(), port);
+  bench.Device->Home();
+  EXPECT_TRUE(bench.WaitForText("drives another arm than before")) << bench.Text();
+  EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  std::filesystem::remove(port);
+  // Its controller begins anew, as another pseudo-terminal.
+  HfabRig again(3);
+  std::filesystem::create_symlink(again.Arm.GetPort(), port);
+  bench.ExpectBack();
+  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  EXPECT_TRUE(Eventually([&] { return again.Arm.GetMessages() > 50; }));
+  EXPECT_EQ(again.Arm.GetCurrents(), NoCurrents);
+  bench.Stop();
+  again.Bench.Device = std::move(bench.Device);
+  ASSERT_NO_FATAL_FAILURE(again.Feel());
+  again.Bench.Stop();
+  std::filesystem::remove(port);
 }
 
 TEST_F(Hfab, LateAnswersAreNotTakenForTheNextOnes)

@@ -276,6 +276,32 @@ TEST_F(ForceDimension, ALossOfPowerCutsTheForce)
   EXPECT_TRUE(this->IsQuiet());
 }
 
+TEST_F(ForceDimension, ADeviceThatIsBackWaitsForTheUser)
+{
+  this->Break([](FakeForceDimension& fake) { fake.IsPluggedIn = false; }, "was unplugged");
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  // Without power it has forgotten its zero, and is where the hand has put it.
+  this->With(
+    [](FakeForceDimension& fake)
+    {
+      fake.Hand.Place({ 0.0, 0.0, Height + 0.005 });
+      fake.IsInitialised = false;
+      fake.IsPluggedIn = true;
+    });
+  this->Bench.ExpectBack();
+  EXPECT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
+  EXPECT_FALSE(this->With([](const FakeForceDimension& fake) { return fake.IsInitialised; }));
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_TRUE(this->Bench.WaitForTicks(50));
+  EXPECT_EQ(this->Bench.State().GetFault(), GateReason::DeviceLost) << "not by itself";
+  EXPECT_EQ(this->Force(), Triple{});
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+}
+
 TEST_F(ForceDimension, ItsForceButtonCutsTheForceUntilHome)
 {
   this->Break([](FakeForceDimension& fake) { fake.ForceIsOn = false; }, "switched its force off");

@@ -34,7 +34,8 @@ extern "C"
     const std::lock_guard<std::mutex> lock(Played().Mutex);
     ++Played().Asked;
     std::snprintf(name, nameSize, "%s %d", Played().Name.c_str(), number);
-    std::snprintf(serial, serialSize, "%s", Played().Serial.c_str());
+    std::snprintf(
+      serial, serialSize, "%s", Played().TellsSerialOnlyOpen ? "" : Played().Serial.c_str());
     return VOLUME_HAPTICS_VENDOR_DONE;
   }
   void* PlayedOpen(int)

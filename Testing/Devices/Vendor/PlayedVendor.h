@@ -24,6 +24,7 @@ struct PlayedVendor
   std::string Serial = "SN 1=2";
   VolumeHapticsVendorLimits Limits{ 4.0, 0.1, 800.0, 5.0, 0.0, 0.0, 0.05, 7, 0.0, 0.0 };
   VolumeHapticsVendorPose Pose{};
+  bool TellsSerialOnlyOpen = false; ///< whether Describe gives no serial number
   int OpenFails = 0;
   int ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
   int WriteResult = VOLUME_HAPTICS_VENDOR_DONE;

@@ -323,6 +323,62 @@ TEST_F(VendorDevice, ALossLatchesUntilItIsHomed)
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
 }
 
+TEST_F(VendorDevice, AnotherOneInItsPlaceIsOpenedOnceAndLeft)
+{
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.Count = 1;
+      played.TellsSerialOnlyOpen = true;
+    });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  const std::string serial = this->Ask([](const PlayedVendor& played) { return played.Serial; });
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.ReadResult = VOLUME_HAPTICS_VENDOR_GONE;
+      played.Serial = "another";
+    });
+  ASSERT_TRUE(this->Bench.WaitForText("Played stylus 0 (vendor:played:0) was unplugged. Plug it in "
+                                      "again: it is opened by itself"))
+    << this->Bench.Text();
+  const auto countOpens = [this]
+  {
+    return this->Ask([](const PlayedVendor& played)
+      { return std::count(played.Calls.begin(), played.Calls.end(), "open"); });
+  };
+  for (int look = 0; look < 5; ++look)
+  {
+    const int asked = this->Ask([](const PlayedVendor& played) { return played.Asked; });
+    this->Bench.Device->Home();
+    EXPECT_TRUE(Eventually([&]
+      { return this->Ask([](const PlayedVendor& played) { return played.Asked; }) > asked + 1; }));
+    EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Lost));
+  }
+  EXPECT_EQ(countOpens(), 2);
+  EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
+  EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
+  // It is back beside the other one.
+  this->Play(
+    [&](PlayedVendor& played)
+    {
+      played.ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
+      played.Serial = serial;
+      played.Count = 2;
+    });
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_EQ(countOpens(), 3);
+}
+
+TEST_F(VendorDevice, WithoutASerialNumberItIsNotOpenedByItself)
+{
+  this->Play([](PlayedVendor& played) { played.Serial.clear(); });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_GONE; });
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."))
+    << this->Bench.Text();
+}
+
 TEST_F(VendorDevice, AFaultOfReadingCutsTheForce)
 {
   this->Break([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_LOST; },

@@ -117,7 +117,7 @@ extern "C"
   {
     FakeForceDimension& fake = FakeForceDimension::Get();
     const std::lock_guard<std::mutex> lock(fake.Mutex);
-    if (ID < 0 || ID >= fake.Count || fake.IsOpen || fake.FailsToOpen)
+    if (ID < 0 || ID >= fake.Count || fake.IsOpen || fake.FailsToOpen || !fake.IsPluggedIn)
     {
       lastError = "device already in use";
       return -1;
@@ -207,7 +207,7 @@ extern "C"
     }
     std::fill(status, status + DHD_MAX_STATUS, 0);
     status[DHD_STATUS_POWER] = fake->HasPower ? 1 : 0;
-    status[DHD_STATUS_CONNECTED] = 1;
+    status[DHD_STATUS_CONNECTED] = fake->IsPluggedIn ? 1 : 0;
     status[DHD_STATUS_FORCE] = fake->ForceIsOn ? 1 : 0;
     return 0;
   }

@@ -43,6 +43,7 @@ struct FakeForceDimensionState
   bool EmulatesButton = false; ///< the gripper as a button; off unless requested
   bool IsOpen = false;
   bool IsInitialised = true;
+  bool IsPluggedIn = true;
   bool HasPower = true;
   bool ForceIsOn = false;
   bool IsRegulating = false; ///< regulates by itself, since the search for its zero

@@ -38,6 +38,13 @@ struct HidDeviceInfo
    * the same identity.
    */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
+  /** Whether this may be the same device: everything that does not depend on the port is equal. */
+  bool IsLike(const HidDeviceInfo& other) const
+  {
+    return this->Vendor == other.Vendor && this->ProductId == other.ProductId &&
+      this->UsagePage == other.UsagePage && this->Serial == other.Serial &&
+      this->Product == other.Product;
+  }
   /** Returns the cure if this user may not open the device. */
   std::string GetPermissionCure() const;
   /** Returns "available", "in use", or the obstacle and its cure. */

@@ -4,6 +4,7 @@
 
 #include "Core/Realtime/ServoClock.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -12,7 +13,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
 constexpr int LostPause = 10; // in ms
 
 } // namespace
@@ -22,22 +22,78 @@ bool HidDriver::Connect(std::string& error)
   const std::vector<HidDeviceInfo> devices = this->Choose(error);
   for (const HidDeviceInfo& info : devices)
   {
-    if (this->Port.Open(info, error))
+    if (this->Take(info, error))
     {
-      this->Label = info.GetLabel();
-      this->Info = info;
-      if (this->Prepare(info, error))
-      {
-        return true;
-      }
-      this->Port.Close();
-      return false;
+      this->HasTwin = false;
+      this->LookForTwin();
+      return true;
     }
     if (!this->Port.IsInUse())
     {
       return false;
     }
   }
+  return false;
+}
+
+bool HidDriver::Take(const HidDeviceInfo& info, std::string& error)
+{
+  if (!this->Port.Open(info, error))
+  {
+    return false;
+  }
+  this->Label = info.GetLabel();
+  this->Info = info;
+  if (!this->Prepare(info, error))
+  {
+    this->Port.Close();
+    return false;
+  }
+  return true;
+}
+
+std::vector<HidDeviceInfo> HidDriver::ListLike(const HidDeviceInfo& before) const
+{
+  std::vector<HidDeviceInfo> devices = ListHidDevices();
+  devices.erase(std::remove_if(devices.begin(), devices.end(),
+                  [&before](const HidDeviceInfo& info) { return !info.IsLike(before); }),
+    devices.end());
+  return devices;
+}
+
+void HidDriver::LookForTwin()
+{
+  for (const HidDeviceInfo& info : this->ListLike(this->Info))
+  {
+    this->HasTwin = this->HasTwin || info.Path != this->Info.Path;
+  }
+}
+
+bool HidDriver::Reconnect(
+  const std::string& /*identity*/, const std::function<bool()>& /*mustStop*/, std::string& error)
+{
+  const HidDeviceInfo before = this->Info;
+  const std::string label = this->Label;
+  const std::vector<HidDeviceInfo> devices = this->ListLike(before);
+  if (devices.size() > 1 && !this->GetIdentity().empty())
+  {
+    error = label + " was unplugged, and " + std::to_string(devices.size()) +
+      " devices have its serial number now. Open() and Start() the one that you mean.";
+    return false;
+  }
+  for (const HidDeviceInfo& info : devices)
+  {
+    std::string trouble;
+    if (this->Take(info, trouble))
+    {
+      error.clear();
+      return true;
+    }
+    // A device that is in use is not this one.
+    error = this->Port.IsInUse() ? error : trouble;
+  }
+  this->Info = before;
+  this->Label = label;
   return false;
 }
 
@@ -58,9 +114,18 @@ void HidDriver::Serve(HardwareExchange& exchange)
   };
   const AtEnd atEnd{ this };
   this->Lost = this->Gone = false;
+  bool wasSeen = true;
   this->Restart(exchange, true);
-  while (!exchange.MustStop())
+  while (!exchange.MustStop() && !(this->Gone && !wasSeen && this->CanReturn()))
   {
+    if (this->Gone && wasSeen)
+    {
+      // A twin that is there now could later be taken for this device.
+      wasSeen = false;
+      this->LookForTwin();
+      this->Report(exchange, DeviceStage::Lost, this->GetUnpluggedText());
+      continue;
+    }
     if (exchange.HasSlept())
     {
       this->Retreat();
@@ -69,7 +134,7 @@ void HidDriver::Serve(HardwareExchange& exchange)
     {
       if (this->Gone)
       {
-        this->Report(exchange, DeviceStage::Lost, Unplugged);
+        this->Report(exchange, DeviceStage::Lost, this->GetUnpluggedText());
       }
       else
       {
@@ -108,7 +173,7 @@ void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
   if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
   {
     this->Gone = true;
-    this->Report(exchange, DeviceStage::Lost, Unplugged);
+    this->Report(exchange, DeviceStage::Lost, this->GetUnpluggedText());
   }
 }
 
@@ -135,7 +200,7 @@ int HidDriver::Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) n
     return size;
   }
   this->Gone = true;
-  this->Lose(exchange, Unplugged);
+  this->Lose(exchange, this->GetUnpluggedText());
   return 0;
 }
 
@@ -149,7 +214,7 @@ bool HidDriver::Write(
   std::uint8_t bytes[LongestReport];
   this->Gone = this->Port.Read(bytes, sizeof(bytes), 0) < 0;
   this->Lose(exchange,
-    this->Gone ? Unplugged
+    this->Gone ? this->GetUnpluggedText()
                : "does not take what is sent to it. Look after its cable, then Home() and Arm() "
                  "again; if that does not help, plug it in again, then Open() and Start() it.");
   return false;

@@ -9,6 +9,7 @@
 #define HidDriver_h
 
 #include "Devices/Common/DeviceKind.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/HardwareDevice.h"
 #include "Devices/Transport/Hid/HidPort.h"
 
@@ -29,6 +30,8 @@ public:
   std::string GetName() const override { return this->Label; }
   bool Connect(std::string& error) final;
   void Serve(HardwareExchange& exchange) final;
+  bool Reconnect(
+    const std::string& identity, const std::function<bool()>& mustStop, std::string& error) final;
   void Disconnect() noexcept final { this->Port.Close(); }
   bool KeepsIdentity() const final { return this->Info.KeepsIdentity(); }
 
@@ -95,6 +98,20 @@ protected:
   HidPort Port;
 
 private:
+  bool Take(const HidDeviceInfo& info, std::string& error);
+  /**
+   * Whether the device is known again once it is back: no other one has its serial number, or it
+   * gives no force.
+   */
+  bool CanReturn() const
+  {
+    return (this->KeepsIdentity() && !this->HasTwin) || this->GetIdentity().empty();
+  }
+  const char* GetUnpluggedText() const { return this->CanReturn() ? UnpluggedText : OpenAgainText; }
+  /** Lists the devices that may be the one of before, or its twins. */
+  std::vector<HidDeviceInfo> ListLike(const HidDeviceInfo& before) const;
+  /** Notes whether a device with the same names and serial number is plugged in, too. */
+  void LookForTwin();
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
   /** Waits a moment while the device is lost, and then checks whether it is unplugged. */
@@ -102,6 +119,7 @@ private:
 
   std::string Label;
   HidDeviceInfo Info;
+  bool HasTwin = false;
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;

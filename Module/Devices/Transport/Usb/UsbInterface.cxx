@@ -8,11 +8,8 @@
 
 namespace VolumeHaptics
 {
-namespace
-{
 
-/** Returns the bus of a device and the ports that lead to it. */
-std::vector<int> PathOf(libusb_device* device)
+std::vector<int> UsbPathOf(libusb_device* device)
 {
   std::uint8_t ports[7]; // USB allows no more levels
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
@@ -22,8 +19,6 @@ std::vector<int> PathOf(libusb_device* device)
   path.push_back(libusb_get_device_address(device));
   return path;
 }
-
-} // namespace
 
 UsbContext MakeUsbContext(std::string& error)
 {
@@ -56,13 +51,13 @@ std::vector<UsbDevice> ListUsbDevices(libusb_context* context, const UsbProduct&
     libusb_free_device_list(list, 1);
   }
   std::sort(found.begin(), found.end(),
-    [](const UsbDevice& a, const UsbDevice& b) { return PathOf(a.get()) < PathOf(b.get()); });
+    [](const UsbDevice& a, const UsbDevice& b) { return UsbPathOf(a.get()) < UsbPathOf(b.get()); });
   return found;
 }
 
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product)
 {
-  const std::vector<int> path = PathOf(device);
+  const std::vector<int> path = UsbPathOf(device);
   std::string name = product.Name + std::string(" (USB bus ") + std::to_string(path.front());
   for (std::size_t i = 1; i + 1 < path.size(); ++i)
   {
@@ -71,13 +66,14 @@ std::string UsbNameOf(libusb_device* device, const UsbProduct& product)
   return name + ")";
 }
 
-std::string UsbIdentityOf(libusb_device* device, const char* kind)
+std::string UsbIdentityOf(libusb_device* device, const char* kind, bool* isSure)
 {
   libusb_device_descriptor descriptor{};
   libusb_device_handle* handle = nullptr;
   std::string number;
-  if (libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS &&
-    descriptor.iSerialNumber != 0 && libusb_open(device, &handle) == LIBUSB_SUCCESS)
+  const bool hasNumber = libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS &&
+    descriptor.iSerialNumber != 0;
+  if (hasNumber && libusb_open(device, &handle) == LIBUSB_SUCCESS)
   {
     unsigned char serial[128];
     const int size =
@@ -88,9 +84,13 @@ std::string UsbIdentityOf(libusb_device* device, const char* kind)
     }
     libusb_close(handle);
   }
+  if (isSure != nullptr)
+  {
+    *isSure = !hasNumber || !number.empty();
+  }
   if (number.empty())
   {
-    const std::vector<int> path = PathOf(device);
+    const std::vector<int> path = UsbPathOf(device);
     number = "port:" + std::to_string(path.front());
     for (std::size_t i = 1; i + 1 < path.size(); ++i)
     {

@@ -58,9 +58,13 @@ std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
  * Returns DeviceBackend::GetIdentity of a device: its kind and, if the device has one and may be
- * opened, its serial number.
+ * opened, its serial number; otherwise its port. `isSure` receives false if the device has a serial
+ * number that can't be read.
  */
-std::string UsbIdentityOf(libusb_device* device, const char* kind);
+std::string UsbIdentityOf(libusb_device* device, const char* kind, bool* isSure = nullptr);
+
+/** Returns the bus of a device, the ports that lead to it, and its address on the bus. */
+std::vector<int> UsbPathOf(libusb_device* device);
 
 /**
  * Returns whether interface 0 can be claimed now: "available", "in use", or the obstacle and the
