@@ -19,6 +19,7 @@ struct Stick
 {
   std::uint8_t FirstId = 0x11;
   std::int16_t Magnitude = 10000; ///< the range is -this to this
+  bool HasSign = true;            ///< else the range is 0 to Magnitude
   bool ControlInBits = false;     ///< Device Control is six bits, not one of six values
   bool HasAxesEnable = true;
   const char* Without = ""; ///< the omitted part
@@ -68,7 +69,7 @@ inline Bytes ControlFields(const Stick& stick)
 /** The whole descriptor; ids count up in this order. */
 inline Bytes Describe(const Stick& stick)
 {
-  const auto low = static_cast<std::uint16_t>(-stick.Magnitude);
+  const auto low = static_cast<std::uint16_t>(stick.HasSign ? -stick.Magnitude : 0);
   const auto high = static_cast<std::uint16_t>(stick.Magnitude);
   const auto byte = [](int word) { return static_cast<std::uint8_t>(word & 0xFF); };
   const Bytes magnitude{ 0x09, 0x70, 0x16, byte(low), byte(low >> 8), 0x26, byte(high),

@@ -94,10 +94,13 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   need(PidUsage::SetConstantForceReport, output, "Set Constant Force", this->Constant);
   mapper.Need(PidUsage::EffectBlockIndex, "Effect Block Index", this->ConstantBlock);
   mapper.Need(PidUsage::Magnitude, "Magnitude", this->Magnitude);
-  if (this->Magnitude.Known &&
-    (!this->Magnitude.Field.IsSigned || this->Magnitude.Field.LogicalMaximum <= 0))
+  const HidField& magnitude = this->Magnitude.Field;
+  this->IsSigned = !this->Magnitude.Known || magnitude.LogicalMinimum < 0;
+  // Without a sign, the direction tells where a force acts, as in hid-pidff's pidff_set_signed().
+  const bool canReverse = this->IsSigned || (magnitude.LogicalMinimum == 0 && hasPolar);
+  if (this->Magnitude.Known && (magnitude.LogicalMaximum <= 0 || !canReverse))
   {
-    mapper.RecordMissing("a Magnitude that can be below and above zero");
+    mapper.RecordMissing("a Magnitude that can be below and above zero, or a direction");
   }
 
   need(PidUsage::EffectOperationReport, output, "Effect Operation", this->Operation);
@@ -191,8 +194,9 @@ HidReport PidDevice::CreateConstant() const noexcept
 
 // Sets the fields of the effect. All other fields stay 0: no trigger button, no delay, no sample
 // period.
-HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) const noexcept
+HidReport PidDevice::SetEffect(std::int64_t block, int effect, double duration) const noexcept
 {
+  const int axis = this->GetAxis(effect);
   HidReport report = PidDevice::Begin(this->Effect);
   PidDevice::Put(report, this->EffectBlock, block);
   PidDevice::Choose(report, this->EffectType);
@@ -205,7 +209,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
   // The direction is an angle, clockwise from the north. As in Linux, the field's range is the
   // whole circle, whatever the unit; with HasShares, it is the whole axis.
-  const double circle = this->HasShares ? 1.0 : axis == 0 ? 0.25 : 0.0;
+  const double turn = this->IsSigned || effect % 2 == 0 ? 0.0 : 0.5;
+  const double circle = this->HasShares ? 1.0 : turn + (axis == 0 ? 0.25 : 0.0);
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,
     field.LogicalMinimum +
@@ -223,19 +228,22 @@ HidReport PidDevice::Operate(std::int64_t block, PidUsage operation) const noexc
 }
 
 HidReport PidDevice::SetConstant(
-  std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept
+  std::int64_t block, int effect, double newtons, double newtonsPerFullScale) const noexcept
 {
   HidReport report = PidDevice::Begin(this->Constant);
   PidDevice::Put(report, this->ConstantBlock, block);
   // Use one scale for both directions, even if the range has one more value below zero.
   const HidField& field = this->Magnitude.Field;
-  const auto fullScale = static_cast<double>(std::min(
-    -ClampToField(field, field.LogicalMinimum), ClampToField(field, field.LogicalMaximum)));
-  const double part = newtons / newtonsPerFullScale;
+  const std::int64_t most = ClampToField(field, field.LogicalMaximum);
+  const auto fullScale = static_cast<double>(
+    this->IsSigned ? std::min(-ClampToField(field, field.LogicalMinimum), most) : most);
+  const double least = this->IsSigned ? -1.0 : 0.0;
+  const double part =
+    (this->IsSigned || effect % 2 == 0 ? newtons : -newtons) / newtonsPerFullScale;
   const bool isSafe =
     std::isfinite(newtons) && std::isfinite(newtonsPerFullScale) && newtonsPerFullScale != 0.0;
   PidDevice::Put(report, this->Magnitude,
-    isSafe ? std::llround(std::max(-1.0, std::min(part, 1.0)) * fullScale) : 0);
+    isSafe ? std::llround(std::max(least, std::min(part, 1.0)) * fullScale) : 0);
   return report;
 }
 

@@ -92,6 +92,15 @@ public:
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** Returns 2 if the second axis can be told from the first one, otherwise 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
+  /** Largest number of effects. */
+  static constexpr int MostEffects = 4;
+  /**
+   * Returns the number of constant effects, which are numbered from 0: one for each axis or, if
+   * magnitudes have no sign, two for each axis, from opposite directions.
+   */
+  int GetNumberOfEffects() const noexcept { return this->Axes * (this->IsSigned ? 1 : 2); }
+  /** Returns the axis of an effect, 0 or 1. */
+  int GetAxis(int effect) const noexcept { return this->IsSigned ? effect : effect / 2; }
   /**
    * Uses only the first axis. For a device without a motor on its second axis, although its
    * descriptor has one.
@@ -102,26 +111,27 @@ public:
 
   ///@{
   /**
-   * Make the reports to send. The device numbers the blocks of its effects, beginning with 1. Axes
-   * are 0 and 1.
+   * Make the reports to send. The device numbers the blocks of its effects, beginning with 1.
    */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
    * Makes the report that sets a constant effect, from 90 degrees for axis 0 and from 0 degrees for
-   * axis 1. If a force comes from its direction (see PidFirmware), a positive magnitude pushes to
-   * the left, or towards the hand. In firmwares with angles of 8 bits, 0.6 % of axis 0 also acts on
-   * axis 1, and nothing the other way round.
+   * axis 1; the second effect of an axis is turned by 180 degrees. If a force comes from its
+   * direction (see PidFirmware), a positive magnitude pushes to the left, or towards the hand. In
+   * firmwares with angles of 8 bits, 0.6 % of axis 0 also acts on axis 1, and nothing the other way
+   * round.
    */
-  HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
+  HidReport SetEffect(std::int64_t block, int effect, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * Makes the report that sets a magnitude: newtons divided by newtons per full scale, limited to
-   * the full scale. The magnitude is 0 if either number is not finite.
+   * Makes the report that sets the magnitude of an effect: newtons of its axis divided by newtons
+   * per full scale, limited to the full scale, and 0 if another effect of the axis pushes. The
+   * magnitude is 0 if either number is not finite.
    */
   HidReport SetConstant(
-    std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
+    std::int64_t block, int effect, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}
 
   ///@{
@@ -173,6 +183,7 @@ private:
   Slot Simultaneous, LoadBlock, Success, Full, LoadError;
   int Axes = 1;
   bool HasShares = false;
+  bool IsSigned = true; ///< whether magnitudes have a sign
 };
 
 } // namespace VolumeHaptics

@@ -28,7 +28,7 @@ PidDialogue::PidDialogue(const PidDevice& device, const PidSettings& settings)
 
 PidStep PidDialogue::GetStep(HidReport& report) const
 {
-  const std::int64_t block = this->Blocks[this->Axis];
+  const std::int64_t block = this->Blocks[this->Effect];
   switch (this->Now)
   {
     case Stage::FirstReset:
@@ -57,10 +57,10 @@ PidStep PidDialogue::GetStep(HidReport& report) const
       report = this->Device.Operate(this->Device.GetFirstBlock(), PidUsage::EffectStop);
       return PidStep::Send;
     case Stage::SetEffect:
-      report = this->Device.SetEffect(block, this->Axis, this->Settings.Duration);
+      report = this->Device.SetEffect(block, this->Effect, this->Settings.Duration);
       return PidStep::Send;
     case Stage::NoForce:
-      report = this->Device.SetConstant(block, 0.0, 1.0);
+      report = this->Device.SetConstant(block, this->Effect, 0.0, 1.0);
       return PidStep::Send;
     case Stage::Start:
       report = this->Device.Operate(block, PidUsage::EffectStart);
@@ -91,15 +91,15 @@ void PidDialogue::Fetched(const std::uint8_t* payload, std::size_t size)
   if (this->Now == Stage::Pool)
   {
     const int effects = this->Device.ReadPool(payload, size);
-    if (effects < this->Device.GetNumberOfAxes() && this->Device.HasPoolSize() &&
+    if (effects < this->Device.GetNumberOfEffects() && this->Device.HasPoolSize() &&
       ++this->Polls < PidDialogue::MaximumPoolPolls)
     {
       return;
     }
     this->Polls = 0;
-    if (effects > 0 && effects < this->Device.GetNumberOfAxes())
+    if (effects > 0 && effects < this->Device.GetNumberOfEffects())
     {
-      this->Fail("The device plays fewer effects at a time than it has axes");
+      this->Fail("The device plays fewer effects at a time than its axes need");
       return;
     }
     this->Advance();
@@ -109,7 +109,7 @@ void PidDialogue::Fetched(const std::uint8_t* payload, std::size_t size)
   {
     return;
   }
-  switch (this->Device.ReadBlockLoad(payload, size, this->Blocks[this->Axis]))
+  switch (this->Device.ReadBlockLoad(payload, size, this->Blocks[this->Effect]))
   {
     case BlockLoadStatus::Success:
       this->Advance();
@@ -130,16 +130,16 @@ void PidDialogue::Fetched(const std::uint8_t* payload, std::size_t size)
 
 void PidDialogue::Advance()
 {
-  if (this->Now == Stage::Start && this->Axis + 1 < this->Device.GetNumberOfAxes())
+  if (this->Now == Stage::Start && this->Effect + 1 < this->Device.GetNumberOfEffects())
   {
-    ++this->Axis;
+    ++this->Effect;
     this->Polls = 0;
     this->Now = Stage::Create;
     return;
   }
   this->Now = static_cast<Stage>(static_cast<int>(this->Now) + 1);
-  // Not the second axis: its block follows that of the first.
-  const bool hasCentre = this->Axis == 0 && this->Blocks[0] == this->Device.GetFirstBlock() + 1;
+  // Not the second effect: its block follows that of the first.
+  const bool hasCentre = this->Effect == 0 && this->Blocks[0] == this->Device.GetFirstBlock() + 1;
   if (this->Now == Stage::CentreOff && !hasCentre)
   {
     this->Now = Stage::SetEffect;
@@ -164,17 +164,17 @@ PidStream::PidStream(
   const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue)
   : Device(device)
   , Settings(Bounded(settings))
-  , Blocks{ dialogue.GetBlock(0), dialogue.GetBlock(1) }
+  , Blocks(dialogue.GetBlocks())
 {
-  for (int axis = 0; axis < 2; ++axis)
+  for (int effect = 0; effect < PidDevice::MostEffects; ++effect)
   {
-    this->Last[axis] = device.SetConstant(this->Blocks[axis], 0.0, 1.0).Bytes;
+    this->Last[effect] = device.SetConstant(this->Blocks[effect], effect, 0.0, 1.0).Bytes;
   }
 }
 
 bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidReport& report) noexcept
 {
-  const int axes = this->Device.GetNumberOfAxes();
+  const int effects = this->Device.GetNumberOfEffects();
   for (double& age : this->Ages)
   {
     age += elapsed;
@@ -183,25 +183,26 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   const bool isSignDue = this->Silence >= SignTime;
   // Start the effect twice within its duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
-  for (int axis = 0; axis < axes; ++axis)
+  for (int effect = 0; effect < effects; ++effect)
   {
-    if (this->Ages[axis] >= due)
+    if (this->Ages[effect] >= due)
     {
-      this->Ages[axis] = this->Silence = 0.0;
-      report = this->Device.Operate(this->Blocks[axis], PidUsage::EffectStart);
+      this->Ages[effect] = this->Silence = 0.0;
+      report = this->Device.Operate(this->Blocks[effect], PidUsage::EffectStart);
       return true;
     }
   }
-  for (int i = 0; i < axes; ++i)
+  for (int i = 0; i < effects; ++i)
   {
-    const int axis = (this->Turn + i) % axes;
+    const int effect = (this->Turn + i) % effects;
+    const int axis = this->Device.GetAxis(effect);
     const HidReport magnitude = this->Device.SetConstant(
-      this->Blocks[axis], force[axis], this->Settings.NewtonsPerFullScale[axis]);
-    if (magnitude.Bytes != this->Last[axis] || isSignDue)
+      this->Blocks[effect], effect, force[axis], this->Settings.NewtonsPerFullScale[axis]);
+    if (magnitude.Bytes != this->Last[effect] || isSignDue)
     {
       this->Silence = 0.0;
-      this->Last[axis] = magnitude.Bytes;
-      this->Turn = (axis + 1) % axes;
+      this->Last[effect] = magnitude.Bytes;
+      this->Turn = (effect + 1) % effects;
       report = magnitude;
       return true;
     }

@@ -5,12 +5,13 @@
  * The dialogue between the host and a force-feedback stick or wheel, without a transport.
  *
  * PidDialogue makes the device ready: it resets it twice, stops all effects, enables the actuators,
- * reads the pool until the device has filled it in, and sets full gain. Then, for each axis, it
- * creates a constant effect, waits for its block, sets it with a short duration and without a
- * force, and starts it. If the first effect gets the second block, the first block holds the
- * device's own spring towards the centre, which is stopped (Linux, hid-pidff.c, uses the same
- * sign). Afterwards PidStream makes the reports. An effect ends by itself after its duration unless
- * it is started again, so that the device's force goes to zero if the host stops.
+ * reads the pool until the device has filled it in, and sets full gain. Then it makes the constant
+ * effects (PidDevice::GetNumberOfEffects): it creates one, waits for its block, sets it with a
+ * short duration and without a force, and starts it. If the first effect gets the second block, the
+ * first block holds the device's own spring towards the centre, which is stopped (Linux,
+ * hid-pidff.c, uses the same sign). Afterwards PidStream makes the reports. An effect ends by
+ * itself after its duration unless it is started again, so that the device's force goes to zero if
+ * the host stops.
  */
 #ifndef PidDialogue_h
 #define PidDialogue_h
@@ -37,7 +38,7 @@ public:
    */
   static constexpr int MaximumPolls = 60;
   static constexpr double PollPause = 0.005; ///< pause in s before the next request
-  /** Largest number of times that the pool is read until it has room for all axes, as in Linux. */
+  /** Number of times that the pool is read until it has room for all effects, as in Linux. */
   static constexpr int MaximumPoolPolls = 20;
 
   /** Begins the dialogue. The device must outlive it. */
@@ -53,8 +54,11 @@ public:
   ///@}
 
   const std::string& GetError() const { return this->Error; }
-  /** Returns the block of an axis's effect when the dialogue is ready. */
-  std::int64_t GetBlock(int axis) const noexcept { return this->Blocks[axis]; }
+  /** Returns the blocks of the effects when the dialogue is ready. */
+  const std::array<std::int64_t, PidDevice::MostEffects>& GetBlocks() const noexcept
+  {
+    return this->Blocks;
+  }
 
 private:
   enum class Stage : std::uint8_t
@@ -81,15 +85,15 @@ private:
   const PidDevice& Device;
   const PidSettings Settings;
   Stage Now = Stage::FirstReset;
-  int Axis = 0;
+  int Effect = 0;
   int Polls = 0;
-  std::array<std::int64_t, 2> Blocks{};
+  std::array<std::int64_t, PidDevice::MostEffects> Blocks{};
   std::string Error;
 };
 
 /**
- * Makes the reports of the servo in order: each axis is started again before its effect ends, and
- * gets a new magnitude if it has changed. If nothing was sent for SignTime, a magnitude is sent
+ * Makes the reports of the servo in order: each effect is started again before it ends, and gets a
+ * new magnitude if it has changed. If nothing was sent for SignTime, a magnitude is sent
  * again: by receiving it, the device shows that it is connected. Neither allocates nor throws.
  */
 class PidStream
@@ -109,12 +113,12 @@ public:
 private:
   const PidDevice& Device;
   const PidSettings Settings;
-  std::array<std::int64_t, 2> Blocks{};
-  std::array<double, 2> Ages{}; ///< for each axis, time since its effect was last started (s)
+  std::array<std::int64_t, PidDevice::MostEffects> Blocks{};
+  std::array<double, PidDevice::MostEffects> Ages{}; ///< time since the last start (s)
   /** Magnitudes that were sent last. */
-  std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{};
+  std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, PidDevice::MostEffects> Last{};
   double Silence = 0.0; ///< time since a report was sent (s)
-  int Turn = 0;         ///< axis to serve next
+  int Turn = 0;         ///< effect to serve next
 };
 
 } // namespace VolumeHaptics

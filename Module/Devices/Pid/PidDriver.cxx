@@ -395,10 +395,10 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
   const Vector3 force = exchange.GetForce();
   // A positive magnitude pushes to the left or towards the hand, so reverse the signs.
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
-  // For each axis, send the start if it is due, and the magnitude.
+  // For each effect, send the start if it is due, and the magnitude.
   HidReport report;
   bool isAlive = false;
-  for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)
+  for (int i = 0; i < 2 * this->Map.Device.GetNumberOfEffects(); ++i)
   {
     if (!this->Stream->Next(elapsed, magnitudes, report))
     {
@@ -424,9 +424,10 @@ bool PidDriver::Send(HardwareExchange& exchange, const HidReport& report) noexce
 void PidDriver::Rest() noexcept
 {
   const HidReport stop = this->Map.Device.Control(PidUsage::StopAllEffects);
-  for (int axis = 0; this->Stream && axis < this->Map.Device.GetNumberOfAxes(); ++axis)
+  for (int effect = 0; this->Stream && effect < this->Map.Device.GetNumberOfEffects(); ++effect)
   {
-    const HidReport zero = this->Map.Device.SetConstant(this->Dialogue->GetBlock(axis), 0.0, 1.0);
+    const HidReport zero =
+      this->Map.Device.SetConstant(this->Dialogue->GetBlocks()[effect], effect, 0.0, 1.0);
     this->Port.Write(zero.Bytes.data(), zero.Size + 1);
   }
   this->Port.Write(stop.Bytes.data(), stop.Size + 1);

@@ -6,13 +6,16 @@
  * What devices need is Linux's knowledge (torvalds/linux, drivers/hid/usbhid/hid-pidff.c, commit
  * 02b5a60): the pool is "sometimes messed up", up to twenty times, and a first effect in the second
  * block means that the first block is the device's spring towards the centre. Stopping all effects
- * after the reset is of its pidff_reset() from 6.15 on.
+ * after the reset is of its pidff_reset() from 6.15 on. A magnitude without a sign gets the
+ * absolute value there (pidff_set_signed()), and the direction tells where the force acts.
  */
 
 #include "Devices/Pid/PidDialogue.h"
 #include "Rigs/PidRig.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 using namespace hardwaretest;
 
@@ -69,8 +72,8 @@ TEST(PidDialogue, GoesThroughTheSequence)
   EXPECT_EQ(Talk(dialogue, 1, Pool, 0x01), expected);
   HidReport report;
   EXPECT_EQ(dialogue.GetStep(report), PidStep::Ready);
-  EXPECT_EQ(dialogue.GetBlock(0), 7);
-  EXPECT_EQ(dialogue.GetBlock(1), 8);
+  EXPECT_EQ(dialogue.GetBlocks()[0], 7);
+  EXPECT_EQ(dialogue.GetBlocks()[1], 8);
 }
 
 TEST(PidDialogue, ThePoolIsReadUntilItIsFilledIn)
@@ -133,6 +136,63 @@ TEST(PidDialogue, LeavesOutWhatTheDeviceHasNot)
     PidDialogue dialogue(device, {});
     EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01).size(), 15U) << part << dialogue.GetError();
   }
+}
+
+TEST(PidStream, WithoutASignTwoEffectsOfAnAxisPushInOppositeDirections)
+{
+  Stick stick;
+  stick.HasSign = false;
+  const PidDevice device = Mapped(stick);
+  PidSettings settings;
+  settings.NewtonsPerFullScale = { 4.0, -4.0 };
+  PidDialogue dialogue(device, settings);
+  const std::vector<Bytes> said = Talk(dialogue, 0, Pool, 0x01);
+  // A device after its descriptor: the angle, of 0 to 255, of each block, and its magnitude.
+  std::map<int, double> angles;
+  std::map<int, double> magnitudes;
+  for (const Bytes& report : said)
+  {
+    if (report[0] == 0x11)
+    {
+      EXPECT_EQ(report[6], 0x04) << "by its direction";
+      angles[report[1]] = std::acos(-1.0) / 180.0 * std::round(report[7] * 360.0 / 255.0);
+    }
+  }
+  ASSERT_EQ(angles.size(), 4U);
+  PidStream stream(device, settings, dialogue);
+  HidReport report;
+  for (const std::array<double, 2> force : std::vector<std::array<double, 2>>{
+         { 1.0, 0.0 }, { -1.0, 2.0 }, { 0.0, -3.0 }, { 8.0, -8.0 }, { 0.0, 0.0 } })
+  {
+    for (int i = 0; i < 8 && stream.Next(0.001, force, report); ++i)
+    {
+      if (report.Bytes[0] == 0x12)
+      {
+        magnitudes[report.Bytes[1]] = report.Bytes[2] | report.Bytes[3] << 8;
+      }
+    }
+    // In polar coordinates, clockwise from the north.
+    double x = 0.0;
+    double y = 0.0;
+    for (const auto& [block, magnitude] : magnitudes)
+    {
+      EXPECT_LE(magnitude, 10000.0);
+      x += magnitude / 10000.0 * std::sin(angles[block]);
+      y += magnitude / 10000.0 * std::cos(angles[block]);
+    }
+    EXPECT_NEAR(4.0 * x, std::clamp(force[0], -4.0, 4.0), 0.05);
+    EXPECT_NEAR(-4.0 * y, std::clamp(force[1], -4.0, 4.0), 0.05);
+  }
+}
+
+TEST(PidDialogue, WithoutASignThePoolNeedsTwoEffectsAnAxis)
+{
+  Stick stick;
+  stick.HasSign = false;
+  const PidDevice device = Mapped(stick);
+  PidDialogue dialogue(device, {});
+  Talk(dialogue, 0, { 0x00, 0x10, 0x03 }, 0x01);
+  EXPECT_NE(dialogue.GetError().find("fewer effects"), std::string::npos);
 }
 
 TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)

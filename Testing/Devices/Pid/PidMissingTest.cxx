@@ -56,8 +56,22 @@ TEST(PidMissing, NamesEachField)
   EXPECT_EQ(missing({ 0x09, 0x9A }, { 0x09, 0x9F }), "Device Reset in Device Control");
   EXPECT_EQ(missing({ 0x09, 0x26 }, { 0x09, 0x28 }), "Constant Force in Set Effect");
   EXPECT_EQ(missing({ 0x09, 0x8C }, { 0x09, 0x8F }), "Block Load Success in Block Load");
-  EXPECT_EQ(missing({ 0x16, 0xF0, 0xD8 }, { 0x16, 0x00, 0x00 }),
-    "a Magnitude that can be below and above zero");
+  EXPECT_EQ(missing({ 0x16, 0xF0, 0xD8 }, { 0x16, 0x05, 0x00 }),
+    "a Magnitude that can be below and above zero, or a direction");
+}
+
+TEST(PidMissing, NamesTheDirectionIfTheMagnitudeHasNoSign)
+{
+  Stick stick;
+  stick.HasSign = false;
+  const Bytes withIt = Describe(stick);
+  PidDevice device;
+  std::string error;
+  EXPECT_TRUE(device.Map(Parsed(withIt), error)) << error;
+  // No Direction Enable.
+  EXPECT_EQ(Refusal(Replace(withIt, { 0x09, 0x56 }, { 0x09, 0x53 })),
+    "No force feedback with this HID device; missing: a Magnitude that can be below and above "
+    "zero, or a direction");
 }
 
 TEST(PidMissing, NamesEverythingForAMouse)

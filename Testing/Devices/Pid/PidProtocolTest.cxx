@@ -96,16 +96,16 @@ TEST(PidProtocol, NewtonsBecomeMagnitudesOfAnyRange)
     SCOPED_TRACE(testing::Message() << c.Newtons << " N, range " << c.Range);
     Stick stick;
     stick.Magnitude = c.Range;
-    EXPECT_EQ(Wire(Mapped(stick).SetConstant(2, c.Newtons, 4.0)), c.Expected);
+    EXPECT_EQ(Wire(Mapped(stick).SetConstant(2, 0, c.Newtons, 4.0)), c.Expected);
   }
   const PidDevice device = Mapped({});
   const Bytes nothing{ 0x12, 0x02, 0x00, 0x00 };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(Wire(device.SetConstant(2, nan, 4.0)), nothing);
-  EXPECT_EQ(Wire(device.SetConstant(2, HUGE_VAL, 4.0)), nothing);
-  EXPECT_EQ(Wire(device.SetConstant(2, 1.0, nan)), nothing);
-  EXPECT_EQ(Wire(device.SetConstant(2, 1.0, 0.0)), nothing);
-  EXPECT_EQ(Wire(device.SetConstant(2, 1.0, -4.0)), (Bytes{ 0x12, 0x02, 0x3C, 0xF6 }));
+  EXPECT_EQ(Wire(device.SetConstant(2, 0, nan, 4.0)), nothing);
+  EXPECT_EQ(Wire(device.SetConstant(2, 0, HUGE_VAL, 4.0)), nothing);
+  EXPECT_EQ(Wire(device.SetConstant(2, 0, 1.0, nan)), nothing);
+  EXPECT_EQ(Wire(device.SetConstant(2, 0, 1.0, 0.0)), nothing);
+  EXPECT_EQ(Wire(device.SetConstant(2, 0, 1.0, -4.0)), (Bytes{ 0x12, 0x02, 0x3C, 0xF6 }));
 }
 
 TEST(PidProtocol, ReadsWhatTheDeviceSays)
