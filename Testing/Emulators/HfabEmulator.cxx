@@ -249,6 +249,12 @@ void HfabEmulator::PressButton()
   this->NeedsButton = false;
 }
 
+void HfabEmulator::SetHandle(const std::array<int, 3>& counts)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Handle = counts;
+}
+
 void HfabEmulator::SetGoal(const Triple& goal)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -447,9 +453,9 @@ void HfabEmulator::Answer(int error)
   char text[128];
   const int size = fault == HfabFault::Junk
     ? std::snprintf(text, sizeof(text), "[3,1,2,oops]\n")
-    : std::snprintf(text, sizeof(text), "[%d,%d,%d,%d,0,0,0,%d]\n",
+    : std::snprintf(text, sizeof(text), "[%d,%d,%d,%d,%d,%d,%d,%d]\n",
         fault == HfabFault::OtherArm ? 1 + this->Model % 3 : this->Model, counts[0], counts[1],
-        counts[2], error);
+        counts[2], this->Handle[0], this->Handle[1], this->Handle[2], error);
   if (this->Master >= 0)
   {
     [[maybe_unused]] const ssize_t written =

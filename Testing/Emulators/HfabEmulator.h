@@ -60,6 +60,8 @@ public:
   /** The firmware wants its button to be pressed first, as with calibration_needed. */
   void NeedButton() { this->NeedsButton = true; }
   void SetGoal(const Triple& goal);
+  /** Turns the handle; the counts of its encoders. */
+  void SetHandle(const std::array<int, 3>& counts);
   Triple GetTip() const;
   /** The force (N) on the hand from the present currents. */
   Triple GetForce() const;
@@ -99,6 +101,7 @@ private:
   Triple Angles{};
   std::array<int, 3> Offset{}; ///< the encoders' counts if they had counted from home
   std::array<int, 3> Counts{};
+  std::array<int, 3> Handle{};
   std::array<int, 3> Currents{};
   std::string Line;
   std::chrono::steady_clock::time_point LastBytes;

@@ -404,6 +404,7 @@ void HfabDriver::Calibrate(HardwareExchange& exchange)
   {
     return;
   }
+  this->HandleMoves = false;
   for (std::size_t e = 0; e < this->Zero.size(); ++e)
   {
     this->Zero[e] = this->Raw[e] - this->Geometry->Home[e];
@@ -438,8 +439,11 @@ void HfabDriver::UpdateHand(HardwareExchange& exchange)
   this->HasTip = true;
   DeviceSample sample;
   sample.Tip = HfabModel::ToDevice(tip);
-  sample.HasOrientation =
-    this->Geometry->TellsOrientation && (this->Reader.Get().Error & HfabGimbalErrors) == 0;
+  // A PHANToM with a thimble has no encoders there: its counts never change.
+  this->HandleMoves = this->HandleMoves || this->Geometry->IsLinkage ||
+    !std::equal(counts.begin() + 3, counts.end(), this->Geometry->Home.begin() + 3);
+  sample.HasOrientation = this->Geometry->GimbalCounts > 0.0 && this->HandleMoves &&
+    (this->Reader.Get().Error & HfabGimbalErrors) == 0;
   if (sample.HasOrientation)
   {
     sample.Orientation = HfabModel::ComputeOrientation(*this->Geometry, counts);

@@ -131,6 +131,7 @@ private:
   HfabModel::Counts Raw{};
   HfabModel::Counts StillAt{};
   std::int64_t StillSince = 0;
+  bool HandleMoves = false; ///< whether the handle's encoders have moved since the calibration
   bool HasTip = false;
   Vector3 Tip; ///< position of the tip along the arm's axes
   HfabModel::Angles JointAngles{};

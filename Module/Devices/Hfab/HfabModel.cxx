@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr double Circle = 6.283185307179586;
-constexpr double GimbalCounts = 1024.0;
 
 /**
  * Lengths of Polhem's linkage (m): distance between the cranks, the two cranks, the rod, from c to
@@ -39,19 +38,19 @@ DeviceLimits MakeLimits(double force, double stiffness, double damping, double r
 
 const HfabGeometry Polhem{ "Polhem", true, { 0.0288534, 0.0136981, 0.0137281 },
   { 0.175, 0.100, 0.100 }, {}, { 0.2045, 0.0, 0.0325 }, { 0.0603, 0.0538, 0.0538 }, 4096.0,
-  { 1.0, -1.0, 1.0 }, { 8312, -10366, 19764, 0, 30, 0 }, 3000.0, true,
+  { 1.0, -1.0, 1.0 }, { 8312, -10366, 19764, 0, 30, 0 }, 3000.0, 1024.0,
   MakeLimits(5.0, 2000.0, 1.0, 0.150) };
 
 const HfabGeometry Phantom{ "PHANToM", false, { 0.013, 0.010, 0.010 }, { 0.117, 0.077, 0.077 },
   { 0.0, 0.138, 0.112 }, { 0.138, 0.0, -0.097 }, { 0.0234, 0.0234, 0.0234 }, 4000.0,
-  { -1.0, 1.0, -1.0 }, { 0, 7700, 0, 0, 0, 0 }, 3000.0, false, MakeLimits(5.0, 800.0, 8.0, 0.100) };
+  { -1.0, 1.0, -1.0 }, { 0, 7700, 0, 0, 0, 0 }, 3000.0, 2000.0,
+  MakeLimits(5.0, 800.0, 8.0, 0.100) };
 
 // Half of the published limits, because published builds have motors of 0.0259 or of 0.0603 N m/A
 // (WoodenDriver.h).
 const HfabGeometry Wooden{ "WoodenHaptics", false, { 0.010, 0.010, 0.010 }, { 0.160, 0.120, 0.120 },
   { 0.080, 0.205, 0.245 }, { 0.22, 0.0, 0.08 }, { 0.0259, 0.0259, 0.0259 }, 2000.0,
-  { 1.0, -1.0, -1.0 }, { 0, 0, -6000, 0, 0, 0 }, 3000.0, false,
-  MakeLimits(2.5, 500.0, 4.0, 0.100) };
+  { 1.0, -1.0, -1.0 }, { 0, 0, -6000, 0, 0, 0 }, 3000.0, 0.0, MakeLimits(2.5, 500.0, 4.0, 0.100) };
 
 struct Point
 {
@@ -217,10 +216,14 @@ Quaternion HfabModel::ComputeOrientation(
   const HfabGeometry& geometry, const Counts& counts) noexcept
 {
   const Angles angles = ComputeAngles(geometry, counts);
-  const double perCount = Circle / GimbalCounts;
-  const Linkage linkage(angles[1], angles[2]);
-  const Quaternion turn = AboutZ(angles[0]) * AboutY(-linkage.Angle) *
-    AboutX(-perCount * counts[3]) * AboutY(-perCount * counts[4]) * AboutX(perCount * counts[5]);
+  const double perCount = Circle / geometry.GimbalCounts;
+  const double d = -perCount * counts[3];
+  const double e = perCount * counts[4];
+  const Quaternion gimbal = geometry.IsLinkage ? AboutX(d) * AboutY(-e) : AboutZ(d) * AboutY(e);
+  // The angle of the forearm above the horizontal.
+  const double lift =
+    geometry.IsLinkage ? Linkage(angles[1], angles[2]).Angle : angles[2] - 0.25 * Circle;
+  const Quaternion turn = AboutZ(angles[0]) * AboutY(-lift) * gimbal * AboutX(perCount * counts[5]);
   const Vector3 axis = ToDevice({ turn.X, turn.Y, turn.Z });
   return { turn.W, axis.X, axis.Y, axis.Z };
 }

@@ -18,6 +18,17 @@
  * triangle a, b, c in which the direction from b to c is clockwise of that from b to a. Its
  * derivatives follow from |c - a| = L3.
  *
+ * The handle of Polhem and PHANToM has encoders D, E and F. hfabapi's published functions disagree
+ * about a PHANToM's: computeRotation() of hfab_kinematics.cpp turns the handle with the forearm,
+ * and by D about x, but is never reached; getRot() of hfab_api.cpp, which runs, turns it by D about
+ * z, and leaves the forearm out, whose angle only Polhem's functions write. Here the handle turns
+ * with the forearm, since the tip does so, and then as in getRot(): a gimbal swings right, then up,
+ * then turns about itself, as the gimbal angles of the vendor's own library do.
+ *
+ * hfabapi's current that carries the arm's weight is left out: force leaves only through gate and
+ * safety stage. Its g is 0 for PHANToM and WoodenHaptics; their formula takes the angle C where the
+ * weight of the forearm acts on B, although that weight hangs on B's end.
+ *
  * No function allocates or throws.
  */
 #ifndef HfabModel_h
@@ -45,7 +56,7 @@ struct HfabGeometry
   std::array<int, 6> Home;              ///< counts in the pose for calibration
   /// mA for each motor; the lowest setting of the controller's amplifiers
   double MaximumCurrent;
-  bool TellsOrientation; ///< whether the handle has encoders, so that its orientation is known
+  double GimbalCounts; ///< encoder counts per revolution of the handle; 0 if it has no encoders
   DeviceLimits Limits;
 };
 
@@ -73,7 +84,7 @@ public:
     const HfabGeometry& geometry, const Angles& angles, Matrix3& jacobian) noexcept;
   /**
    * Returns the handle's orientation along the axes of all devices (DeviceBackend.h), if the handle
-   * reports one.
+   * has encoders.
    */
   static Quaternion ComputeOrientation(const HfabGeometry& geometry, const Counts& counts) noexcept;
 

@@ -222,3 +222,47 @@ TEST(HfabModels, ThePolhemsHandleTurnsWithItsEncoders)
   EXPECT_NEAR(std::abs(swing.Y), std::sqrt(0.5), 1e-3);
   EXPECT_NEAR(swing.Z, 0.0, 1e-12);
 }
+
+TEST(HfabModels, ThePhantomsHandleTurnsWithItsForearmAndItsGimbal)
+{
+  const HfabGeometry& geometry = *HfabModel::Find(2);
+  HfabGeometry longer = geometry;
+  longer.Lengths[2] += 1.0;
+  const auto pointsAlong = [](const Quaternion& turn, const Vector3& ownAxis)
+  {
+    const Quaternion p =
+      turn * Quaternion{ 0.0, ownAxis.X, ownAxis.Y, ownAxis.Z } * Conjugate(turn);
+    return Vector3{ p.X, p.Y, p.Z };
+  };
+  for (const HfabModel::Counts& counts :
+    { HfabModel::Counts{ 0, 7700, 0, 0, 0, 0 }, HfabModel::Counts{ 900, 5000, -6000, 0, 0, 0 },
+      HfabModel::Counts{ -1500, 9000, 4000, 0, 0, 0 } })
+  {
+    // A forearm that is 1 m longer has its tip 1 m farther along it: the handle's axis at rest.
+    const HfabModel::Angles angles = HfabModel::ComputeAngles(geometry, counts);
+    Vector3 tip;
+    Vector3 farther;
+    ASSERT_TRUE(HfabModel::ComputeTip(geometry, angles, tip));
+    ASSERT_TRUE(HfabModel::ComputeTip(longer, angles, farther));
+    const Vector3 forearm = HfabModel::ToDevice(farther - tip);
+    const Quaternion rest = HfabModel::ComputeOrientation(geometry, counts);
+    EXPECT_NEAR(SquaredNorm(rest), 1.0, 1e-12);
+    EXPECT_NEAR(Norm(pointsAlong(rest, { 0.0, 0.0, 1.0 }) - forearm), 0.0, 1e-12);
+    // Quarter turns of the gimbal about the handle's own axes: up (y), right (x), and itself (z),
+    // with the published signs.
+    const auto by = [&](std::size_t encoder)
+    {
+      HfabModel::Counts turned = counts;
+      turned[encoder] += 500;
+      return Conjugate(rest) * HfabModel::ComputeOrientation(geometry, turned);
+    };
+    const double half = std::sqrt(0.5);
+    const Quaternion expected[] = { { half, 0.0, -half, 0.0 }, { half, half, 0.0, 0.0 },
+      { half, 0.0, 0.0, half } };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Quaternion off = Conjugate(expected[i]) * by(3 + i);
+      EXPECT_NEAR(std::abs(off.W), 1.0, 1e-9) << "encoder " << 3 + i;
+    }
+  }
+}

@@ -278,6 +278,23 @@ TEST_F(Hfab, UnpluggingIsSaidAndNothingComesBackByItself)
   EXPECT_TRUE(this->Rig.Bench.WaitForText("was unplugged")) << this->Rig.Bench.Text();
 }
 
+TEST_F(Hfab, ThePhantomsHandleTellsItsOrientationOnceItHasTurned)
+{
+  HfabRig rig(2);
+  ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(rig.Calibrate());
+  DeviceSample sample;
+  const auto isRead = [&]
+  { return rig.Bench.Device->Read(1e-3, sample) == DeviceState::Running && sample.Fresh; };
+  for (int i = 0; i < 20; ++i)
+  {
+    ASSERT_TRUE(Eventually(isRead)) << rig.Bench.Text();
+    EXPECT_FALSE(sample.HasOrientation) << "as with a thimble, which has no encoders";
+  }
+  rig.Arm.SetHandle({ 0, 0, 500 });
+  EXPECT_TRUE(Eventually([&] { return isRead() && sample.HasOrientation; })) << rig.Bench.Text();
+}
+
 TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
 {
   const std::string port =
