@@ -106,12 +106,14 @@ list(APPEND each_solver Core/Solvers Core/Solvers/Methods)
 allow(Core/Regions ${state} ${each_solver})
 # What decides about force, and what waits for time, knows neither a volume nor a solver.
 allow(Core/Safety Core/Math Core/Model/ForceCaps.h)
-allow(Core/Realtime)
-set(core ${state} Core/Field/Estimates Core/Proposal ${each_solver} Core/Regions Core/Safety Core/Realtime)
+# What the systems differ in. Everything else goes through it, and through the clock and the priority of Realtime.
+allow(Core/Platform)
+allow(Core/Realtime Core/Platform)
+set(core ${state} Core/Field/Estimates Core/Proposal ${each_solver} Core/Regions Core/Safety Core/Realtime Core/Platform)
 allow(Core/Servo ${core})
 list(APPEND core Core/Servo)
 
-set(device_basis Core/Math Core/Model/ForceCaps.h Core/Safety Core/Realtime)
+set(device_basis Core/Math Core/Model/ForceCaps.h Core/Safety Core/Realtime Core/Platform)
 allow(Devices/Common ${device_basis})
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
@@ -137,8 +139,8 @@ allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply 
 # How numbers are read in any locale.
 set(numbers Core/Math/NumberText.h)
 set(samples ${field} Core/Field/Estimates Core/Model)
-allow(VTK/Base ${samples} Core/Realtime)
-allow(VTK/Material/Labels ${numbers} VTK/Base)
+allow(VTK/Base ${samples} Core/Realtime Core/Platform)
+allow(VTK/Material/Labels ${numbers} Core/Platform VTK/Base)
 allow(VTK/Material ${samples} Core/Proposal VTK/Base VTK/Material/Labels)
 set(baking VTK/Base VTK/Material VTK/Material/Labels)
 allow(VTK/Baking ${samples} ${baking})
@@ -149,12 +151,12 @@ allow(VTK/Modes ${samples} Core/Solvers/Primitives ${baking})
 set(contacts Core/Tools/PointShell)
 allow(VTK/Trace ${core} ${contacts} ${baking} VTK/Tools VTK/Modes)
 allow(VTK/Trace/Paths ${core} ${contacts} ${baking} VTK/Tools VTK/Modes VTK/Trace)
-allow(VTK/Regions/Formats ${numbers} VTK/Base)
+allow(VTK/Regions/Formats ${numbers} Core/Platform VTK/Base)
 list(APPEND baking VTK/Tools VTK/Modes)
 allow(VTK/Regions ${samples} Core/State ${each_solver} Core/Regions Core/Realtime ${baking} VTK/Regions/Formats)
 # What reads files and folders into memory. DICOM is a room of its own, of the same floor.
 allow(VTK/Reading VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Regions/Formats VTK/Reading/Dicom)
-allow(VTK/Reading/Dicom ${numbers} Devices/Common VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
+allow(VTK/Reading/Dicom ${numbers} Core/Platform VTK/Base VTK/Material/Labels VTK/Baking VTK/Regions VTK/Reading)
 set(filter ${baking} VTK/Trace VTK/Trace/Paths VTK/Regions)
 allow(VTK/Filter ${core} ${filter})
 list(APPEND filter VTK/Filter)
@@ -232,6 +234,13 @@ forbid("The plugin's filters must not know devices or views." "(HapticDevice|Hap
 forbid("The plugin's devices must not know views or Qt." "(HapticView|HapticController|HapticDock|[\"<](pq|Q[A-Z]))"
   ../Plugin/Live)
 forbid("The plugin's views must not know Qt." "(HapticController|HapticDock|[\"<](pq|Q[A-Z]))" ../Plugin/View)
+forbid("What the systems differ in goes through Core/Platform."
+  "<(unistd|fcntl|poll|pthread|sched|dlfcn|termios|spawn|pwd|grp|windows|io)\\.h>|<(sys|linux|mach|netinet|arpa)/"
+  Core/Carving Core/Field Core/Law Core/Math Core/Model Core/Proposal Core/Regions Core/Safety Core/Servo Core/Solvers
+  Core/State Core/Tools Devices/Common Devices/Falcon Devices/Hfab Devices/Kinds Devices/Pid Devices/Replay
+  Devices/SpaceMouse Devices/Transport/WebSocket Devices/Vendor Devices/Virtual Devices/WoodenHaptics Devices/Xr
+  VTK/Base VTK/Baking VTK/Device/Playback VTK/Device/Recording VTK/Experimental VTK/Filter VTK/Material VTK/Measure
+  VTK/Modes VTK/Regions VTK/Setup VTK/Tools VTK/Trace)
 forbid("Installed headers must not show a device library." "(boost/|hidapi|libusb|nlohmann)"
   ${public} Core/Safety/DeviceBackend.h Devices/Common/DeviceKind.h)
 

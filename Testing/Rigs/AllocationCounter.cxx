@@ -8,6 +8,15 @@
 #include <malloc.h>
 #include <new>
 
+#if defined(_WIN32)
+#define posix_memalign(memory, alignment, bytes) \
+  ((*(memory) = _aligned_malloc(bytes, alignment)) ? 0 : 1)
+#define malloc_usable_size(memory) _aligned_msize(memory, alignof(std::max_align_t), 0)
+#define RELEASE _aligned_free
+#else
+#define RELEASE std::free
+#endif
+
 namespace
 {
 std::atomic<std::size_t> Calls{ 0 };
@@ -30,7 +39,7 @@ void Release(void* memory) noexcept
   if (memory)
   {
     LiveBytes -= malloc_usable_size(memory);
-    std::free(memory);
+    RELEASE(memory);
   }
 }
 } // namespace

@@ -8,12 +8,11 @@
 #ifndef PluginFolder_h
 #define PluginFolder_h
 
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
+#include "Core/Platform/Libraries.h"
+#include "Rigs/Portable.h"
 
-#include <unistd.h>
+#include <filesystem>
+#include <string>
 
 namespace devicetest
 {
@@ -27,14 +26,9 @@ class PluginFolder
 public:
   PluginFolder()
   {
-    std::string name =
-      (std::filesystem::temp_directory_path() / "VolumeHapticsVendorXXXXXX").string();
-    if (!mkdtemp(name.data()))
-    {
-      throw std::runtime_error("no folder can be made for plug-ins");
-    }
-    this->Path = std::filesystem::canonical(name);
-    setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Path.c_str(), 1);
+    this->Path = std::filesystem::canonical(
+      MakeNewFolder(std::filesystem::temp_directory_path() / "VolumeHapticsVendor"));
+    setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Path.string().c_str(), 1);
   }
   ~PluginFolder()
   {
@@ -46,11 +40,11 @@ public:
   /** Copies a plug-in from the build tree; only its owner can write the copy. */
   std::filesystem::path Add(const std::string& plugin, const std::string& name = "") const
   {
-    const std::filesystem::path file =
-      this->Path / ("libvolumehaptics-" + (name.empty() ? plugin : name) + ".so");
-    std::filesystem::copy_file(
-      std::string(VOLUME_HAPTICS_PLUGINS) + "/libvolumehaptics-" + plugin + ".so", file,
-      std::filesystem::copy_options::overwrite_existing);
+    const std::filesystem::path file = this->Path /
+      ("libvolumehaptics-" + (name.empty() ? plugin : name) + VolumeHaptics::Libraries::Ending);
+    std::filesystem::copy_file(std::string(VOLUME_HAPTICS_PLUGINS) + "/libvolumehaptics-" + plugin +
+        VolumeHaptics::Libraries::Ending,
+      file, std::filesystem::copy_options::overwrite_existing);
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     return file;
   }

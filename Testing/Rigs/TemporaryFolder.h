@@ -5,14 +5,12 @@
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 
+#include "Rigs/Portable.h"
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
-
-#include <unistd.h>
 
 /// The path of a file in the folder, which ends with a slash and has "VolumeHaptics" in its name.
 inline std::string TemporaryPath(const std::string& name)
@@ -20,27 +18,22 @@ inline std::string TemporaryPath(const std::string& name)
   struct Folder
   {
     Folder()
-      : Path(testing::TempDir())
-      , Owner(getpid())
+      : Owner(GetProcessNumber())
     {
-      std::string name = (std::filesystem::path(this->Path) / "VolumeHapticsXXXXXX").string();
-      if (!mkdtemp(name.data()))
-      {
-        throw std::runtime_error("no folder can be made in " + this->Path);
-      }
-      this->Path = name + "/";
+      const std::filesystem::path all = testing::TempDir();
+      this->Path = MakeNewFolder(all / "VolumeHaptics").generic_string() + "/";
     }
     ~Folder()
     {
       // A forked child leaves the folder to its parent.
-      if (getpid() == this->Owner)
+      if (GetProcessNumber() == this->Owner)
       {
         std::error_code ignored;
         std::filesystem::remove_all(this->Path, ignored);
       }
     }
     std::string Path;
-    const pid_t Owner;
+    const long Owner;
   };
   static const Folder folder;
   return folder.Path + name;

@@ -7,14 +7,12 @@
 #ifndef LargePages_h
 #define LargePages_h
 
+#include "Core/Platform/Pages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <new>
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 namespace VolumeHaptics
 {
@@ -40,14 +38,12 @@ struct LargePages
       throw std::bad_array_new_length();
     }
     void* const memory = ::operator new(count * sizeof(T), GetAlignment(count));
-#if defined(__linux__)
     if (count * sizeof(T) >= PageSize)
     {
       // The call has no effect where large pages are off. The end of the array that does not fill a
       // large page stays in small pages.
-      (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
+      Pages::MakeLarge(memory, count * sizeof(T));
     }
-#endif
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) noexcept

@@ -2,37 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Realtime/MemoryLock.h"
 
+#include "Core/Platform/Pages.h"
 #include "Core/Realtime/PerProcess.h"
 
-#if defined(__unix__)
 #include <algorithm>
-#include <cerrno>
 #include <iterator>
 #include <map>
 #include <mutex>
-#include <pthread.h>
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
 
 namespace VolumeHaptics
 {
 
-#if defined(__unix__)
-
 std::size_t GetPageSize() noexcept
 {
-  static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  return size;
+  return Pages::GetSize();
 }
 
 namespace
 {
-
-#if defined(__linux__)
-/** MADV_POPULATE_READ of Linux 5.14, which older headers do not define. */
-constexpr int PopulateForReading = 22;
-#endif
 
 /** Counts how many locks each page of a process has. */
 class PageCounts
@@ -53,7 +40,7 @@ public:
       {
         ++this->Counts[end];
       }
-      if (mlock(AddressOf(first), (last - first + 1) * GetPageSize()) == 0)
+      if (Pages::Lock(AddressOf(first), (last - first + 1) * GetPageSize()))
       {
         return true;
       }
@@ -61,7 +48,7 @@ public:
     catch (...) // there was no memory for the counts
     {
     }
-    // mlock may have locked some pages of the range. Release them.
+    // The call may have locked some pages of the range. Release them.
     Run run;
     for (std::uintptr_t page = first; page < end; ++page)
     {
@@ -126,14 +113,14 @@ private:
   static void Unlock(const Run& run) noexcept
   {
     if (run.Begin >= run.End ||
-      munlock(AddressOf(run.Begin), (run.End - run.Begin) * GetPageSize()) == 0)
+      Pages::Unlock(AddressOf(run.Begin), (run.End - run.Begin) * GetPageSize()))
     {
       return;
     }
-    // If the program has unmapped a page, munlock stops there, so unlock the pages one by one.
+    // The system stops at a page that the program has unmapped, so unlock the pages one by one.
     for (std::uintptr_t page = run.Begin; page < run.End; ++page)
     {
-      munlock(AddressOf(page), GetPageSize());
+      Pages::Unlock(AddressOf(page), GetPageSize());
     }
   }
 
@@ -152,7 +139,7 @@ void RequestPages(const void* begin, std::size_t size) noexcept
     const std::uintptr_t first = PageCounts::PageOf(begin);
     const std::size_t pages =
       PageCounts::PageOf(static_cast<const char*>(begin) + (size - 1)) - first + 1;
-    madvise(PageCounts::AddressOf(first), pages * GetPageSize(), MADV_WILLNEED);
+    Pages::Request(PageCounts::AddressOf(first), pages * GetPageSize());
   }
 }
 
@@ -163,17 +150,12 @@ void FetchPages(const void* begin, std::size_t size) noexcept
     return;
   }
   const char* const end = static_cast<const char*>(begin) + size;
-#if defined(__linux__)
   const std::uintptr_t first = PageCounts::PageOf(begin);
   const std::size_t pages = PageCounts::PageOf(end - 1) - first + 1;
-  // EINVAL means that this kernel lacks MADV_POPULATE_READ. After any other error, reading the
-  // pages would crash.
-  if (madvise(PageCounts::AddressOf(first), pages * GetPageSize(), PopulateForReading) == 0 ||
-    errno != EINVAL)
+  if (Pages::Fetch(PageCounts::AddressOf(first), pages * GetPageSize()))
   {
     return;
   }
-#endif
   for (const char* at = static_cast<const char*>(begin); at < end;
        at += std::min(GetPageSize(), static_cast<std::size_t>(end - at)))
   {
@@ -197,7 +179,7 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
   {
     return true;
   }
-  const Pages pages{ PageCounts::PageOf(begin),
+  const Range pages{ PageCounts::PageOf(begin),
     PageCounts::PageOf(static_cast<const char*>(begin) + (size - 1)) };
   const std::int64_t process = ServoClock::GetProcess();
   if (this->Process != process)
@@ -224,56 +206,8 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
 
 bool MemoryLock::AddStack(std::size_t size) noexcept
 {
-#if defined(__linux__)
-  pthread_attr_t attributes;
-  if (pthread_getattr_np(pthread_self(), &attributes) != 0)
-  {
-    return false;
-  }
-  void* lowest = nullptr;
-  std::size_t whole = 0;
-  pthread_attr_getstack(&attributes, &lowest, &whole);
-  pthread_attr_destroy(&attributes);
-  // The stack grows downwards on all processors for which this code is compiled.
-  const char* const here = static_cast<const char*>(__builtin_frame_address(0));
-  const auto left = static_cast<std::size_t>(here - static_cast<const char*>(lowest));
-  const std::size_t locked = std::min(size, left);
-  return this->Add(here - locked, locked);
-#else
-  static_cast<void>(size);
-  return false;
-#endif
+  const Pages::Stack stack = Pages::FindFreeStack(size);
+  return stack.Begin && this->Add(stack.Begin, stack.Size);
 }
-
-#else
-
-std::size_t GetPageSize() noexcept
-{
-  return 4096;
-}
-
-void RequestPages(const void*, std::size_t) noexcept {}
-
-void FetchPages(const void* begin, std::size_t size) noexcept
-{
-  for (std::size_t at = 0; at < size; at += GetPageSize())
-  {
-    static_cast<void>(static_cast<const volatile char*>(begin)[at]);
-  }
-}
-
-MemoryLock::~MemoryLock() = default;
-
-bool MemoryLock::Add(const void*, std::size_t) noexcept
-{
-  return false;
-}
-
-bool MemoryLock::AddStack(std::size_t) noexcept
-{
-  return false;
-}
-
-#endif
 
 } // namespace VolumeHaptics

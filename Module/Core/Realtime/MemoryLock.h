@@ -7,7 +7,7 @@
  * Only named ranges are locked, such as the loop's own memory. Program code and the memory of back
  * ends are not locked: mlockall would read every mapped file of the process from the disk, even a
  * volume of gigabytes. A page in several locks stays locked until the last of them is released,
- * although munlock itself does not count. A forked child inherits no locks. If an application has
+ * although the system does not count. A forked child inherits no locks. If an application has
  * locked its memory with mlockall, it loses that lock on pages that these locks share.
  *
  * Must not be used in the servo loop: locking may wait for memory, and fetching pages for the disk.
@@ -65,12 +65,12 @@ public:
   bool AddStack(std::size_t size) noexcept;
 
 private:
-  struct Pages
+  struct Range
   {
     std::uintptr_t First = 0; ///< number of the first page
     std::uintptr_t Last = 0;
   };
-  std::vector<Pages> Locked;
+  std::vector<Range> Locked;
   bool IsOfOneArray = false;
   std::int64_t Process = 0; // process that made the locks
 };

@@ -4,7 +4,14 @@
 
 #include "Core/Realtime/ServoClock.h"
 
-#if defined(__unix__)
+#if defined(_WIN32)
+#include "Core/Platform/WindowsApi.h"
+#elif defined(__APPLE__)
+#include <mach/mach.h>
+#include <mach/mach_time.h>
+#include <mach/thread_policy.h>
+#include <pthread.h>
+#else
 #include <algorithm>
 #include <pthread.h>
 #include <sched.h>
@@ -78,12 +85,59 @@ std::int64_t GetThread() noexcept
 
 } // namespace
 
+#if defined(_WIN32)
+
+bool ServoPriority::RaiseThread() noexcept
+{
+  // The service for multimedia (MMCSS) gives a class above all usual programs. It may be switched
+  // off; the priority of the thread alone is still above that of others.
+  using Setter = HANDLE(WINAPI*)(LPCWSTR, LPDWORD);
+  static const HMODULE library = LoadLibraryExW(L"avrt.dll", nullptr, LOAD_LIBRARY_SEARCH_SYSTEM32);
+  const auto set = library ? reinterpret_cast<Setter>(reinterpret_cast<void*>(
+                               GetProcAddress(library, "AvSetMmThreadCharacteristicsW")))
+                           : nullptr;
+  DWORD task = 0;
+  const bool isGranted = set && set(L"Pro Audio", &task) != nullptr;
+  return SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) && isGranted;
+}
+
+void ServoPriority::LowerThread() noexcept
+{
+  SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL);
+}
+
+#elif defined(__APPLE__)
+
+bool ServoPriority::RaiseThread() noexcept
+{
+  // The class of threads with a deadline: needs no privilege. A round of a servo comes each
+  // millisecond and takes a part of it.
+  mach_timebase_info_data_t base{};
+  mach_timebase_info(&base);
+  const auto toTicks = [&base](std::uint64_t time)
+  { return static_cast<std::uint32_t>(time * base.denom / base.numer); };
+  thread_time_constraint_policy_data_t policy{};
+  policy.period = toTicks(1000000);
+  policy.computation = toTicks(300000);
+  policy.constraint = toTicks(800000);
+  policy.preemptible = TRUE;
+  return thread_policy_set(pthread_mach_thread_np(pthread_self()), THREAD_TIME_CONSTRAINT_POLICY,
+           reinterpret_cast<thread_policy_t>(&policy),
+           THREAD_TIME_CONSTRAINT_POLICY_COUNT) == KERN_SUCCESS;
+}
+
+void ServoPriority::LowerThread() noexcept
+{
+  pthread_set_qos_class_self_np(QOS_CLASS_UTILITY, 0);
+}
+
+#else
+
 bool ServoPriority::RaiseThread() noexcept
 {
 #if defined(__linux__)
   prctl(PR_SET_TIMERSLACK, 1UL); // ns
 #endif
-#if defined(__unix__)
   // Priority below that of the kernel's interrupt threads (50), so that these run first.
   constexpr int wanted = 40;
   sched_param parameters{};
@@ -92,7 +146,6 @@ bool ServoPriority::RaiseThread() noexcept
   {
     return true;
   }
-#endif
 #if defined(__linux__)
   parameters.sched_priority = std::min(wanted, GetAllowedPriority());
   if (parameters.sched_priority > 0 &&
@@ -104,6 +157,17 @@ bool ServoPriority::RaiseThread() noexcept
 #endif
   return false;
 }
+
+void ServoPriority::LowerThread() noexcept
+{
+#if defined(__linux__)
+  // On Linux this lowers only the calling thread; in POSIX it would lower the whole process.
+  constexpr int nice = 10;
+  (void)setpriority(PRIO_PROCESS, 0, nice);
+#endif
+}
+
+#endif
 
 void ServoPriority::Raise() noexcept
 {

@@ -16,6 +16,9 @@
  *    fraction of a processor runs as soon as it wakes up. Otherwise it may have to wait until the
  *    slice of a busy thread ends, which takes milliseconds.
  *
+ * On Windows, the kernel's class is that of the multimedia service (MMCSS), and on macOS that of
+ * threads with a deadline; both need no privilege.
+ *
  * Documentation/devices.md has measurements.
  */
 #ifndef ServoPriority_h
@@ -49,6 +52,8 @@ public:
    * the class was granted.
    */
   static bool RaiseThread() noexcept;
+  /** Lowers the priority of the calling thread, for work that nobody waits for. */
+  static void LowerThread() noexcept;
 
   /** Calls RaiseThread() and stores its answer. Call it on the servo's thread. */
   void Raise() noexcept;

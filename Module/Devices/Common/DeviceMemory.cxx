@@ -3,11 +3,12 @@
 #include "Devices/Common/DeviceMemory.h"
 
 #include "Core/Math/NumberText.h"
+#include "Core/Platform/Files.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -16,8 +17,6 @@
 #include <sstream>
 #include <vector>
 
-#include <unistd.h>
-
 namespace VolumeHaptics
 {
 namespace
@@ -25,12 +24,6 @@ namespace
 
 constexpr const char* Header =
   "# Devices of VTK Volume Haptics: volumehaptics-device confirm and calibrate write this file.";
-
-std::string GetVariable(const char* name)
-{
-  const char* const value = std::getenv(name);
-  return value ? value : "";
-}
 
 bool ReadNumber(const std::string& text, double& number)
 {
@@ -131,17 +124,17 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
   std::error_code trouble;
-  if (file.empty() || !std::filesystem::exists(file, trouble))
+  if (file.empty() || !std::filesystem::exists(Files::ToPath(file), trouble))
   {
     return true;
   }
-  std::ifstream in(file);
+  std::ifstream in(Files::ToPath(file));
   std::string line;
   while (std::getline(in, line))
   {
     lines.push_back(line);
   }
-  if (!in.eof() || std::filesystem::is_directory(file, trouble))
+  if (!in.eof() || std::filesystem::is_directory(Files::ToPath(file), trouble))
   {
     error = "The file of devices \"" + file + "\" can't be read. Check its permissions.";
     return false;
@@ -168,18 +161,12 @@ std::string DeviceFacts::DescribeScale() const
 
 std::string DeviceMemory::FindFile()
 {
-  const std::string own = GetVariable("VOLUMEHAPTICS_DEVICES");
+  const std::string own = Files::GetVariable("VOLUMEHAPTICS_DEVICES");
   if (!own.empty())
   {
     return own;
   }
-#if defined(_WIN32)
-  const std::string folder = GetVariable("APPDATA");
-#else
-  const std::string home = GetVariable("HOME");
-  std::string folder = GetVariable("XDG_CONFIG_HOME");
-  folder = !folder.empty() || home.empty() ? folder : home + "/.config";
-#endif
+  const std::string folder = Files::GetSettingsFolder();
   return folder.empty() ? folder : folder + "/volumehaptics/devices.txt";
 }
 
@@ -252,7 +239,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     lines.push_back(Header);
   }
   std::error_code trouble;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  const std::filesystem::path folder = Files::ToPath(file).parent_path();
   if (!folder.empty())
   {
     std::filesystem::create_directories(folder, trouble);
@@ -266,22 +253,25 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // mkstemp() makes a new file, so that it writes through no link that somebody has put there.
-  std::string temporary = file + ".partXXXXXX";
-  const int descriptor = mkstemp(temporary.data());
-  std::FILE* const out = descriptor >= 0 ? fdopen(descriptor, "w") : nullptr;
-  const bool isWritten = out && std::fputs(text.str().c_str(), out) >= 0;
-  if (out && std::fclose(out) == 0 && isWritten)
+  // It is a new file, so that this writes through no link that somebody has put there.
+  std::string temporary;
+  constexpr Files::Mode onlyThisUser = 0600;
+  const int descriptor = Files::CreateBeside(file, onlyThisUser, temporary);
+  if (descriptor >= 0)
   {
-    trouble.clear();
-    std::filesystem::rename(temporary, file, trouble);
-    if (!trouble)
+    const std::string all = text.str();
+    std::size_t done = 0;
+    for (std::int64_t size = 1; size > 0 && done < all.size();)
+    {
+      size = Files::Write(descriptor, all.data() + done, all.size() - done);
+      done += static_cast<std::size_t>(std::max<std::int64_t>(size, 0));
+    }
+    if (Files::CloseWritten(descriptor) && done == all.size() && Files::Rename(temporary, file))
     {
       return true;
     }
+    Files::Remove(temporary);
   }
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
   error = "The file of devices \"" + file +
     "\" can't be written, so that this is forgotten. Check the permissions of its folder and the "
     "space on its disk, or set VOLUMEHAPTICS_DEVICES to the name of another file.";

@@ -2,19 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Common/HardwareExchange.h"
 
+#include "Core/Platform/Wake.h"
 #include "Core/Realtime/ServoClock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <thread>
-
-#if defined(__linux__)
-#include <poll.h>
-#include <sys/eventfd.h>
-#include <time.h>
-#include <unistd.h>
-#endif
 
 namespace VolumeHaptics
 {
@@ -28,66 +20,36 @@ constexpr std::int64_t ShortestSleep = 50000000;
 
 HardwareExchange::HardwareExchange(Clock asleep)
   : Asleep(asleep)
+  , Wake(VolumeHaptics::Wake::Open())
 {
-#if defined(__linux__)
-  this->Wake = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-#endif
 }
 
 HardwareExchange::~HardwareExchange()
 {
-#if defined(__linux__)
   if (this->Wake >= 0)
   {
-    close(this->Wake);
+    VolumeHaptics::Wake::Close(this->Wake);
   }
-#endif
 }
 
 void HardwareExchange::WakeUp() noexcept
 {
-#if defined(__linux__)
-  const std::uint64_t one = 1;
-  // Writing fails only if the descriptor is readable already.
-  [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
-#endif
+  VolumeHaptics::Wake::Set(this->Wake);
 }
 
 void HardwareExchange::ClearWake() noexcept
 {
-#if defined(__linux__)
-  std::uint64_t count = 0;
-  [[maybe_unused]] const auto size = read(this->Wake, &count, sizeof(count));
-#endif
+  VolumeHaptics::Wake::Clear(this->Wake);
 }
 
 void HardwareExchange::WaitForWake(int time) noexcept
 {
-#if defined(__linux__)
-  if (this->Wake >= 0)
-  {
-    pollfd wake{ this->Wake, POLLIN, 0 };
-    if (poll(&wake, 1, time) > 0)
-    {
-      this->ClearWake();
-    }
-    return;
-  }
-#endif
-  std::this_thread::sleep_for(std::chrono::milliseconds(time));
+  VolumeHaptics::Wake::Wait(this->Wake, time);
 }
 
 std::int64_t HardwareExchange::GetTimeAsleep() noexcept
 {
-#if defined(__linux__)
-  timespec whole{};
-  timespec awake{};
-  clock_gettime(CLOCK_BOOTTIME, &whole);
-  clock_gettime(CLOCK_MONOTONIC, &awake);
-  return (whole.tv_sec - awake.tv_sec) * std::int64_t{ 1000000000 } + whole.tv_nsec - awake.tv_nsec;
-#else
-  return 0;
-#endif
+  return ServoClock::GetTimeAsleep();
 }
 
 void HardwareExchange::Begin() noexcept

@@ -3,6 +3,7 @@
 #include "Devices/Falcon/FalconDriver.h"
 
 #include "Core/Math/NumberText.h"
+#include "Core/Platform/Files.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/HardwareExchange.h"
@@ -51,7 +52,8 @@ std::string SizeText(std::uintmax_t size)
 std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 {
   std::error_code trouble;
-  const std::filesystem::file_status status = std::filesystem::status(file, trouble);
+  const std::filesystem::path path = Files::ToPath(file);
+  const std::filesystem::file_status status = std::filesystem::status(path, trouble);
   if (!std::filesystem::exists(status))
   {
     return "does not exist";
@@ -60,13 +62,13 @@ std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
   {
     return std::filesystem::is_directory(status) ? "is a folder" : "is no regular file";
   }
-  const std::uintmax_t size = std::filesystem::file_size(file, trouble);
+  const std::uintmax_t size = std::filesystem::file_size(path, trouble);
   if (!trouble && (size < FalconSmallestFirmware || size > FalconLargestFirmware))
   {
     return SizeText(size);
   }
   errno = 0;
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(path, std::ios::binary);
   image.resize(trouble ? 0 : static_cast<std::size_t>(size));
   stream.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
   if (trouble || !stream || image.empty())

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Guard/GuardProcess.h"
 
+#include "Core/Platform/OwnFile.h"
 #include "Core/Realtime/ServoClock.h"
-#include "Devices/Common/OwnFile.h"
 
 #include <cerrno>
 #include <csignal>
@@ -28,7 +28,7 @@ const char* const ProgramName = "volumehaptics-guard";
 /** Longest time (ms) for opening a device. A device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
 
-const char* const Cure =
+const char* const GuardCure =
   "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
   "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
   "without a guard: then it may keep its last force if this program is killed or stopped.";
@@ -76,12 +76,12 @@ public:
 
 std::string FindGuardProgram(std::string& error)
 {
-  if (const char* const named = ReadSafeVariable(Variable); named != nullptr && *named != '\0')
+  if (const std::string named = ReadSafeVariable(Variable); !named.empty())
   {
-    if (access(named, X_OK) != 0)
+    if (access(named.c_str(), X_OK) != 0)
     {
-      error = std::string("The guard of the device can't be started: \"") + named + "\" (" +
-        std::strerror(errno) + "). " + Cure;
+      error = "The guard of the device can't be started: \"" + named + "\" (" +
+        std::strerror(errno) + "). " + GuardCure;
       return {};
     }
     return named;
@@ -95,7 +95,7 @@ std::string FindGuardProgram(std::string& error)
       (obstacle.empty()
           ? ", is neither beside this library nor in a folder \"bin\" near it. "
           : ", is not started, as another user could have written it: " + obstacle + " ") +
-      Cure;
+      GuardCure;
   }
   return program;
 }
@@ -154,7 +154,7 @@ bool GuardProcess::Spawn(
   {
     this->Process = -1;
     error = "The guard of the device, \"" + program + "\", can't be started (" +
-      std::strerror(result) + "). " + Cure;
+      std::strerror(result) + "). " + GuardCure;
   }
   return result == 0;
 }
@@ -182,7 +182,7 @@ bool GuardProcess::ReadAnswer(DriverFacts& facts, std::string& error)
         this->End(how);
         how += " before it had the device";
       }
-      error = "The guard of the device " + how + ". " + Cure;
+      error = "The guard of the device " + how + ". " + GuardCure;
       return false;
     }
     answer += byte;

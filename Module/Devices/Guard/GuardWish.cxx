@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Guard/GuardWish.h"
 
-#include <cstdlib>
-#include <cstring>
+#include "Core/Platform/Files.h"
 
 namespace VolumeHaptics
 {
 
 bool IsGuardWanted(const DeviceOptions& options)
 {
-  const char* const named = std::getenv("VOLUMEHAPTICS_GUARD");
-  return options.UseGuard && (named == nullptr || std::strcmp(named, "off") != 0);
+  return options.UseGuard && Files::GetVariable("VOLUMEHAPTICS_GUARD") != "off";
 }
 
 std::string MakeNoGuardText(const std::string& device)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Haply/HaplyService.h"
 
+#include "Core/Platform/Files.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Transport/WebSocket/WebSocketClient.h"
 
@@ -10,7 +11,9 @@
 #include <fstream>
 #include <sstream>
 
+#if defined(__linux__)
 #include <unistd.h>
+#endif
 
 namespace VolumeHaptics
 {
@@ -47,8 +50,7 @@ std::string NameOfHaply(const HaplyArm& arm)
 
 bool HaplyPorts::Read(HaplyPorts& ports, std::string& error)
 {
-  const char* const variable = std::getenv("VOLUMEHAPTICS_HAPLY");
-  const std::string text = variable == nullptr ? "" : variable;
+  const std::string text = Files::GetVariable("VOLUMEHAPTICS_HAPLY");
   std::size_t begin = text.empty() ? std::string::npos : 0;
   bool areRight = true;
   for (std::uint16_t* const port : { &ports.States, &ports.Events, &ports.Http })
@@ -114,11 +116,12 @@ std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t por
 
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
 {
+#if defined(__linux__)
   for (const std::uint16_t port : { ports.States, ports.Http, ports.Events })
   {
     for (const char* const name : { "/proc/net/tcp", "/proc/net/tcp6" })
     {
-      std::ifstream table(name); // not there on other systems
+      std::ifstream table(name);
       if (const std::optional<unsigned> user = FindOtherListener(table, port, geteuid()))
       {
         error = "What listens at port " + std::to_string(port) +
@@ -128,6 +131,7 @@ bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::str
       }
     }
   }
+#endif
   const std::string where =
     " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);
   std::string text;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -86,7 +85,8 @@ bool HfabDriver::Choose(SerialPortInfo& port, std::string& error) const
   error = boards.empty()
     ? std::string("No hfab controller is plugged in: no serial port of a board named \"") + Board +
       "\" is in " + this->Folder +
-      ". Plug it in and switch it on, or give its port, such as \"hfab:/dev/ttyACM0\"."
+      ". Plug it in and switch it on, or give its port, such as \"hfab:" + SerialPort::Example +
+      "\"."
     : "Several boards may be the hfab controller. Give the port: " + known + ".";
   return false;
 }
@@ -104,7 +104,7 @@ bool HfabDriver::Reconnect(
 {
   // A board may get another port than before.
   std::vector<SerialPortInfo> ports = ListBoardPorts(this->Folder);
-  if (!this->Wanted.empty() && access(this->Wanted.c_str(), F_OK) == 0)
+  if (!this->Wanted.empty() && SerialPort::IsThere(this->Wanted))
   {
     ports.push_back({ this->Wanted, SerialPort::NameOf(this->Wanted, this->Folder) });
   }

@@ -31,7 +31,7 @@ std::string WhyNoBoards()
 {
   return HfabDriver::ListBoardPorts().empty() ? std::string("no serial port of a board named \"") +
       HfabDriver::Board + "\" is in " + SerialPort::NamesFolder +
-      ". Plug the controller in, or give its port, such as \"hfab:/dev/ttyACM0\"."
+      ". Plug the controller in, or give its port, such as \"hfab:" + SerialPort::Example + "\"."
                                               : std::string();
 }
 
@@ -40,10 +40,10 @@ std::unique_ptr<DeviceBackend> MakeHfab(
 {
   const std::size_t colon = id.find(':');
   const std::string port = colon == std::string::npos ? std::string() : id.substr(colon + 1);
-  if (colon != std::string::npos && (port.empty() || port[0] != '/'))
+  if (colon != std::string::npos && (port.empty() || !SerialPort::IsPath(port)))
   {
     error = "\"" + id + "\" is no device id: give \"hfab\" or \"hfab:PORT\", such as " +
-      "\"hfab:/dev/ttyACM0\".";
+      "\"hfab:" + SerialPort::Example + "\".";
     return nullptr;
   }
   return std::make_unique<HardwareDevice>(std::make_unique<HfabDriver>(port));

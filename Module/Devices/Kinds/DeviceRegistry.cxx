@@ -72,12 +72,8 @@ std::vector<DeviceKind> GetBuiltInKinds()
   kinds.push_back(WithoutLibrary("vibration", "hidapi", "VolumeHaptics_USE_HIDAPI"));
 #endif
   kinds.push_back(GetXrKind());
-#if defined(VOLUME_HAPTICS_HAS_TERMIOS)
   kinds.push_back(GetHfabKind());
-#endif
-#if defined(VOLUME_HAPTICS_HAS_DLOPEN)
   kinds.push_back(GetVendorKind());
-#endif
   return kinds;
 }
 

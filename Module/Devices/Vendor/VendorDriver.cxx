@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Vendor/VendorDriver.h"
 
+#include "Core/Platform/Libraries.h"
+#include "Core/Platform/OwnFile.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/DeviceTexts.h"
-#include "Devices/Common/OwnFile.h"
 #include "Devices/Vendor/VendorFolder.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <dlfcn.h>
 #include <map>
 
 namespace VolumeHaptics
@@ -34,18 +34,23 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
  */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {
-  void* const library = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::string reason;
+  void* const library = Libraries::Load(real, reason);
   if (!library)
   {
     // The loader's text names the missing part, usually the vendor's own library.
-    const char* const reason = dlerror();
-    error = "\"" + real + "\" can't be loaded: " + (reason ? reason : "no reason is given") +
+    error = "\"" + real + "\" can't be loaded: " + reason +
+#if defined(_WIN32)
+      ". Install the vendor's SDK, or put its libraries into the plug-in's folder.";
+#else
       ". Install the vendor's SDK, and name the folder of its libraries in LD_LIBRARY_PATH if they "
       "are not in a folder of the system.";
+#endif
     return nullptr;
   }
   using Getter = const VolumeHapticsVendorPlugin* (*)(std::uint32_t);
-  const auto get = reinterpret_cast<Getter>(dlsym(library, "VolumeHapticsVendorGetPlugin"));
+  const auto get =
+    reinterpret_cast<Getter>(Libraries::Find(library, "VolumeHapticsVendorGetPlugin"));
   if (!get)
   {
     error = "\"" + real +
@@ -117,7 +122,8 @@ std::shared_ptr<VendorLibrary> VendorLibrary::Load(
   {
     return LoadFile(file->Path, error);
   }
-  error = "There is no plug-in \"" + plugin + "\", the file libvolumehaptics-" + plugin + ".so";
+  error = "There is no plug-in \"" + plugin + "\", the file libvolumehaptics-" + plugin +
+    Libraries::Ending;
   if (folders.empty())
   {
     error += std::string(": no folder is searched. Name the plug-in's folder in ") +

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Vendor/VendorFolder.h"
 
-#include "Devices/Common/OwnFile.h"
+#include "Core/Platform/Files.h"
+#include "Core/Platform/Libraries.h"
+#include "Core/Platform/OwnFile.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,7 +16,7 @@ namespace
 {
 
 constexpr const char* Prefix = "libvolumehaptics-";
-constexpr const char* Suffix = ".so";
+constexpr const char* Suffix = Libraries::Ending;
 
 } // namespace
 
@@ -31,12 +33,11 @@ bool VendorFolder::IsName(const std::string& plugin)
 
 std::vector<std::string> VendorFolder::Split(const std::string& path)
 {
-  const char* const variable = path.empty() ? ReadSafeVariable(Variable) : nullptr;
-  const std::string all = variable ? variable : path;
+  const std::string all = path.empty() ? ReadSafeVariable(Variable) : path;
   std::vector<std::string> folders;
   for (std::size_t from = 0; from <= all.size();)
   {
-    const std::size_t end = std::min(all.find(':', from), all.size());
+    const std::size_t end = std::min(all.find(Libraries::PathSeparator, from), all.size());
     if (end > from)
     {
       folders.push_back(all.substr(from, end - from));
@@ -53,18 +54,22 @@ std::vector<VendorFile> VendorFolder::List(
   std::vector<VendorFile> found;
   for (const std::string& folder : folders)
   {
-    if (folder[0] != '/')
+    if (!Files::IsAbsolute(folder))
     {
       obstacles.push_back("\"" + folder +
-        "\" is not searched, as it does not begin with a slash. Name the whole path.");
+        "\" is not searched, as it does not begin with a slash"
+#if defined(_WIN32)
+        " or a drive"
+#endif
+        ". Name the whole path.");
       continue;
     }
     std::error_code error;
     std::vector<VendorFile> here;
-    for (fs::directory_iterator file(folder, error), end; !error && file != end;
+    for (fs::directory_iterator file(Files::ToPath(folder), error), end; !error && file != end;
          file.increment(error))
     {
-      const std::string name = file->path().filename().string();
+      const std::string name = Files::ToName(file->path().filename());
       const std::size_t least = std::strlen(Prefix) + std::strlen(Suffix);
       if (name.size() <= least || name.compare(0, std::strlen(Prefix), Prefix) != 0 ||
         name.compare(name.size() - std::strlen(Suffix), std::string::npos, Suffix) != 0)
@@ -74,7 +79,7 @@ std::vector<VendorFile> VendorFolder::List(
       const std::string plugin = name.substr(std::strlen(Prefix), name.size() - least);
       if (IsName(plugin))
       {
-        here.push_back({ plugin, file->path().string() });
+        here.push_back({ plugin, Files::ToName(file->path()) });
       }
     }
     if (error)

@@ -6,7 +6,7 @@
  * be loaded.
  *
  * A plug-in runs with all rights of the user. So only folders that the user names are searched, and
- * a plug-in that another user could have written is not loaded (Devices/Common/OwnFile.h). The
+ * a plug-in that another user could have written is not loaded (Core/Platform/OwnFile.h). The
  * libraries that a plug-in needs are not checked, because the system's loader finds them.
  */
 #ifndef VendorFolder_h
@@ -31,7 +31,8 @@ public:
   static constexpr const char* Variable = "VOLUMEHAPTICS_VENDOR_PATH";
 
   /**
-   * Returns the folders of a search path, which are separated by colons. If the path is empty,
+   * Returns the folders of a search path, which are separated by colons, and by semicolons on
+   * Windows. If the path is empty,
    * returns the folders in the environment variable; a program that has more rights than its user
    * ignores this variable.
    */

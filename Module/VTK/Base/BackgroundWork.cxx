@@ -2,33 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Base/BackgroundWork.h"
 
+#include "Core/Realtime/ServoPriority.h"
+
 #include <algorithm>
 #include <new>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#if defined(__linux__)
-#include <sys/resource.h>
-#endif
-
 namespace VolumeHaptics
 {
-namespace
-{
-
-/** Lowers the priority of the calling thread. */
-void LowerPriority() noexcept
-{
-#if defined(__linux__)
-  // On Linux this lowers only the calling thread; in POSIX it would lower the whole process.
-  constexpr int nice = 10;
-  (void)setpriority(PRIO_PROCESS, 0, nice);
-#endif
-}
-
-} // namespace
-
 /** Runs that a thread has begun and does not need any more. */
 class BackgroundWork::Leavings
 {
@@ -171,7 +154,7 @@ void BackgroundWork::Begin(Task task)
       [current, spent]
       {
         ServoClock::BlockSignals();
-        LowerPriority();
+        ServoPriority::LowerThread();
         for (std::thread& thread : *spent)
         {
           thread.join();

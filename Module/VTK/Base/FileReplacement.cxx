@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Base/FileReplacement.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
-#include <random>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -17,26 +13,6 @@ namespace
 {
 
 constexpr std::size_t BufferSize = 1 << 16;
-
-/**
- * Creates a file with a random name in the folder of `file`. Returns its descriptor, or -1 with
- * errno.
- */
-int CreateBeside(const std::string& file, mode_t mode, std::string& name)
-{
-  std::random_device random;
-  int descriptor = -1;
-  constexpr int most = 100; // attempts; two random names of 64 bits are hardly ever equal
-  for (int i = 0; i < most && descriptor < 0 && (i == 0 || errno == EEXIST); ++i)
-  {
-    char text[40];
-    std::snprintf(text, sizeof(text), "VolumeHaptics%08x%08x.tmp", random(), random());
-    name = GetFolder(file);
-    name += (name.back() == '/' ? "" : "/") + std::string(text);
-    descriptor = OpenFile(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode);
-  }
-  return descriptor;
-}
 
 } // namespace
 
@@ -49,12 +25,12 @@ void FileReplacement::Discard()
 {
   if (this->Descriptor >= 0)
   {
-    close(this->Descriptor);
+    Files::Close(this->Descriptor);
     this->Descriptor = -1;
   }
   if (this->IsThere)
   {
-    unlink(this->Temporary.c_str());
+    Files::Remove(this->Temporary);
     this->IsThere = false;
   }
 }
@@ -65,19 +41,19 @@ bool FileReplacement::Open(const std::string& file, std::string& error)
   {
     return false;
   }
-  this->Target = ResolveLinks(file);
-  struct stat status;
-  const bool isOld = stat(this->Target.c_str(), &status) == 0;
-  constexpr mode_t everybody = 0666; // the user's mask removes some of these
+  this->Target = Files::ResolveLinks(file);
+  Files::Status status;
+  const bool isOld = Files::GetStatus(this->Target, status);
+  constexpr Files::Mode everybody = 0666; // the user's mask removes some of these
   this->Descriptor =
-    CreateBeside(this->Target, isOld ? status.st_mode & 0600 : everybody, this->Temporary);
+    Files::CreateBeside(this->Target, isOld ? status.st_mode & 0600 : everybody, this->Temporary);
   if (this->Descriptor < 0)
   {
     error = ExplainWriteError(errno, this->Target);
     return false;
   }
   this->IsThere = true;
-  this->IsInPlace = isOld && !CopyPermissions(this->Descriptor, status);
+  this->IsInPlace = isOld && !Files::CopyPermissions(this->Descriptor, status);
   return true;
 }
 
@@ -103,7 +79,7 @@ void FileReplacement::Flush()
 void FileReplacement::WriteAt(std::uint64_t position, const std::string& text)
 {
   this->Flush();
-  if (this->Failure == 0 && lseek(this->Descriptor, static_cast<off_t>(position), SEEK_SET) < 0)
+  if (this->Failure == 0 && !Files::Seek(this->Descriptor, static_cast<std::int64_t>(position)))
   {
     this->Failure = errno;
   }
@@ -111,7 +87,7 @@ void FileReplacement::WriteAt(std::uint64_t position, const std::string& text)
   {
     this->Failure = WriteAll(this->Descriptor, text.data(), text.size());
   }
-  if (this->Failure == 0 && lseek(this->Descriptor, 0, SEEK_END) < 0)
+  if (this->Failure == 0 && !Files::SeekEnd(this->Descriptor))
   {
     this->Failure = errno;
   }
@@ -125,9 +101,9 @@ bool FileReplacement::Finish(std::string& error)
     // A full disk may not be reported before this call.
     if (this->Failure == 0)
     {
-      this->Failure = SyncFile(this->Descriptor);
+      this->Failure = Files::Sync(this->Descriptor);
     }
-    if (close(this->Descriptor) != 0 && errno != EINTR && this->Failure == 0)
+    if (!Files::CloseWritten(this->Descriptor) && this->Failure == 0)
     {
       this->Failure = errno;
     }
@@ -143,14 +119,14 @@ bool FileReplacement::Finish(std::string& error)
 
 int FileReplacement::CopyInPlace()
 {
-  const int from = OpenToRead(this->Temporary);
+  const int from = Files::Open(this->Temporary, Files::For::Reading);
   int failure = from < 0 ? errno : 0;
-  const int to = failure ? -1 : OpenFile(this->Target, O_WRONLY | O_TRUNC);
+  const int to = failure ? -1 : Files::Open(this->Target, Files::For::Writing);
   failure = failure == 0 && to < 0 ? errno : failure;
   std::string buffer(BufferSize, '\0');
-  for (ssize_t got = 1; failure == 0 && got != 0;)
+  for (std::int64_t got = 1; failure == 0 && got != 0;)
   {
-    got = read(from, &buffer[0], buffer.size());
+    got = Files::Read(from, &buffer[0], buffer.size());
     if (got < 0)
     {
       failure = errno == EINTR ? 0 : errno;
@@ -160,12 +136,12 @@ int FileReplacement::CopyInPlace()
       failure = WriteAll(to, buffer.data(), static_cast<std::size_t>(got));
     }
   }
-  failure = failure ? failure : SyncFile(to);
+  failure = failure ? failure : Files::Sync(to);
   for (const int descriptor : { from, to })
   {
     if (descriptor >= 0)
     {
-      close(descriptor);
+      Files::Close(descriptor);
     }
   }
   return failure;
@@ -190,7 +166,7 @@ bool FileReplacement::Commit(std::string& error)
     this->Discard();
     return true;
   }
-  if (rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
+  if (!Files::Rename(this->Temporary, this->Target))
   {
     error = ExplainWriteError(errno, this->Target);
     this->Discard();

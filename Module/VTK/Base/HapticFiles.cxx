@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Base/HapticFiles.h"
 
+#include "Core/Platform/Files.h"
+
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <fcntl.h>
-#include <memory>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -54,10 +51,10 @@ std::size_t CharacterSize(const unsigned char* text, std::size_t left)
   return size;
 }
 
-const char* WhatElse(const struct stat& status)
+const char* WhatElse(const Files::Status& status)
 {
-  return S_ISDIR(status.st_mode) ? "is a folder"
-    : S_ISFIFO(status.st_mode)   ? "is a pipe"
+  return Files::IsFolder(status) ? "is a folder"
+    : Files::IsPipe(status)      ? "is a pipe"
                                  : "is a device or a socket";
 }
 
@@ -68,85 +65,17 @@ std::string DescribeError(int number)
   return Printable(std::generic_category().message(number));
 }
 
-int OpenFile(const std::string& file, int flags, mode_t mode)
-{
-  int descriptor = -1;
-  do
-  {
-    descriptor = open(file.c_str(), flags | O_CLOEXEC, mode);
-  } while (descriptor < 0 && errno == EINTR);
-  return descriptor;
-}
-
-int OpenToRead(const std::string& file)
-{
-  return OpenFile(file, O_RDONLY | O_NONBLOCK);
-}
-
-int SyncFile(int descriptor)
-{
-  int failure = 0;
-  do
-  {
-    failure = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-  } while (failure == EINTR);
-  return failure;
-}
-
 int SyncFolder(const std::string& file)
 {
-  const int descriptor = OpenFile(GetFolder(file), O_RDONLY | O_DIRECTORY);
+  const int descriptor = Files::Open(GetFolder(file), Files::For::ReadingFolder);
   if (descriptor < 0)
   {
     // A folder that can't be read can still allow new files.
     return errno == EACCES ? 0 : errno;
   }
-  const int failure = SyncFile(descriptor);
-  close(descriptor);
+  const int failure = Files::Sync(descriptor);
+  Files::Close(descriptor);
   return failure;
-}
-
-std::string ResolveLinks(const std::string& file)
-{
-  std::string name = file;
-  constexpr int most = 40; // limit of Linux on the number of links
-  for (int i = 0; i < most; ++i)
-  {
-    const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);
-    if (real)
-    {
-      return real.get();
-    }
-    // The file does not exist, but a link to it may.
-    char target[4096];
-    const ssize_t size = readlink(name.c_str(), target, sizeof(target));
-    if (size <= 0)
-    {
-      return name;
-    }
-    const std::string next(target, static_cast<std::size_t>(size));
-    name = next[0] == '/' ? next : GetFolder(name) + "/" + next;
-  }
-  return file;
-}
-
-bool IsSameFile(int descriptor, const std::string& file)
-{
-  struct stat here;
-  struct stat there;
-  return fstat(descriptor, &here) == 0 && stat(file.c_str(), &there) == 0 &&
-    here.st_dev == there.st_dev && here.st_ino == there.st_ino;
-}
-
-bool CopyPermissions(int descriptor, const struct stat& other)
-{
-  struct stat status;
-  const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
-    fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
-    (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
-  // Set-user-ID and similar bits must not be copied to a file with another owner.
-  (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
-  return isKept;
 }
 
 std::string Printable(const std::string& text)
@@ -172,14 +101,13 @@ std::string Printable(const std::string& text)
 
 std::string MakeAbsolute(const std::string& file)
 {
-  const std::unique_ptr<char, void (*)(void*)> here(getcwd(nullptr, 0), std::free);
-  return file.empty() || file[0] == '/' || !here ? file : std::string(here.get()) + "/" + file;
+  const std::string here = Files::GetWorkingFolder();
+  return file.empty() || Files::IsAbsolute(file) || here.empty() ? file : here + "/" + file;
 }
 
 std::string GetFolder(const std::string& file)
 {
-  const std::size_t slash = file.rfind('/');
-  return slash == std::string::npos ? "." : slash == 0 ? "/" : file.substr(0, slash);
+  return Files::GetFolder(file);
 }
 
 std::string ExplainWriteError(int number, const std::string& file)
@@ -197,7 +125,9 @@ std::string ExplainWriteError(int number, const std::string& file)
       return "you may not write to the folder " + folder + " (" + DescribeError(number) +
         "). Choose another one, or change its permissions.";
     case ENOSPC:
+#if defined(EDQUOT)
     case EDQUOT:
+#endif
     case EFBIG:
       return "there is no room for it in the folder " + folder + " (" + DescribeError(number) +
         "). Make room, or choose a folder on another disk.";
@@ -208,23 +138,23 @@ std::string ExplainWriteError(int number, const std::string& file)
 
 bool CheckWritable(const std::string& file, std::string& error)
 {
-  struct stat status;
-  const std::string target = ResolveLinks(file);
-  if (stat(target.c_str(), &status) == 0)
+  Files::Status status;
+  const std::string target = Files::ResolveLinks(file);
+  if (Files::GetStatus(target, status))
   {
-    if (!S_ISREG(status.st_mode))
+    if (!Files::IsRegular(status))
     {
       error = std::string("it ") + WhatElse(status) + ". Give the name of a file.";
       return false;
     }
-    if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+    if (!Files::MayWrite(target))
     {
       error = "the file is there and may not be written (" + DescribeError(errno) +
         "). Change its permissions, or give another name.";
       return false;
     }
   }
-  if (faccessat(AT_FDCWD, GetFolder(target).c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+  if (!Files::MayWriteFolder(GetFolder(target)))
   {
     error = ExplainWriteError(errno, target);
     return false;
@@ -234,14 +164,14 @@ bool CheckWritable(const std::string& file, std::string& error)
 
 bool CheckRegular(const std::string& file, std::string& error)
 {
-  struct stat status;
-  if (stat(file.c_str(), &status) != 0)
+  Files::Status status;
+  if (!Files::GetStatus(file, status))
   {
     error = errno == ENOENT || errno == ENOTDIR ? "does not exist"
                                                 : "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  if (!S_ISREG(status.st_mode))
+  if (!Files::IsRegular(status))
   {
     error = std::string(WhatElse(status)) + ", not a file";
     return false;
@@ -254,25 +184,18 @@ std::string DetectHoles(const std::string& file)
   constexpr std::int64_t smallest = std::int64_t{ 64 } << 20;
   constexpr std::int64_t largestCompression =
     1032; // of zeros by deflate (zlib's technical details)
-  struct stat status;
-  const int descriptor = OpenToRead(file);
+  Files::Status status;
+  const int descriptor = Files::Open(file, Files::For::Reading);
   if (descriptor < 0)
   {
     return {};
   }
-  const std::int64_t size =
-    fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? std::int64_t{ status.st_size } : 0;
-  std::int64_t stored = 0;
-  bool hasMore = size > smallest;
-  for (off_t at = 0; hasMore && stored < size / largestCompression;)
-  {
-    const off_t data = lseek(descriptor, at, SEEK_DATA);
-    at = data < 0 ? data : lseek(descriptor, data, SEEK_HOLE);
-    hasMore = at >= 0;
-    // ENXIO: no data follow. Another error: the file system tells nothing.
-    stored = hasMore ? stored + (at - data) : errno == ENXIO ? stored : size;
-  }
-  close(descriptor);
+  const std::int64_t size = Files::GetStatus(descriptor, status) && Files::IsRegular(status)
+    ? std::int64_t{ status.st_size }
+    : 0;
+  const std::int64_t stored =
+    size > smallest ? Files::CountStored(descriptor, size / largestCompression) : size;
+  Files::Close(descriptor);
   return size > smallest && stored < size / largestCompression ? "has " + std::to_string(stored) +
       " of its " + std::to_string(size) + " bytes on the disk, and holes for the rest"
                                                                : std::string();
@@ -284,7 +207,7 @@ std::ifstream OpenStream(const std::string& file)
   std::ifstream stream;
   if (CheckRegular(file, error))
   {
-    stream.open(file, std::ios::binary);
+    stream.open(Files::ToPath(file), std::ios::binary);
   }
   else
   {
@@ -300,20 +223,20 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   {
     return false;
   }
-  const int descriptor = OpenToRead(file);
+  const int descriptor = Files::Open(file, Files::For::Reading);
   if (descriptor < 0)
   {
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  struct stat status;
-  int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
+  Files::Status status;
+  int failure = Files::GetStatus(descriptor, status) ? 0 : errno;
   // The file may have been replaced after the check.
-  bool isGood = failure == 0 && S_ISREG(status.st_mode);
+  bool isGood = failure == 0 && Files::IsRegular(status);
   char buffer[ChunkSize];
   while (isGood && text.size() <= most)
   {
-    const ssize_t got = read(descriptor, buffer, sizeof(buffer));
+    const std::int64_t got = Files::Read(descriptor, buffer, sizeof(buffer));
     if (got == 0)
     {
       break;
@@ -328,7 +251,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
       isGood = false;
     }
   }
-  close(descriptor);
+  Files::Close(descriptor);
   if (!isGood)
   {
     error = failure ? "can't be read (" + DescribeError(failure) + ")" : "is not a file";
@@ -345,7 +268,7 @@ int WriteAll(int descriptor, const void* data, std::size_t size)
   const char* from = static_cast<const char*>(data);
   while (size > 0)
   {
-    const ssize_t written = write(descriptor, from, size);
+    const std::int64_t written = Files::Write(descriptor, from, size);
     if (written < 0 && errno != EINTR)
     {
       return errno;

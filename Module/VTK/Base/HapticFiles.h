@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Functions on files: reading without hanging, writing, names, and texts for errors.
+ * Functions on files: reading without hanging, writing, names, and texts for errors. Descriptors are
+ * those of Core/Platform/Files.h.
  */
 #ifndef HapticFiles_h
 #define HapticFiles_h
@@ -10,8 +11,6 @@
 #include <cstddef>
 #include <fstream>
 #include <string>
-
-#include <sys/stat.h>
 
 namespace VolumeHaptics
 {
@@ -40,37 +39,12 @@ bool CheckWritable(const std::string& file, std::string& error);
 /** Describes an errno. */
 std::string DescribeError(int number);
 
-///@{
-/**
- * Call open(2) and fsync(2), and repeat the call if a signal interrupts it. On a file system
- * without fsync, SyncFile succeeds.
- */
-int OpenFile(const std::string& file, int flags, mode_t mode = 0);
-int SyncFile(int descriptor);
-///@}
-/**
- * Opens a file for reading, without waiting for the writer of a FIFO. Returns a negative number,
- * with errno, on failure.
- */
-int OpenToRead(const std::string& file);
 /** Opens a regular file as a stream of bytes. For a FIFO or a device, the stream has failed. */
 std::ifstream OpenStream(const std::string& file);
 /**
  * Writes the folder of a file, with its names, to the disk. Returns 0, or the errno of the failure.
  */
 int SyncFolder(const std::string& file);
-
-/** Returns the file to which symbolic links lead, even if it does not exist yet. */
-std::string ResolveLinks(const std::string& file);
-
-/** Whether `file` names the open file. */
-bool IsSameFile(int descriptor, const std::string& file);
-
-/**
- * Copies the owner, the group and the permissions of an existing file to a new one, as far as the
- * system allows. Returns false if the groups differ; the new file's group then gets no permissions.
- */
-bool CopyPermissions(int descriptor, const struct stat& other);
 
 /**
  * Accepts regular files only, because reading a FIFO or a terminal may block for ever. Returns

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Base/XmlStructure.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 
 #include "vtkCallbackCommand.h"
@@ -698,8 +699,8 @@ private:
 
 std::string DetectFalseXml(const std::string& file)
 {
-  struct stat status;
-  if (stat(file.c_str(), &status) != 0)
+  Files::Status status;
+  if (!Files::GetStatus(file, status))
   {
     return {}; // the reader reports it
   }

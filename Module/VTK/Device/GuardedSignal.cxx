@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#if defined(__unix__)
+#if !defined(_WIN32)
 #include "VTK/Device/GuardedSignal.h"
 
 #include <algorithm>

@@ -11,7 +11,13 @@
 #include <mutex>
 #include <vector>
 
-#if defined(__unix__)
+#if defined(_WIN32)
+#include "Core/Platform/WindowsApi.h"
+
+#include <atomic>
+#include <csignal>
+#include <thread>
+#else
 #include "VTK/Device/GuardedSignal.h"
 
 #include <cerrno>
@@ -53,7 +59,13 @@ bool IsOwner() noexcept
   return ServoClock::GetProcess() == Owner.load();
 }
 
-#if defined(__unix__)
+#if defined(_WIN32)
+
+class SignalsBlocked
+{
+};
+
+#else
 
 /**
  * Blocks signals on the calling thread while this lives: otherwise a handler on this thread would
@@ -81,12 +93,6 @@ private:
   sigset_t Before = {};
 };
 
-#else
-
-class SignalsBlocked
-{
-};
-
 #endif
 
 void QuenchAll() noexcept
@@ -111,7 +117,110 @@ void QuenchAll() noexcept
   }
 }
 
-#if defined(__unix__)
+#if defined(_WIN32)
+
+HANDLE Asked = nullptr; ///< event that makes the watcher end the force
+std::atomic<DWORD> Watcher{ 0 };
+std::atomic<unsigned> Answers{ 0 };
+LPTOP_LEVEL_EXCEPTION_FILTER BeforeCrash = nullptr;
+using AbortHandler = void (*)(int);
+AbortHandler BeforeAbort = SIG_DFL;
+bool IsInstalled = false;
+
+/**
+ * Makes the watcher end the force, on its own stack and without this thread's locks. May be called
+ * by a thread that crashes.
+ */
+void QuenchByWatcher() noexcept
+{
+  if (Watcher.load() == 0 || Watcher.load() == GetCurrentThreadId())
+  {
+    return; // the watcher itself crashed while it ended the force: nothing more can be done
+  }
+  const unsigned before = Answers.load();
+  SetEvent(Asked);
+  for (int i = 0; i < LongestWait && Answers.load() == before; ++i)
+  {
+    Sleep(1);
+  }
+}
+
+/** Handles Ctrl+C, the end of the console and the log-off, on a thread that the system makes. */
+BOOL WINAPI OnConsole(DWORD)
+{
+  QuenchAll();
+  return FALSE; // the earlier handlers follow
+}
+
+LONG WINAPI OnCrash(EXCEPTION_POINTERS* what)
+{
+  QuenchByWatcher();
+  return BeforeCrash ? BeforeCrash(what) : EXCEPTION_CONTINUE_SEARCH;
+}
+
+extern "C" void OnAbort(int number)
+{
+  QuenchByWatcher();
+  std::signal(number, BeforeAbort);
+  std::raise(number);
+}
+
+void Install()
+{
+  if (!IsInstalled)
+  {
+    IsInstalled = true;
+    SetConsoleCtrlHandler(OnConsole, TRUE);
+    BeforeCrash = SetUnhandledExceptionFilter(OnCrash);
+    BeforeAbort = std::signal(SIGABRT, OnAbort);
+  }
+}
+
+void Uninstall()
+{
+  if (!IsInstalled)
+  {
+    return;
+  }
+  IsInstalled = false;
+  SetConsoleCtrlHandler(OnConsole, FALSE);
+  // Handlers that were put in front meanwhile stay there: they call this library's.
+  const LPTOP_LEVEL_EXCEPTION_FILTER filter = SetUnhandledExceptionFilter(BeforeCrash);
+  if (filter != OnCrash)
+  {
+    SetUnhandledExceptionFilter(filter);
+  }
+  const AbortHandler handler = std::signal(SIGABRT, BeforeAbort);
+  if (handler != OnAbort)
+  {
+    std::signal(SIGABRT, handler);
+  }
+}
+
+void StartWatching()
+{
+  Asked = CreateEventW(nullptr, FALSE, FALSE, nullptr);
+  std::thread(
+    []
+    {
+      Watcher = GetCurrentThreadId();
+      while (WaitForSingleObject(Asked, INFINITE) == WAIT_OBJECT_0)
+      {
+        QuenchAll();
+        Answers.fetch_add(1);
+      }
+    })
+    .detach();
+}
+
+/** Keeps stack for the handler of a stack overflow. */
+void PrepareThread()
+{
+  ULONG kept = 1 << 16;
+  SetThreadStackGuarantee(&kept);
+}
+
+#else
 
 GuardedSignal Signals[] = {
   // Programs handle these signals and continue. Ctrl+Z stops all threads at once.
@@ -341,17 +450,6 @@ void PrepareThread()
   static_cast<void>(stack);
 }
 
-#else
-
-void QuenchByWatcher() noexcept
-{
-  QuenchAll();
-}
-void Install() {}
-void Uninstall() {}
-void StartWatching() {}
-void PrepareThread() {}
-
 #endif
 
 std::terminate_handler BeforeTerminate = nullptr;
@@ -373,7 +471,7 @@ void GuardServo(ServoThreads* servo)
   static const bool hooked = []
   {
     BeforeTerminate = std::set_terminate(OnTerminate);
-#if !defined(__APPLE__)
+#if !defined(__APPLE__) && !defined(__MINGW32__) // they lack it
     std::at_quick_exit(QuenchAll);
 #endif
     return std::atexit(QuenchAll) == 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRecorder.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticHash.h"
@@ -28,7 +29,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <sys/stat.h>
 #include <utility>
 
 vtkStandardNewMacro(vtkHapticRecorder);
@@ -394,8 +394,8 @@ bool vtkHapticRecorder::vtkInternals::Recover(const std::string& from, const std
       "There is no recording to recover: give the name of an unfinished recording, FILE.part.");
     return false;
   }
-  struct stat status;
-  const double bytes = stat(from.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  Files::Status status;
+  const double bytes = Files::GetStatus(from, status) ? static_cast<double>(status.st_size) : 0.0;
   const LongWork work(
     this->Device, "the recording is recovered", EstimateWriting(to, bytes / BytesPerTick));
   if (!WriteRecording(from, to, error))

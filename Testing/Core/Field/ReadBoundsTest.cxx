@@ -10,8 +10,13 @@
 
 #include <gtest/gtest.h>
 
+#if defined(_WIN32)
+#include "Core/Platform/WindowsApi.h"
+#else
 #include <sys/mman.h>
-#include <unistd.h>
+#endif
+
+#include "Core/Platform/Pages.h"
 
 using namespace coretest;
 
@@ -22,9 +27,18 @@ class GuardedMemory
 {
 public:
   explicit GuardedMemory(std::size_t bytes)
-    : Page(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)))
+    : Page(Pages::GetSize())
     , Inner((bytes + this->Page - 1) / this->Page * this->Page)
   {
+#if defined(_WIN32)
+    void* const all =
+      VirtualAlloc(nullptr, this->Inner + 2 * this->Page, MEM_RESERVE, PAGE_NOACCESS);
+    this->All = static_cast<std::byte*>(all);
+    if (!all || !VirtualAlloc(this->Begin(), this->Inner, MEM_COMMIT, PAGE_READWRITE))
+    {
+      throw std::bad_alloc();
+    }
+#else
     void* const all =
       mmap(nullptr, this->Inner + 2 * this->Page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (all == MAP_FAILED)
@@ -33,13 +47,27 @@ public:
     }
     this->All = static_cast<std::byte*>(all);
     mprotect(this->Begin(), this->Inner, PROT_READ | PROT_WRITE);
+#endif
   }
-  ~GuardedMemory() { munmap(this->All, this->Inner + 2 * this->Page); }
+  ~GuardedMemory()
+  {
+#if defined(_WIN32)
+    VirtualFree(this->All, 0, MEM_RELEASE);
+#else
+    munmap(this->All, this->Inner + 2 * this->Page);
+#endif
+  }
   GuardedMemory(const GuardedMemory&) = delete;
   GuardedMemory& operator=(const GuardedMemory&) = delete;
 
-  std::byte* Begin() const { return this->All + this->Page; }
-  std::byte* End() const { return this->Begin() + this->Inner; }
+  std::byte* Begin() const
+  {
+    return this->All + this->Page;
+  }
+  std::byte* End() const
+  {
+    return this->Begin() + this->Inner;
+  }
 
 private:
   std::size_t Page;

@@ -12,7 +12,6 @@
 
 #include <fstream>
 #include <sstream>
-#include <unistd.h>
 
 using VolumeHaptics::DeviceFacts;
 using VolumeHaptics::DeviceMemory;

@@ -12,7 +12,11 @@
 #include <cmath>
 #include <thread>
 
+#if defined(_WIN32)
+#include "Core/Platform/WindowsApi.h"
+#else
 #include <poll.h>
+#endif
 
 using namespace hardwaretest;
 
@@ -24,8 +28,14 @@ constexpr int LongWait = 60000; // ms: no test waits it out
 
 bool IsAwake(const HardwareExchange& exchange)
 {
+#if defined(_WIN32)
+  const HANDLE wake = LongToHandle(exchange.GetWakeDescriptor());
+  const bool is = WaitForSingleObject(wake, 0) == WAIT_OBJECT_0;
+  return is && SetEvent(wake); // to wait has cleared it
+#else
   pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
   return poll(&wake, 1, 0) == 1;
+#endif
 }
 } // namespace
 

@@ -8,7 +8,7 @@
  */
 
 #include "Devices/Guard/GuardedDevice.h"
-#include "Devices/Common/OwnFile.h"
+#include "Core/Platform/OwnFile.h"
 #include "Devices/Guard/GuardProcess.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/PlayedDevice.h"

@@ -7,11 +7,13 @@
 
 #include "HaplyRig.h"
 
+#if defined(__linux__)
 #include <csignal>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 using namespace emulated;
 
@@ -288,6 +290,7 @@ TEST_F(HaplyFaults, TheServoStandsStill)
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
 }
 
+#if defined(__linux__)
 /// Whoever is on this computer may listen at the service's port before it does.
 TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
 {
@@ -327,6 +330,7 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
   close(ports[0]);
   close(ports[1]);
 }
+#endif
 
 TEST(HaplyErrors, SayWhatToDo)
 {

@@ -9,6 +9,7 @@
 
 #include "Devices/Emulated/DeviceBench.h"
 #include "Emulators/HaplyService.h"
+#include "Rigs/Portable.h"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A serial port through termios that only one program can open, and the list of ports of USB
- * boards.
+ * A serial port that only one program can open, and the list of ports of USB boards.
  */
 #ifndef SerialPort_h
 #define SerialPort_h
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,22 +18,37 @@ namespace VolumeHaptics
 /** A port of a USB board. */
 struct SerialPortInfo
 {
-  std::string Path; ///< node of the port, such as /dev/ttyACM0
-  /// Name of the board including its serial number, as udev gives it. Empty if it is not known.
+  std::string Path; ///< node of the port, such as /dev/ttyACM0 or COM3
+  /// Name of the board including its serial number, as the system gives it. Empty if it is not known.
   std::string Name;
 };
 
 class SerialPort
 {
 public:
+#if defined(_WIN32)
+  using Handle = std::intptr_t;
+  static constexpr const char* NamesFolder = "the Device Manager";
+  static constexpr const char* Example = "COM3";
+#else
+  using Handle = int;
   /** Folder with udev's links, which are named after boards. */
   static constexpr const char* NamesFolder = "/dev/serial/by-id";
+  static constexpr const char* Example = "/dev/ttyACM0";
+#endif
 
   SerialPort() = default;
-  ~SerialPort() { this->Close(); }
+  ~SerialPort()
+  {
+    this->Close();
+  }
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
+  /** Whether a text, which is not empty, may be the path of a port. */
+  static bool IsPath(const std::string& path);
+  /** Whether there is a port of this path. */
+  static bool IsThere(const std::string& path);
   /** Lists the boards whose names contain a word, in the order of the names. */
   static std::vector<SerialPortInfo> List(
     const std::string& word, const std::string& folder = NamesFolder);
@@ -62,7 +77,9 @@ public:
   void Drain() noexcept;
 
 private:
-  int Descriptor = -1;
+  static constexpr Handle Closed = -1;
+
+  Handle Descriptor = Closed;
 };
 
 } // namespace VolumeHaptics

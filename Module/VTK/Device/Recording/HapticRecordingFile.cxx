@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/Recording/HapticRecordingFile.h"
 
+#include "Core/Platform/Files.h"
 #include "Core/State/ServoStateNumbers.h"
 #include "VTK/Base/FileReplacement.h"
 #include "VTK/Base/HapticFiles.h"
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
-#include <sys/stat.h>
 
 namespace VolumeHaptics
 {
@@ -518,8 +518,8 @@ bool WriteRecordingPolyData(JournalReader& journal, FileReplacement& file)
 
 bool IsThere(const std::string& file)
 {
-  struct stat status;
-  return stat(file.c_str(), &status) == 0;
+  Files::Status status;
+  return Files::GetStatus(file, status);
 }
 
 /** Writes the file. On failure, returns false, and the reason and the cure in `error`. */

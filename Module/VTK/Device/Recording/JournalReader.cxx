@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/Recording/JournalReader.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Device/Recording/JournalWriter.h"
@@ -10,10 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -66,7 +63,7 @@ JournalReader::~JournalReader()
 {
   if (this->Descriptor >= 0)
   {
-    close(this->Descriptor);
+    Files::Close(this->Descriptor);
   }
 }
 
@@ -75,7 +72,8 @@ bool JournalReader::ReadAt(std::uint64_t position, void* data, std::size_t size)
   char* to = static_cast<char*>(data);
   while (size > 0)
   {
-    const ssize_t got = pread(this->Descriptor, to, size, static_cast<off_t>(position));
+    const std::int64_t got =
+      Files::ReadAt(this->Descriptor, to, size, static_cast<std::int64_t>(position));
     if (got == 0 || (got < 0 && errno != EINTR))
     {
       this->Failure = got == 0 ? 0 : errno;
@@ -111,13 +109,13 @@ bool JournalReader::Open(const std::string& journal, std::string& error)
   {
     return false;
   }
-  this->Descriptor = OpenFile(journal, O_RDONLY | O_NONBLOCK);
+  this->Descriptor = Files::Open(journal, Files::For::Reading);
   if (this->Descriptor < 0)
   {
     error = "can't be read (" + DescribeError(errno) + "): check that it may be read by you";
     return false;
   }
-  this->IsLocked = flock(this->Descriptor, LOCK_SH | LOCK_NB) == 0;
+  this->IsLocked = Files::LockShared(this->Descriptor);
   if (!this->IsLocked && errno == EWOULDBLOCK)
   {
     error = "is of a recording that is still under way: stop that one first";
@@ -128,7 +126,7 @@ bool JournalReader::Open(const std::string& journal, std::string& error)
 
 bool JournalReader::Open(const JournalWriter& writer, std::string& error)
 {
-  this->Descriptor = fcntl(writer.Descriptor, F_DUPFD_CLOEXEC, 0);
+  this->Descriptor = Files::Duplicate(writer.Descriptor);
   if (this->Descriptor < 0)
   {
     error = "can't be read (" + DescribeError(errno) + ")";
@@ -142,14 +140,14 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
 
 bool JournalReader::IsAt(const std::string& file) const
 {
-  return this->Descriptor >= 0 && IsSameFile(this->Descriptor, file);
+  return this->Descriptor >= 0 && Files::IsSame(this->Descriptor, file);
 }
 
 void JournalReader::Remove(const std::string& journal) const
 {
   if (this->IsLocked && this->IsAt(journal))
   {
-    unlink(journal.c_str());
+    Files::Remove(journal);
   }
 }
 
@@ -184,8 +182,8 @@ bool JournalReader::Scan(std::string& error)
 void JournalReader::DetectDamage()
 {
   int failure = this->Failure;
-  struct stat status;
-  failure = failure == 0 && fstat(this->Descriptor, &status) != 0 ? errno : failure;
+  Files::Status status;
+  failure = failure == 0 && !Files::GetStatus(this->Descriptor, status) ? errno : failure;
   const auto size = failure ? this->End : static_cast<std::uint64_t>(status.st_size);
   if (failure == 0 && this->IsCutOff(size))
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/Recording/JournalWriter.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticJournal.h"
 #include "VTK/Trace/HapticTraceColumns.h"
@@ -9,10 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
@@ -41,12 +38,11 @@ bool Rename(int descriptor, const std::string& journal, std::string& error, std:
   for (int i = 1; i <= MostNames; ++i)
   {
     const std::string free = Numbered(journal, i);
-    struct stat status;
-    if (lstat(free.c_str(), &status) == 0)
+    if (Files::Exists(free))
     {
       continue;
     }
-    if (IsSameFile(descriptor, journal) && rename(journal.c_str(), free.c_str()) != 0)
+    if (Files::IsSame(descriptor, journal) && !Files::Rename(journal, free))
     {
       error = "the unfinished recording " + Printable(journal) + " can't be renamed (" +
         DescribeError(errno) + "). Remove it, or give another name.";
@@ -62,8 +58,7 @@ bool Rename(int descriptor, const std::string& journal, std::string& error, std:
 
 JournalPlace PutAside(const std::string& journal, std::string& error, std::string& warning)
 {
-  struct stat status;
-  if (lstat(journal.c_str(), &status) != 0)
+  if (!Files::Exists(journal))
   {
     return JournalPlace::Free; // after another failure, creating the file reports a better error
   }
@@ -74,7 +69,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
       ". Remove that, or give another name.";
     return JournalPlace::Taken;
   }
-  const int descriptor = OpenFile(journal, O_RDONLY | O_NONBLOCK);
+  const int descriptor = Files::Open(journal, Files::For::Reading);
   if (descriptor < 0)
   {
     error = "the unfinished recording " + Printable(journal) + " can't be read (" +
@@ -82,7 +77,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
     return JournalPlace::Taken;
   }
   JournalPlace place = JournalPlace::Taken;
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+  if (Files::LockAlone(descriptor))
   {
     place = Rename(descriptor, journal, error, warning) ? JournalPlace::Free : JournalPlace::Taken;
   }
@@ -94,7 +89,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
   {
     place = JournalPlace::Unknown;
   }
-  close(descriptor);
+  Files::Close(descriptor);
   return place;
 }
 
@@ -108,17 +103,16 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
   {
     return false;
   }
-  struct stat status;
-  const bool isOld = stat(file.c_str(), &status) == 0;
-  constexpr mode_t everybody = 0666; // the user's mask removes some of these
-  const mode_t mode = isOld ? status.st_mode & 0600 : everybody;
-  constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
+  Files::Status status;
+  const bool isOld = Files::GetStatus(file, status);
+  constexpr Files::Mode everybody = 0666; // the user's mask removes some of these
+  const Files::Mode mode = isOld ? status.st_mode & 0600 : everybody;
   this->Name = journal;
   int number = 0;
   do
   {
     this->Name = place == JournalPlace::Free ? journal : Numbered(journal, ++number);
-    this->Descriptor = OpenFile(this->Name, flags, mode | 0600);
+    this->Descriptor = Files::Open(this->Name, Files::For::MakingNew, mode | 0600);
   } while (this->Descriptor < 0 && errno == EEXIST && place == JournalPlace::Unknown &&
     number < MostNames);
   if (this->Descriptor < 0)
@@ -130,14 +124,14 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
     return false;
   }
   // Some file systems have no locks. The journal then has none.
-  if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  if (!Files::LockAlone(this->Descriptor) && errno == EWOULDBLOCK)
   {
     error = "it is being recorded already. Give another name.";
     return false;
   }
   if (isOld)
   {
-    (void)CopyPermissions(this->Descriptor, status);
+    (void)Files::CopyPermissions(this->Descriptor, status);
   }
   if (place == JournalPlace::Unknown)
   {
@@ -180,9 +174,9 @@ bool JournalWriter::Create(
 
 void JournalWriter::Remove()
 {
-  if (this->Descriptor >= 0 && IsSameFile(this->Descriptor, this->Name))
+  if (this->Descriptor >= 0 && Files::IsSame(this->Descriptor, this->Name))
   {
-    unlink(this->Name.c_str());
+    Files::Remove(this->Name);
   }
 }
 
@@ -191,8 +185,8 @@ void JournalWriter::Close()
   if (this->Descriptor >= 0)
   {
     // Unlock explicitly, because a forked child may also have the descriptor, and with it the lock.
-    (void)flock(this->Descriptor, LOCK_UN);
-    close(this->Descriptor);
+    Files::Unlock(this->Descriptor);
+    Files::Close(this->Descriptor);
     this->Descriptor = -1;
   }
 }

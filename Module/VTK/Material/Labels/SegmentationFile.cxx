@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/Labels/SegmentationFile.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Material/Labels/GzipFile.h"
@@ -20,7 +21,6 @@
 #include <limits>
 #include <new>
 #include <string>
-#include <sys/stat.h>
 #include <vector>
 
 namespace VolumeHaptics
@@ -59,8 +59,8 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
   {
     return false;
   }
-  struct stat status;
-  const double size = stat(name.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  Files::Status status;
+  const double size = Files::GetStatus(name, status) ? static_cast<double>(status.st_size) : 0.0;
   // Check the size first, because the memory is allocated before the samples are read.
   if (static_cast<double>(file.Image.CountBytes()) > size * LargestCompression)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomProcess.h"
 
-#include "Devices/Common/OwnFile.h"
+#include "Core/Platform/OwnFile.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Reading/InputError.h"
 

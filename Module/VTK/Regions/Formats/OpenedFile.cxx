@@ -2,35 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/OpenedFile.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <stdexcept>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
 
 OpenedFile::OpenedFile(const std::string& name)
-  : Descriptor(OpenToRead(name))
+  : Descriptor(Files::Open(name, Files::For::Reading))
 {
   if (this->Descriptor < 0)
   {
     throw std::runtime_error(DescribeError(errno) + ". Check its name and permissions.");
   }
-  struct stat status;
-  if (fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+  Files::Status status;
+  if (!Files::GetStatus(this->Descriptor, status) || !Files::IsRegular(status))
   {
-    close(this->Descriptor);
+    Files::Close(this->Descriptor);
     throw std::runtime_error("it is no regular file. Give the name of the file of samples.");
   }
 }
 
 OpenedFile::~OpenedFile()
 {
-  close(this->Descriptor);
+  Files::Close(this->Descriptor);
 }
 
 void OpenedFile::Read(void* samples, std::size_t size, std::int64_t from) const
@@ -38,7 +37,7 @@ void OpenedFile::Read(void* samples, std::size_t size, std::int64_t from) const
   char* to = static_cast<char*>(samples);
   while (size > 0)
   {
-    const ssize_t count = pread(this->Descriptor, to, size, static_cast<off_t>(from));
+    const std::int64_t count = Files::ReadAt(this->Descriptor, to, size, from);
     if (count == 0)
     {
       throw std::runtime_error("it ends before byte " + std::to_string(from + 1) +
@@ -49,7 +48,7 @@ void OpenedFile::Read(void* samples, std::size_t size, std::int64_t from) const
     {
       throw std::runtime_error(DescribeError(errno) + " at byte " + std::to_string(from) + ".");
     }
-    const auto done = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    const auto done = static_cast<std::size_t>(std::max<std::int64_t>(count, 0));
     to += done;
     from += static_cast<std::int64_t>(done);
     size -= done;
@@ -58,8 +57,8 @@ void OpenedFile::Read(void* samples, std::size_t size, std::int64_t from) const
 
 std::int64_t OpenedFile::GetSize() const
 {
-  struct stat status;
-  return fstat(this->Descriptor, &status) == 0 ? std::int64_t{ status.st_size } : 0;
+  Files::Status status;
+  return Files::GetStatus(this->Descriptor, status) ? std::int64_t{ status.st_size } : 0;
 }
 
 } // namespace VolumeHaptics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/ZarrArray.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Regions/Formats/ChunkCodecs.h"
@@ -364,8 +365,8 @@ bool ZarrArray::LocateInShard(const std::string& name, const OpenedFile& file,
 bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const
 {
   const std::string name = this->GetChunkFile(place);
-  struct stat status;
-  if (stat(name.c_str(), &status) != 0)
+  Files::Status status;
+  if (!Files::GetStatus(name, status))
   {
     if (errno == ENOENT)
     {

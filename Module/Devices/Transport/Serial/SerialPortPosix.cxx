@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#if !defined(_WIN32)
 #include "Devices/Transport/Serial/SerialPort.h"
 
 #include <algorithm>
@@ -60,6 +61,16 @@ std::string Explain(int fault)
 }
 
 } // namespace
+
+bool SerialPort::IsPath(const std::string& path)
+{
+  return path[0] == '/';
+}
+
+bool SerialPort::IsThere(const std::string& path)
+{
+  return access(path.c_str(), F_OK) == 0;
+}
 
 std::vector<SerialPortInfo> SerialPort::List(const std::string& word, const std::string& folder)
 {
@@ -138,11 +149,11 @@ bool SerialPort::Open(const std::string& path, std::string& error)
 
 void SerialPort::Close() noexcept
 {
-  if (this->Descriptor >= 0)
+  if (this->Descriptor != Closed)
   {
     ioctl(this->Descriptor, TIOCNXCL);
     close(this->Descriptor);
-    this->Descriptor = -1;
+    this->Descriptor = Closed;
   }
 }
 
@@ -192,3 +203,4 @@ void SerialPort::Drain() noexcept
 }
 
 } // namespace VolumeHaptics
+#endif

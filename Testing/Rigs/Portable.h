@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/** What tests use of POSIX and Windows has under other names. */
+#ifndef Portable_h
+#define Portable_h
+
+#include "Core/Platform/Files.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#if defined(_WIN32)
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
+#if defined(_WIN32)
+inline int setenv(const char* name, const char* value, int)
+{
+  return _putenv_s(name, value);
+}
+inline int unsetenv(const char* name)
+{
+  return _putenv_s(name, "");
+}
+#endif
+
+inline long GetProcessNumber()
+{
+#if defined(_WIN32)
+  return _getpid();
+#else
+  return getpid();
+#endif
+}
+
+/// Makes a folder that did not exist, whose name begins so.
+inline std::filesystem::path MakeNewFolder(const std::filesystem::path& begin)
+{
+#if defined(_WIN32)
+  std::random_device random;
+  const std::filesystem::path path = begin.string() + std::to_string(random());
+  if (!std::filesystem::create_directory(path))
+#else
+  std::string name = begin.string() + "XXXXXX";
+  const std::filesystem::path path = mkdtemp(name.data()) ? name : "";
+  if (path.empty())
+#endif
+  {
+    throw std::runtime_error("no folder can be made beside " + begin.string());
+  }
+  return path;
+}
+
+#endif
