@@ -83,6 +83,7 @@ if [ ! -d "$sources" ]; then
   git clone -q --no-hardlinks "$root" "$sources"
 fi
 git -c safe.directory='*' -C "$sources" fetch -q "$root" HEAD
+git -c safe.directory='*' -C "$sources" update-index -q --refresh || true # with their owner, which chown changed
 git -c safe.directory='*' -C "$sources" reset -q --hard FETCH_HEAD
 inside root chown -R "$user:" "$home/volume-haptics"
 # shellcheck disable=SC2016
