@@ -6,6 +6,7 @@
 #define FunctionChecks_h
 
 #include <vtkPiecewiseFunction.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,9 @@ inline std::vector<Node> NodesOf(vtkPiecewiseFunction* function)
   return nodes;
 }
 
+/// Whether the sharpest piece is a steep curve, as in VTK 9.3 and 9.6. It is a step in VTK 9.1.
+inline constexpr bool SharpestIsCurve = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0);
+
 /// The largest error that baking may cause at x: rounding on linear pieces and plateaus.
 inline double AllowedError(vtkPiecewiseFunction* function, double x)
 {
@@ -51,7 +55,8 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
     if (x > nodes[i - 1].X && x <= nodes[i].X)
     {
       const double sharpness = nodes[i - 1].Sharpness;
-      const bool curved = (sharpness >= 0.01 && sharpness <= 0.99) || function->GetUseLogScale();
+      const bool step = sharpness > 0.99 && !SharpestIsCurve;
+      const bool curved = (sharpness >= 0.01 && !step) || function->GetUseLogScale();
       const double height = std::abs(nodes[i].Y - nodes[i - 1].Y);
       const double value = std::abs(function->GetValue(x));
       return rounding +
