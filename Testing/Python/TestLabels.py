@@ -10,6 +10,7 @@ import gzip
 import math
 import re
 import struct
+import warnings
 import zlib
 
 import numpy as np
@@ -79,6 +80,34 @@ def test_files_add_up(tmp_path):
     values.write_text("label,stiffness\n1,100\n2,200\n", encoding="utf-8")
     assert felt(materials=values) == [0.2, 0.4]
     assert felt(materials=[str(values), str(names), {"Leber": dict(stiffness=300)}]) == [0.6, 0.4]
+
+
+def test_numbers_of_a_table_that_are_in_no_voxel_are_told():
+    with pytest.warns(UserWarning, match="1 of 2 labels of the table are in no voxel, such as 77 .tumour."):
+        assert felt(materials={1: dict(stiffness=200), 77: dict(name="tumour", stiffness=9)}) == [0.4, 1.0]
+    table = named_table()
+    table.SetStiffness(3, 200)
+    with pytest.warns(UserWarning, match="1 of 3 labels of the table are in no voxel, such as 3$"):
+        felt(label_table=table)
+
+
+@pytest.mark.parametrize("origin", [(500, 0, 0), (24, 0, 0), (0, -17, 0), (0, 0, 32)])
+def test_labels_that_miss_the_volume_are_told(origin):
+    """Just beyond a face, too: the first voxel of the labels is a voxel beyond the last one of the volume."""
+    with pytest.warns(UserWarning, match="no voxel of the volume has a label: all are 0, of another scan"):
+        assert felt(labels=image(LABELS, origin=origin), materials={1: dict(stiffness=200)}) == [1.0, 1.0]
+    turned = image(LABELS, origin=(23, 16, 0))
+    turned.SetDirectionMatrix(-1, 0, 0, 0, -1, 0, 0, 0, 1)
+    nearer = [x - (x > 0) + (x < 0) for x in origin] if 500 not in origin else (0, 0, 0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        felt(labels=image(LABELS, origin=nearer))
+        felt(labels=turned, materials={2: dict(stiffness=800)})
+
+
+def test_empty_labels_are_told():
+    with pytest.warns(UserWarning, match="no voxel of the volume has a label: all are 0"):
+        assert felt(labels=LABELS * 0) == [1.0, 1.0]
 
 
 def test_a_table_is_used_as_it_is():

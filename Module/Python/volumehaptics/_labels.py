@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Union
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from .vtkVolumeHaptics import vtkHapticLabelTable, vtkVolumeHapticsFilter
+from .vtkVolumeHaptics import vtkHapticLabelTable, vtkHapticVolumeReader, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -244,23 +244,24 @@ def set_labels(
         if materials is not None:
             raise TypeError("materials are those of labels: give labels=..., an image or an array of whole numbers")
         return
-    from ._touch import Errors
+    from ._touch import Errors, _warn
 
     image = _make_image(volume, labels, is_file)
     haptics.SetLabelData(image)
-    if materials is not None and haptics.GetLabelTable() is not None:
+    table = haptics.GetLabelTable()
+    if materials is not None and table is not None:
         raise TypeError("give materials or label_table, not both: materials=[table, {...}] adds to a table")
-    if haptics.GetLabelTable() is not None:
-        return
     has_table = image.GetFieldData().HasArray("Label")
-    if isinstance(materials, vtkHapticLabelTable) and not has_table:
-        haptics.SetLabelTable(materials)
-        return
-    table = vtkHapticLabelTable()
-    with Errors(table) as errors:
-        if has_table:
-            table.ReadFieldData(image.GetFieldData())
-        _make_table(table, materials)
-    if errors:
-        raise ValueError("; ".join(errors))
+    if table is None and isinstance(materials, vtkHapticLabelTable) and not has_table:
+        table = materials
+    elif table is None:
+        table = vtkHapticLabelTable()
+        with Errors(table) as errors:
+            if has_table:
+                table.ReadFieldData(image.GetFieldData())
+            _make_table(table, materials)
+        if errors:
+            raise ValueError("; ".join(errors))
     haptics.SetLabelTable(table)
+    for note in vtkHapticVolumeReader.DescribeLabels(image, volume, table).splitlines():
+        _warn(f"{os.path.basename(os.fspath(labels))}: {note}" if isinstance(labels, (str, os.PathLike)) else note)

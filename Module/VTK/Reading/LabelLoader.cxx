@@ -6,9 +6,14 @@
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/VolumeChecks.h"
 
+#include "VTK/Base/HapticFiles.h"
+
+#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -16,8 +21,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <sstream>
+#include <unordered_set>
 
 namespace
 {
@@ -75,59 +82,108 @@ double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
   return 0.0;
 }
 
-/// Whether the box of a volume contains a label other than 0.
+/// The labels of an image other than 0.
+struct LabelNumbers
+{
+  std::set<int> Found;
+  bool AreAll = true; ///< whether all values are whole numbers that an int can hold
+};
+
+/// Collects the label numbers of an image, until there are more than `most`.
+struct NumberCollector
+{
+  std::size_t Most;
+  LabelNumbers Numbers;
+
+  template <typename Array>
+  void operator()(Array* values)
+  {
+    std::unordered_set<int> found;
+    double last = 0.0;
+    for (const auto value : vtk::DataArrayValueRange<1>(values))
+    {
+      const auto label = static_cast<double>(value);
+      if (label == last)
+      {
+        continue;
+      }
+      if (label != std::floor(label) || std::abs(label) > VTK_INT_MAX)
+      {
+        this->Numbers.AreAll = false;
+        break;
+      }
+      last = label;
+      if (found.insert(static_cast<int>(label)).second && found.size() > this->Most)
+      {
+        break;
+      }
+    }
+    this->Numbers.Found.insert(found.begin(), found.end());
+    this->Numbers.Found.erase(0);
+  }
+};
+
+LabelNumbers CollectLabels(vtkDataArray* values, std::size_t most = SIZE_MAX)
+{
+  NumberCollector collector{ most, {} };
+  if (!vtkArrayDispatch::Dispatch::Execute(values, collector))
+  {
+    collector(values);
+  }
+  return collector.Numbers;
+}
+
+/// Narrows the samples [first, last] of a row to those whose coordinate begin + i step lies within
+/// half a voxel of [lowest, highest].
+void ClipRow(double begin, double step, const int range[2], double& first, double& last)
+{
+  const double low = range[0] - 0.5 - begin, high = range[1] + 0.5 - begin;
+  if (std::abs(step) < 1e-9)
+  {
+    last = low <= 0.0 && high >= 0.0 ? last : first - 1.0;
+    return;
+  }
+  first = std::max(first, std::ceil(std::min(low / step, high / step)));
+  last = std::min(last, std::floor(std::max(low / step, high / step)));
+}
+
+/// Whether a voxel with a label other than 0 lies in a volume.
 bool IsAnyInside(vtkImageData* labels, vtkImageData* volume)
 {
   vtkDataArray* const values = labels->GetPointData()->GetScalars();
-  double bounds[6];
-  volume->GetBounds(bounds);
-  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  vtkNew<vtkMatrix4x4> toVolume;
+  vtkMatrix4x4::Multiply4x4(
+    volume->GetPhysicalToIndexMatrix(), labels->GetIndexToPhysicalMatrix(), toVolume);
+  const int* const extent = labels->GetExtent();
+  const int* const range = volume->GetExtent();
+  for (int k = extent[4]; k <= extent[5]; ++k)
   {
-    double at[3];
-    if (values->GetComponent(i, 0) != 0.0)
+    for (int j = extent[2]; j <= extent[3]; ++j)
     {
-      labels->GetPoint(i, at);
-      if (at[0] >= bounds[0] && at[0] <= bounds[1] && at[1] >= bounds[2] && at[1] <= bounds[3] &&
-        at[2] >= bounds[4] && at[2] <= bounds[5])
+      const double start[4] = { 0.0, static_cast<double>(j), static_cast<double>(k), 1.0 };
+      double begin[4], first = extent[0], last = extent[1];
+      toVolume->MultiplyPoint(start, begin);
+      for (int axis = 0; axis < 3; ++axis)
       {
-        return true;
+        ClipRow(begin[axis], toVolume->GetElement(axis, 0), range + 2 * axis, first, last);
+      }
+      int at[3] = { static_cast<int>(first), j, k };
+      for (vtkIdType id = first <= last ? labels->ComputePointId(at) : 0; at[0] <= last;
+           ++at[0], ++id)
+      {
+        if (values->GetComponent(id, 0) != 0.0)
+        {
+          return true;
+        }
       }
     }
   }
   return false;
 }
 
-/// Collects the label numbers except 0. Throws InputError for other values, or for too many labels.
-std::set<int> CollectLabels(const std::string& path, vtkImageData* image)
+/// Returns a note if labels of a table are not among those of the voxels; else nothing.
+std::string DescribeUnused(const std::set<int>& used, vtkHapticLabelTable* table)
 {
-  constexpr std::size_t most = 4096;
-  constexpr double highest = 1e6;
-  vtkDataArray* const values = image->GetPointData()->GetScalars();
-  std::set<int> labels;
-  double last = 0.0;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    const double value = values->GetComponent(i, 0);
-    if (value == last)
-    {
-      continue;
-    }
-    if (value != std::floor(value) || value < 0.0 || value > highest || labels.size() > most)
-    {
-      throw InputError("--as-labels " + path, "has values that are no numbers of labels",
-        "leave --as-labels out; labels are up to 4096 whole numbers of 0 or more");
-    }
-    last = value;
-    labels.insert(static_cast<int>(value));
-  }
-  labels.erase(0);
-  return labels;
-}
-
-/// Adds a note if labels of the table are in no voxel.
-void NoteUnused(const std::set<int>& used, Volume& volume)
-{
-  vtkHapticLabelTable* const table = volume.LabelTable;
   std::string first;
   vtkIdType unused = 0;
   for (vtkIdType i = 0; i < table->GetNumberOfLabels(); ++i)
@@ -135,19 +191,17 @@ void NoteUnused(const std::set<int>& used, Volume& volume)
     const int label = table->GetLabel(i);
     if (label != 0 && used.count(label) == 0)
     {
-      const std::string name = table->GetLabelName(label);
+      const std::string name = VolumeHaptics::Printable(table->GetLabelName(label));
       first = unused == 0
         ? std::to_string(label) + (name.empty() ? std::string() : " (" + name + ")")
         : first;
       ++unused;
     }
   }
-  if (unused > 0)
-  {
-    volume.Notes.push_back(std::to_string(unused) + " of " +
-      std::to_string(table->GetNumberOfLabels()) +
-      " labels of the table are in no voxel, such as " + first);
-  }
+  return unused == 0
+    ? std::string()
+    : std::to_string(unused) + " of " + std::to_string(table->GetNumberOfLabels()) +
+      " labels of the table are in no voxel, such as " + first;
 }
 
 /// Sets the colour of a label. The hues of successive labels differ by the golden section.
@@ -165,7 +219,15 @@ namespace Explore
 void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
 {
   RoundLabels(volume.Image, volume.Notes);
-  const std::set<int> labels = CollectLabels(path, volume.Image);
+  constexpr std::size_t most = 4096;
+  constexpr int highest = 1000000;
+  const auto [labels, areAll] = CollectLabels(volume.Image->GetPointData()->GetScalars(), most);
+  if (!areAll || labels.size() > most ||
+    (!labels.empty() && (*labels.begin() < 0 || *labels.rbegin() > highest)))
+  {
+    throw InputError("--as-labels " + path, "has values that are no numbers of labels",
+      "leave --as-labels out; labels are up to 4096 whole numbers of 0 or more");
+  }
   const bool hasNames = volume.LabelTable != nullptr;
   if (!hasNames)
   {
@@ -192,7 +254,8 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
     ++number;
   }
   ReadTables(volume, tables);
-  NoteUnused(labels, volume);
+  const std::string unused = DescribeUnused(labels, table);
+  volume.Notes.insert(volume.Notes.end(), unused.empty() ? 0 : 1, unused);
   volume.Labels = volume.Image;
   volume.AreLabels = true;
   volume.Notes.push_back("its values are taken as labels: " + std::to_string(labels.size()));
@@ -241,6 +304,28 @@ Volume ReadLabels(const std::string& path, int series)
   return labels;
 }
 
+std::vector<std::string> DescribeLabels(
+  vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table)
+{
+  vtkDataArray* const values = labels->GetPointData()->GetScalars();
+  if (!values || values->GetNumberOfTuples() != labels->GetNumberOfPoints() ||
+    values->GetNumberOfComponents() != 1)
+  {
+    return {}; // the filter reports the fault
+  }
+  std::vector<std::string> notes;
+  if (!IsAnyInside(labels, volume))
+  {
+    notes.emplace_back(
+      "no voxel of the volume has a label: all are 0, of another scan, or in another place");
+  }
+  const std::string unused = table && table->GetNumberOfLabels() > 0
+    ? DescribeUnused(CollectLabels(values).Found, table)
+    : std::string();
+  notes.insert(notes.end(), unused.empty() ? 0 : 1, unused);
+  return notes;
+}
+
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
@@ -249,25 +334,11 @@ void LoadLabels(
   volume.Labels = labels.Image;
   volume.LabelTable = labels.LabelTable;
   volume.Notes.insert(volume.Notes.end(), labels.Notes.begin(), labels.Notes.end());
-  if (!IsAnyInside(volume.Labels, volume.Image))
-  {
-    volume.Notes.push_back("no label of " + vtksys::SystemTools::GetFilenameName(segmentation) +
-      " lies in the volume: its labels are of another scan, or in another place");
-  }
   ReadTables(volume, tables);
-  vtkDataArray* const values = volume.Labels->GetPointData()->GetScalars();
-  std::set<int> used;
-  double last = 0.0;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  for (const std::string& note : DescribeLabels(volume.Labels, volume.Image, volume.LabelTable))
   {
-    const double value = values->GetComponent(i, 0);
-    if (value != last && std::abs(value) <= VTK_INT_MAX)
-    {
-      last = value;
-      used.insert(static_cast<int>(value));
-    }
+    volume.Notes.push_back(note);
   }
-  NoteUnused(used, volume);
   int withMaterial = 0;
   for (vtkIdType i = 0; i < volume.LabelTable->GetNumberOfLabels(); ++i)
   {

@@ -22,6 +22,10 @@ Volume ReadLabels(const std::string& path, int series = 0);
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
+/// Says whether no label lies in a volume, and how many labels of a table are in no voxel.
+std::vector<std::string> DescribeLabels(
+  vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);
+
 /// Uses the volume itself as a label image. Its values are label numbers; names and colours come
 /// from the file at `path`. Other labels get generated names and colours. Throws InputError if the
 /// values can't be labels.

@@ -130,6 +130,19 @@ vtkHapticLabelTable* vtkHapticVolumeReader::GetLabelTable()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHapticVolumeReader::DescribeLabels(
+  vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table)
+{
+  std::string text;
+  for (const std::string& note :
+    labels&& volume ? Explore::DescribeLabels(labels, volume, table) : std::vector<std::string>())
+  {
+    text += note + "\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 int vtkHapticVolumeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {

@@ -36,6 +36,7 @@
 #include <string> // for std::string
 
 class vtkHapticLabelTable;
+class vtkImageData;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticVolumeReader : public vtkImageAlgorithm
 {
@@ -112,6 +113,13 @@ public:
    * none.
    */
   vtkHapticLabelTable* GetLabelTable();
+
+  /**
+   * Returns what is wrong with labels, one on each line: none of them lies in the volume, or some
+   * labels of the table, which may be null, are in no voxel.
+   */
+  static std::string DescribeLabels(
+    vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);
 
 protected:
   vtkHapticVolumeReader();
