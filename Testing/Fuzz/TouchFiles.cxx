@@ -173,6 +173,11 @@ void TouchDicom(const std::uint8_t* bytes, std::size_t size)
   Touch("slice.dcm", bytes, size);
 }
 
+void TouchBrain(const std::uint8_t* bytes, std::size_t size)
+{
+  Touch(size > 1 && bytes[0] == 'C' ? "volume.mnc" : "volume.mgz", bytes, size);
+}
+
 void TouchHdf(const std::uint8_t* bytes, std::size_t size)
 {
   Touch("volume.vtkhdf", bytes, size);

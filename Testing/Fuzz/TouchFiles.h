@@ -16,6 +16,7 @@
 #include <cstdint>
 
 void TouchDicom(const std::uint8_t* bytes, std::size_t size);
+void TouchBrain(const std::uint8_t* bytes, std::size_t size);
 void TouchHdf(const std::uint8_t* bytes, std::size_t size);
 void TouchMetaImage(const std::uint8_t* bytes, std::size_t size);
 void TouchNifti(const std::uint8_t* bytes, std::size_t size);

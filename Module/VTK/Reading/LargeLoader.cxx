@@ -118,6 +118,7 @@ Volume LoadLargeVolume(const std::string& path, int series)
   volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
   OpenItself(path, series, volume.Large);
   volume.Format = FormatOf(path);
+  volume.Axes = FindFormatAxes(volume.Format);
   AddFileNotes(volume.Large, volume);
   if (volume.Format == "NRRD")
   {

@@ -64,6 +64,11 @@ WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header)
                                                         : WorldAxes::Other;
 }
 
+WorldAxes FindFormatAxes(const std::string& format)
+{
+  return format == "FreeSurfer" || format == "MINC" ? WorldAxes::Patient : WorldAxes::Unknown;
+}
+
 WorldAxes ReadMetaImageAxes(const std::string& path)
 {
   const std::string letters = VolumeHaptics::HeaderText(path).Value({ "AnatomicalOrientation" });

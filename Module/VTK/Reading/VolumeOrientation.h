@@ -26,6 +26,9 @@ enum class WorldAxes
 WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
+/// Returns the axes of all files of a format.
+WorldAxes FindFormatAxes(const std::string& format);
+
 /// Sets the axes of an image. Column c of `axes` (row-major 3x3, columns of any length) is the
 /// direction of index axis c; `origin` is the position of voxel (0, 0, 0). The spacing is kept.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);

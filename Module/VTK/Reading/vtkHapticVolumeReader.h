@@ -4,9 +4,9 @@
  * @class   vtkHapticVolumeReader
  * @brief   reads a volume from a file or a folder, with its position and size in the patient
  *
- * Reads DICOM folders, slices and DICOMDIR, NIfTI and Analyze, NRRD, MetaImage, VTK images and
- * grids, TIFF stacks, VTKHDF and Zarr. Every program of this project reads its volumes with this
- * class:
+ * Reads DICOM folders, slices and DICOMDIR, NIfTI and Analyze, NRRD, MetaImage, MGZ and MGH of
+ * FreeSurfer, MINC 1, VTK images and grids, TIFF stacks, VTKHDF and Zarr. Every program of this
+ * project reads its volumes with this class:
  *
  *   vtkNew<vtkHapticVolumeReader> reader;
  *   reader->SetFileName("scans/thorax");

@@ -18,14 +18,15 @@ def _make_small(self, size=(SIZE, SIZE, SIZE), **options):
 
 phantom.Grid.__init__ = _make_small
 
-import write_dicom  # noqa: E402, F401 the writers register their cases
+import write_brain  # noqa: E402, F401 the writers register their cases
+import write_dicom  # noqa: E402, F401
 import write_images  # noqa: E402, F401
 import write_nifti  # noqa: E402, F401
 import write_threads  # noqa: E402, F401
 from cases import CASES  # noqa: E402
 
 TARGETS = {"dicom": "TouchDicom", "nifti": "TouchNifti", "analyze": "TouchNifti", "nrrd": "TouchNrrd", "metaimage": "TouchMetaImage",
-           "tiff": "TouchTiff", "zarr": "TouchZarr", "vti": "TouchVti", "vtkhdf": "TouchHdf"}
+           "tiff": "TouchTiff", "zarr": "TouchZarr", "vti": "TouchVti", "vtkhdf": "TouchHdf", "mgh": "TouchBrain", "minc": "TouchBrain"}
 LARGEST = 60000  # bytes
 
 
@@ -42,7 +43,8 @@ def pack(folder):
 def target_of(case, named):
     ending = "".join(named.suffixes[-2:]).lower()
     by_ending = {".mha": "TouchMetaImage", ".mhd": "TouchMetaImage", ".nrrd": "TouchNrrd", ".nhdr": "TouchNrrd", ".vti": "TouchVti",
-                 ".zarr": "TouchZarr", ".tif": "TouchTiff", ".tiff": "TouchTiff", ".vtkhdf": "TouchHdf", ".nii": "TouchNifti",
+                 ".zarr": "TouchZarr", ".tif": "TouchTiff", ".tiff": "TouchTiff", ".vtkhdf": "TouchHdf", ".mgh": "TouchBrain", ".mgz": "TouchBrain",
+                 ".mnc": "TouchBrain", ".nii": "TouchNifti",
                  ".nii.gz": "TouchNifti", ".hdr": "TouchNifti", ".img": "TouchNifti"}
     found = [by_ending[one] for one in (ending, named.suffix.lower()) if one in by_ending]
     return (found or [TARGETS.get(case.name.split("-")[0], "TouchDicom")])[0]

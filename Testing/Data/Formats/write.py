@@ -7,7 +7,8 @@ import json
 import sys
 from pathlib import Path
 
-import write_dicom  # noqa: F401 the writers register their cases
+import write_brain  # noqa: F401 the writers register their cases
+import write_dicom  # noqa: F401
 import write_images  # noqa: F401
 import write_nifti  # noqa: F401
 import write_threads  # noqa: F401

@@ -285,8 +285,8 @@ TEST(RegionSourceSettings, TheEndingsAreThoseOfTheFormats)
   std::istringstream endings(vtkHapticRegionSource::GetFileEndings());
   const std::map<std::string, std::string> formats = { { ".vtkhdf", "VTKHDF" },
     { ".hdf", "VTKHDF" }, { ".mhd", "MetaImage" }, { ".mha", "MetaImage" }, { ".nrrd", "NRRD" },
-    { ".nhdr", "NRRD" }, { ".tif", "TIFF" }, { ".tiff", "TIFF" }, { ".zarr", "Zarr" },
-    { ".zarr/", "Zarr" } };
+    { ".nhdr", "NRRD" }, { ".mgh", "FreeSurfer" }, { ".mgz", "FreeSurfer" }, { ".mnc", "MINC" },
+    { ".tif", "TIFF" }, { ".tiff", "TIFF" }, { ".zarr", "Zarr" }, { ".zarr/", "Zarr" } };
   std::size_t count = 1; // ".zarr/" is no ending of its own
   for (std::string ending; endings >> ending; ++count)
   {

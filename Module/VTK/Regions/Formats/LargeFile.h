@@ -66,6 +66,12 @@ LargeFileOpener OpenVtkHdf;
 LargeFileOpener OpenRawHeader;
 
 /**
+ * Opens a file of FreeSurfer, .mgh, or .mgz if mayBeWhole, because it is packed. Opens MINC 1, a
+ * NetCDF file in its classic format. Both are converted to left-posterior-superior.
+ */
+LargeFileOpener OpenMgh, OpenMinc;
+
+/**
  * Opens a TIFF file with a page for each slice, as micro-CT scanners and microscopes write it, or a
  * folder of files with one page each. Files are ordered by the numbers in their names. Pages of
  * other sizes, such as previews, are left out.
