@@ -86,7 +86,13 @@ TRIED = {
     "Data/Formats/write_images.py": {
         "Copy all files of the stack into one folder": "is missing", "Write all slices alike": "pages of several sizes or types",
         ", which has …. Check that its copy is complete": "names page",
-        "has … components, and none with the number …": "and none with the number",
+        "has … components, and none with the number …": "and none with the number", "holds tracts, which": "holds tracts",
+    },
+    "Data/Formats/write_brain.py": {
+        "is no file of FreeSurfer, whatever its name says": "no file of FreeSurfer",
+        "its header is damaged or cut off. Check that": "header is damaged or cut off",
+        "it is no MINC file, whatever its name says": "it is no MINC file", "it has no image, and is no MINC": "it has no image",
+        "the dimensions xspace, yspace and zspace": "does not have the dimensions xspace",
     },
     "Data/Formats/write_dicom.py": {
         "has … segments, and none with the number …": "and none with the number",
@@ -262,8 +268,8 @@ OUTSIDE = {
         ": hold it loosely and keep the hand still. The volume is not felt yet",
     ),
     "a program of others, which Debian does not have or which reads what is not written here": (
-        "turn it into NIfTI with 3dAFNItoNIFTI", "turn it into NIfTI with dcm2niix", "mri_convert head.mgz head.nii.gz",
-        "turn it into NIfTI with mnc2nii", "turn them into NIfTI with dcm2niix",
+        "turn it into NIfTI with 3dAFNItoNIFTI", "turn it into NIfTI with dcm2niix", "with nibabel: nib.save(", "mri_convert in.mgz out.mgz",
+        "mincconvert in.mnc out.mnc", "mincresample in.mnc out.mnc", "turn them into NIfTI with dcm2niix",
         "make labels of it first, e.g. with plastimatch convert or 3D Slicer", "write it as a DICOM SEG, or as .seg.nrrd",
         "resample it on the grid of its volume, e.g. in 3D Slicer", "export it again from the planning system",
         "a segmentation (SEG) that ends before its pixels…copy or export it again",

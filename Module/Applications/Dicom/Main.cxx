@@ -67,15 +67,18 @@ void SetLimits(const DicomRequest& request, std::uint64_t fileSize)
 }
 
 /// Whether a file has the mark of DICOM; files older than the mark begin with the data set, in
-/// group 2 or 8.
+/// group 2 or 8, of either order of bytes.
 bool MayBeDicom(const std::string& path)
 {
   char begin[132] = {};
   std::ifstream file(path, std::ios::binary);
   file.read(begin, sizeof(begin));
   const bool hasMark = file.gcount() == sizeof(begin) && std::memcmp(begin + 128, "DICM", 4) == 0;
+  const auto isGroup = [](char low, char high) { return (low == 2 || low == 8) && high == 0; };
   return hasMark ||
-    (file.gcount() > 8 && (begin[0] == 2 || begin[0] == 8) && begin[1] == 0 && begin[3] == 0);
+    (file.gcount() > 8 &&
+      ((isGroup(begin[0], begin[1]) && begin[3] == 0) ||
+        (isGroup(begin[1], begin[0]) && begin[2] == 0)));
 }
 
 void AppendValue(

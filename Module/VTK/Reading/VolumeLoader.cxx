@@ -65,11 +65,13 @@ constexpr UnreadableFile UNREADABLE[] = {
     "turn it into NIfTI with 3dAFNItoNIFTI" },
   { " .par .rec ", "is a PAR/REC file, which is not read here",
     "turn it into NIfTI with dcm2niix" },
-  { " .mgz .mgh ", "is a file of FreeSurfer, which is not read here",
-    "turn it into NIfTI: mri_convert head.mgz head.nii.gz" },
-  { " .mnc ", "is a MINC file, which is not read here", "turn it into NIfTI with mnc2nii" },
   { " .zip .tar .tgz .7z .rar ", "is a packed folder",
     "unpack it, and name the folder of its slices" },
+  { " .gz .bz2 .xz ", "is a packed file", "unpack it, and name the file that was in it" },
+  { " .v ", "is a file of ECAT, which is not read here",
+    "turn it into NIfTI, e.g. with nibabel: nib.save(nib.load('pet.v'), 'pet.nii')" },
+  { " .trk .tck ", "holds tracts, which are lines and no volume",
+    "name the volume in which they were tracked" },
   { " .jpg .jpeg .png .bmp ",
     "is a picture, which has one slice, or less than the values of a scan",
     "name the volume that it was made of" },
@@ -332,6 +334,7 @@ Volume ReadAsRegions(
   {
     throw InputError(path, "cannot be read as " + format + " (" + error + ")", cure);
   }
+  volume.Axes = Explore::FindFormatAxes(format);
   Explore::AddFileNotes(source, volume);
   return volume;
 }
@@ -581,6 +584,16 @@ Volume ReadNrrdSegmentation(const std::string& path, int series)
     throw InputError(path, error, "do what stands there, or name another file");
   }
   ListSegments(volume, series);
+  double layers = 1.0 / static_cast<double>(volume.Image->GetNumberOfPoints());
+  for (const double size : VolumeHaptics::ReadNrrdHeader(path).GetNumbers("sizes"))
+  {
+    layers *= size;
+  }
+  if (series == 0 && layers > 1.5)
+  {
+    volume.Notes.push_back("labels in " + std::to_string(std::lround(layers)) +
+      " layers: of several in a voxel, the last one in the file counts");
+  }
   return volume;
 }
 

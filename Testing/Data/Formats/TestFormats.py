@@ -139,7 +139,7 @@ def test_is_right_or_refused(case, tmp_path):
 
 ONE_OF_EACH = ("dicom-tilted-20", "dicom-oblique", "dicom-enhanced", "nifti-oblique", "nifti-micron", "nifti-mirrored", "analyze",
                "nrrd-oblique", "nrrd-ras", "nrrd-space-units-um", "meta-oblique", "meta-4d-compressed", "tiff-folder",
-               "tiff-imagej-micrometres", "zarr-0.5-micrometres", "vtkhdf-oblique")
+               "tiff-imagej-micrometres", "zarr-0.5-micrometres", "vtkhdf-oblique", "mgh-oblique", "minc-oblique")
 
 
 def test_there_is_one_truth_in_every_front_end(tmp_path):
@@ -391,6 +391,9 @@ def test_labels_of_a_file_with_several_are_chosen():
             with Errors(labels, labels.GetExecutive()) as errors:
                 labels.Update()
             assert "has several volumes, and labels are one" in errors[0] and "take Series = 1 to Series = " in errors[0]
+        else:
+            labels.Update()
+            assert "labels in 3 layers: of several in a voxel, the last one in the file counts" in labels.GetNotes()
         for reader in (labels, values):
             reader.SetSeries(2)
             reader.Update()
@@ -407,6 +410,53 @@ def test_labels_of_a_table_that_are_in_no_voxel_are_told(tmp_path):
     table = tmp_path / "table.csv"
     table.write_text("label,name\n77,liver\n")
     assert "2 of 4 labels of the table are in no voxel" in notes(path_of("nifti-masks"), "--as-labels", "--materials", str(table))
+
+
+LIBRARIES = json.loads((FILES / "libraries" / "libraries.json").read_text())
+
+# What the refusal of a file says, by what pydicom or nibabel says it is: patterns of the kind, and of the text.
+TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan", "RT Structure Set Storage": "structure set",
+              ".*SR Storage|Comprehensive SR.*": "structured report", ".*ECG.*": "waveform", "Media Storage Directory.*":
+              "directory of a medium|no single DICOM slice|damaged or cut-off", "RT Beams Treatment Record.*": "RT record",
+              "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
+# What is wrong with a slice of which no volume can be made.
+NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
+             "without its pixels|damaged or cut-off|cannot be unpacked|without an image")
+
+
+@pytest.mark.parametrize("file", LIBRARIES, ids=lambda file: file["name"])
+def test_a_file_of_another_library_is_right_or_refused_by_its_true_name(file):
+    if volumehaptics is None:
+        pytest.skip("the module was not wrapped")
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(file["path"])
+    with Errors(reader, reader.GetExecutive()) as errors:
+        reader.Update()
+    names = [text for kind, text in TRUE_NAMES.items() if re.fullmatch(kind, file["kind"])]
+    voxels = np.load(file["voxels"]) if "voxels" in file else None
+    is_labels = file["kind"] == "Segmentation Storage"
+    if errors:
+        assert voxels is None or names or min(voxels.shape) < 5, errors
+        assert "Cure: " in errors[0]
+        cause = errors[0].replace(file["path"], "").replace(Path(file["path"]).name, "")
+        if names:
+            assert re.search(names[0], cause), (file["kind"], errors)
+        elif file.get("pixels") or (voxels is not None and not is_labels):
+            assert re.search(NO_VOLUME, cause), errors
+        return
+    assert voxels is not None, f"{file} was read: {reader.GetNotes()}"
+    found, affine = measure(reader.GetOutput())
+    index = np.moveaxis(np.indices(found.shape, dtype=float), 0, -1)
+    at = (index @ affine[:3, :3].T + affine[:3, 3] - np.array(file["affine"])[:3, 3]) @ np.linalg.inv(
+        np.array(file["affine"])[:3, :3]).T
+    whole = np.round(at).astype(int)
+    assert np.abs(at - whole).max() < 2e-3, reader.GetNotes()
+    inside = np.all((whole >= 0) & (whole < voxels.shape), axis=-1)
+    expected = np.zeros(found.shape)
+    expected[inside] = voxels[tuple(whole[inside].T)]
+    # Empty slices are added to a segmentation of one slice.
+    assert np.count_nonzero(inside) == voxels.size and (inside.all() or is_labels)
+    np.testing.assert_allclose(found, expected, rtol=2e-6, atol=1e-6 * np.ptp(voxels))
 
 
 def test_the_table_of_rows_names_each_case_and_what_there_is():

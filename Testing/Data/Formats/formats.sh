@@ -38,5 +38,6 @@ fi
 flock -u $lock
 rm -rf "$build_dir/files"
 PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"
+PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/libraries_files.py" "$build_dir/files/libraries"
 VOLUMEHAPTICS_FORMATS=$build_dir/files PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m pytest "$here/TestFormats.py" -q \
   -p no:cacheprovider

@@ -107,7 +107,8 @@ def seg(folder):
     return save_segments(folder, nrrd_segments(), layers=False)
 
 
-@case("nrrd-seg-in-layers", source="3D Slicer's .seg.nrrd of segments that overlap", labels=("ball", "knob"))
+@case("nrrd-seg-in-layers", source="3D Slicer's .seg.nrrd of segments that overlap", labels=("ball", "knob"),
+      told=("labels in 2 layers: of several in a voxel, the last one in the file counts",))
 def seg_in_layers(folder):
     return save_segments(folder, nrrd_segments(overlapping=True), layers=True)
 
@@ -591,6 +592,9 @@ refused_case("par-rec", "head.par", b"# === DATA DESCRIPTION FILE ===\n", "PAR|d
 refused_case("zip", "head.zip", b"PK\3\4" + bytes(100), "zip|ZIP|unpack")
 refused_case("jpeg", "head.jpg", b"\xff\xd8\xff\xe0" + bytes(100), "jpg|JPEG|picture")
 refused_case("stl", "head.stl", b"solid head\nendsolid head\n", "surface|volume")
+refused_case("ecat", "head.v", b"MATRIX72v" + bytes(600), "ECAT")
+refused_case("tracts", "head.trk", b"TRACK" + bytes(995), "holds tracts")
+refused_case("packed", "head.dcm.gz", b"\x1f\x8b" + bytes(100), "packed file")
 refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "ending that is not known")
 refused_case("empty-mha", "head.mha", b"", "empty|damaged|cut off|header")
 refused_case("empty-nrrd", "head.nrrd", b"", "empty|damaged|cut off|header|NRRD")

@@ -193,11 +193,11 @@ def flipped_dose(folder):
     return save(folder, data, "dose.dcm")
 
 
-def real_world(slope, intercept, unit, table=None):
+def real_world(slope, intercept, unit, table=None, last=65535):
     """An item of RealWorldValueMappingSequence: PS3.3 C.7.6.16.2.11."""
     mapping, code = Dataset(), Dataset()
     mapping.LUTExplanation, mapping.LUTLabel = "map", "map"
-    mapping.RealWorldValueFirstValueMapped, mapping.RealWorldValueLastValueMapped = 0, 65535
+    mapping.RealWorldValueFirstValueMapped, mapping.RealWorldValueLastValueMapped = 0, last
     if table is None:
         mapping.RealWorldValueIntercept, mapping.RealWorldValueSlope = float(intercept), float(slope)
     else:
@@ -226,6 +226,12 @@ MAPPED = {"scale": 0.5, "offset": 1000.0, "options": ("--preset", "histogram")}
       told=("real-world values.*in um2/s",), **MAPPED)
 def real_world_values(folder):
     return mapped(folder, [real_world(0.5, 0.0, "um2/s")])
+
+
+@case("dicom-real-world-values-of-some", source="PS3.3 C.7.6.16.2.11: a map is for a range of stored values",
+      told=("is for stored values from 0 to 1500: others are mapped by it, too",), **MAPPED)
+def real_world_of_some(folder):
+    return mapped(folder, [real_world(0.5, 0.0, "um2/s", last=1500)])
 
 
 @case("dicom-real-world-values-of-two", source="dgobbi/vtk-dicom#26: several maps", told=("of 2 such maps, it is the first",),

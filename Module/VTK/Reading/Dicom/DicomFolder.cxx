@@ -394,6 +394,28 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   }
 }
 
+/// Adds a note if stored values are beyond those for which the map to real-world values is meant.
+void NoteUnmapped(const DicomHeader::RealWorldMap& map, vtkImageData* image, Volume& volume)
+{
+  if (!map.IsUsed || !(map.Range[0] < map.Range[1]))
+  {
+    return;
+  }
+  double range[2];
+  image->GetScalarRange(range);
+  const double ends[2] = { *map.Slope * map.Range[0] + map.Intercept,
+    *map.Slope * map.Range[1] + map.Intercept };
+  const double rounding = 1e-5 * std::abs(ends[1] - ends[0]);
+  if (range[0] < std::min(ends[0], ends[1]) - rounding ||
+    range[1] > std::max(ends[0], ends[1]) + rounding)
+  {
+    std::ostringstream note;
+    note << "the file's map to real-world values is for stored values from " << map.Range[0]
+         << " to " << map.Range[1] << ": others are mapped by it, too";
+    volume.Notes.push_back(note.str());
+  }
+}
+
 /// Reads the phases of a moving volume. `along` has the positions of the slices.
 void ReadPhases(const std::string& path, const DicomSeries& series,
   const std::vector<double>& along, Volume& volume)
@@ -439,6 +461,7 @@ Volume LoadSeries(
     Explore::CheckMemory(
       path, Explore::MeasureSlices(slices), slices.size() * (1 + series.MorePhases.size()));
     volume.Image = ReadPlaced(path, slices, along, volume);
+    NoteUnmapped(one.RealWorld, volume.Image, volume);
     if (isMoving)
     {
       ReadPhases(path, series, along, volume);
@@ -510,7 +533,7 @@ Volume ReadDicomFile(const std::string& path, int series)
     return ReadDicomFolder(folder, series);
   }
   bool hasFolders = false;
-  const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders);
+  const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders, whole);
   const auto found =
     std::find_if(all.begin(), all.end(), [&](const DicomSeries& one) { return one.Holds(whole); });
   if (found == all.end())

@@ -318,6 +318,14 @@ void ReadValue(
     case 0x00409210: // LUTLabel, which each map has behind its unit
       ++header.RealWorld.Count;
       break;
+    case 0x00409211: // RealWorldValueLastValueMapped
+    case 0x00409216: // RealWorldValueFirstValueMapped
+      if (header.RealWorld.Count < 2)
+      {
+        const bool isNegative = header.IsSigned && value.size() == 2 && number() > 32767;
+        header.RealWorld.Range[tag == 0x00409211 ? 1 : 0] = number() - (isNegative ? 65536 : 0);
+      }
+      break;
     case 0x00409224:
       header.RealWorld.Intercept =
         header.RealWorld.Count < 2 ? ReadReal(value) : header.RealWorld.Intercept;
@@ -496,6 +504,7 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
     }
     reader.Read(element, bytes.substr(at, element.Length));
   }
+  header.HasPixels = answer.PixelTag != 0;
   header.IsFloat = answer.PixelTag != PIXELS;
   const int bits = !header.IsFloat ? header.Bits : answer.PixelTag == FLOAT_PIXELS ? 32 : 64;
   if (answer.PixelTag == 0 || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
@@ -581,11 +590,15 @@ DicomObject FindDicomObject(const std::string& path)
     }
   }
   const bool isUnread = header.Class.empty() && header.TransferSyntax.empty();
-  if (header.Width > 0 || (isUnread && HasDicomMark(path)))
+  const bool isMarked = header.Class.empty() && HasDicomMark(path);
+  if (header.Width > 0 || (isUnread && isMarked))
   {
-    return { "a damaged or cut-off DICOM file", "copy or export it again" };
+    return { header.Width > 0 && !header.HasPixels
+        ? "a DICOM file without its pixels: damaged, cut off, or written so"
+        : "a damaged or cut-off DICOM file",
+      "copy or export it again" };
   }
-  if (header.Class.empty())
+  if (header.Class.empty() && !isMarked)
   {
     return {};
   }

@@ -71,6 +71,7 @@ struct DicomHeader
   int Bits = 0, Stored = 0; // bits of a sample in the file, and the number of those that are used
   bool IsSigned = false;
   bool IsFloat = false;
+  bool HasPixels = false;
   bool IsBig = false; // whether the most significant byte comes first
   int Frames = 1;     // number of frames in the file
   int Frame = 0;      // number of this slice among the frames
@@ -86,6 +87,8 @@ struct DicomHeader
     double Intercept = 0.0;
     std::string Unit; // UCUM's code, such as "um2/s"
     int Count = 0;    // number of maps in the file
+    // first and last stored value that the map is for; equal if the file does not tell
+    double Range[2] = { 0.0, 0.0 };
     bool IsUsed = false;
   };
   RealWorldMap RealWorld;

@@ -28,8 +28,8 @@ constexpr double SAME_PLACE = 1e-3;      // mm
 bool IsAlike(const DicomHeader& a, const DicomHeader& b)
 {
   return a.Series == b.Series && a.Width == b.Width && a.Height == b.Height &&
-    a.Samples == b.Samples && vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION &&
-    (!a.IsSegmentation() || a.File == b.File);
+    a.Samples == b.Samples && (a.Frames > 1) == (b.Frames > 1) &&
+    vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION && (!a.IsSegmentation() || a.File == b.File);
 }
 
 bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)
@@ -38,17 +38,21 @@ bool IsSamePlace(const DicomHeader& a, const DicomHeader& b)
 }
 
 /// Removes slices that an export contains twice. Such slices have the same identifier, position and
-/// facts. Returns their number.
-std::size_t RemoveCopies(std::vector<DicomHeader>& slices)
+/// facts. Returns their number. For `named`, see SortDicomSlices().
+std::size_t RemoveCopies(std::vector<DicomHeader>& slices, const std::string& named)
 {
+  const auto rank = [&](const DicomHeader& slice) {
+    return slice.File == named ? 0 : slice.IsWhole ? 1 : 2;
+  };
+  std::stable_sort(slices.begin(), slices.end(),
+    [&](const DicomHeader& a, const DicomHeader& b) { return rank(a) < rank(b); });
   std::map<std::pair<std::string, int>, const DicomHeader*> known;
   std::vector<DicomHeader> left;
   left.reserve(slices.size()); // no reallocation, so that addresses stay valid
   for (const DicomHeader& slice : slices)
   {
     const auto [found, isNew] = known.insert({ { slice.Instance, slice.Frame }, nullptr });
-    const bool isCopy = !isNew && !slice.Instance.empty() && slice.IsWhole &&
-      found->second->IsWhole && found->second->File != slice.File &&
+    const bool isCopy = !isNew && !slice.Instance.empty() && found->second->File != slice.File &&
       IsSamePlace(*found->second, slice) && found->second->Facts == slice.Facts;
     if (!isCopy)
     {
@@ -305,7 +309,8 @@ bool DicomSeries::Holds(const std::string& file) const
     std::any_of(this->MorePhases.begin(), this->MorePhases.end(), holds);
 }
 
-std::vector<DicomSeries> SortDicomSlices(const std::vector<DicomHeader>& slices)
+std::vector<DicomSeries> SortDicomSlices(
+  const std::vector<DicomHeader>& slices, const std::string& named)
 {
   std::vector<DicomSeries> found;
   for (const DicomHeader& slice : slices)
@@ -318,7 +323,7 @@ std::vector<DicomSeries> SortDicomSlices(const std::vector<DicomHeader>& slices)
   for (DicomSeries& series : found)
   {
     series.IsPlacedByLocation = PlaceByLocation(series.Slices);
-    series.Copies = RemoveCopies(series.Slices);
+    series.Copies = RemoveCopies(series.Slices, named);
     SortByPlace(series.Slices);
     const std::vector<DicomSeries> parts = Part(series);
     all.insert(all.end(), parts.begin(), parts.end());
@@ -329,13 +334,14 @@ std::vector<DicomSeries> SortDicomSlices(const std::vector<DicomHeader>& slices)
   return all;
 }
 
-std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders)
+std::vector<DicomSeries> ListDicomSeries(
+  const std::string& folder, bool& hasFolders, const std::string& named)
 {
   hasFolders = false;
   std::vector<DicomHeader> all;
   std::set<std::string> visited{ Files::GetRealPath(folder) };
   AddFolder(folder, 0, visited, all, hasFolders);
-  return SortDicomSlices(all);
+  return SortDicomSlices(all, named);
 }
 
 std::size_t FindLargest(const std::vector<DicomSeries>& series)

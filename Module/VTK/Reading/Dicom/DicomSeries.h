@@ -33,11 +33,15 @@ struct DicomSeries
 };
 
 /// Lists all series in a folder and the folders below it, in the order of the numbers that the
-/// scanner has given them. Sets `hasFolders` to whether there were folders.
-std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders);
+/// scanner has given them. Sets `hasFolders` to whether there were folders. See SortDicomSlices()
+/// for `named`.
+std::vector<DicomSeries> ListDicomSeries(
+  const std::string& folder, bool& hasFolders, const std::string& named = {});
 
-/// Sorts slices into series, and removes copies. Slices of several volumes become several series.
-std::vector<DicomSeries> SortDicomSlices(const std::vector<DicomHeader>& slices);
+/// Sorts slices into series, and removes copies: keeps that in the file `named`, or else a whole
+/// one. Slices of several volumes become several series.
+std::vector<DicomSeries> SortDicomSlices(
+  const std::vector<DicomHeader>& slices, const std::string& named = {});
 
 /// Returns the series with most pixels, among those with enough slices for a volume.
 std::size_t FindLargest(const std::vector<DicomSeries>& series);
