@@ -160,6 +160,7 @@ TEST_P(Pads, APadThatIsGoneIsLostWithATextAndWaitsOnceItIsBack)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
+  this->Model.CloseFiles();
   const EmulatedEvdev again(this->Model);
   this->Bench.ExpectBack();
   EXPECT_TRUE(this->Model.IsStill());
