@@ -17,6 +17,7 @@ from phantom import CENTRE, Grid, distance, values
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
 
@@ -457,6 +458,28 @@ def test_a_file_of_another_library_is_right_or_refused_by_its_true_name(file):
     # Empty slices are added to a segmentation of one slice.
     assert np.count_nonzero(inside) == voxels.size and (inside.all() or is_labels)
     np.testing.assert_allclose(found, expected, rtol=2e-6, atol=1e-6 * np.ptp(voxels))
+
+
+def test_the_trail_is_as_smooth_at_a_place_of_utm(tmp_path):
+    """The free parts of the trail, which are blue, cover the same pixels as near the origin."""
+    trails = []
+    for place in ((0, 0, 0), (500000, 5400000, 100)):
+        header = Path(path_of("meta-mhd")).read_text()
+        samples = Path(path_of("meta-mhd")).parent / re.search("ElementDataFile = (.*)", header)[1]
+        folder = tmp_path / str(place[0])
+        folder.mkdir()
+        (folder / "head.mhd").write_text(re.sub("(?m)^Offset = .*", "Offset = {} {} {}".format(*place), header).replace(
+            samples.name, str(samples)))
+        subprocess.run([EXPLORE, str(folder / "head.mhd"), "--pictures", str(folder)], capture_output=True, check=True)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(folder / "explore.png"))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+        red, green, blue = (pixels[:, :width * 4 // 5, i] for i in range(3))  # without the scale of colours
+        trails.append((red < 70) & (green < 90) & (blue > 150))
+    assert trails[0].sum() > 1000
+    assert (trails[0] ^ trails[1]).sum() < 0.02 * trails[0].sum()
 
 
 def test_the_table_of_rows_names_each_case_and_what_there_is():

@@ -50,6 +50,9 @@ nrrd_case("left-handed", nrrd_header(Grid(axes=np.diag([1.0, 1.0, -1.0]))),
 for unit, per_mm in (("um", 1000.0), ("microns", 1000.0), ("m", 0.001), ("mm", 1.0)):
     nrrd_case(f"space-units-{unit}", nrrd_header(per_mm=per_mm, **{"space units": [unit] * 3}),
               source="Slicer#7631")
+for per_mm in (1e-9, 1e6):
+    nrrd_case(f"spacing-of-{per_mm:g}", nrrd_header(per_mm=per_mm), source="DATA.md: spacing of 1e-9 or 1e6",
+              steps=tuple(GRID.spacing * per_mm), first=tuple(GRID.origin * per_mm))
 nrrd_case("bzip2", nrrd_header(encoding="bzip2"), refused="bzip2|--large")
 nrrd_case("ascii", nrrd_header(encoding="ascii"), source="teem: encoding ascii")
 nrrd_case("float", nrrd_header(), voxels=lambda: GRID.sample(float).astype(np.float32))

@@ -255,6 +255,7 @@ MeasuredShapes::MeasuredShapes(double red, double green, double blue)
   this->Glyphs->SetSourceConnection(this->Sphere->GetOutputPort());
   this->Glyphs->ScalingOff();
   this->Glyphs->OrientOff();
+  this->Glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   this->Tube->SetInputData(this->Tubes.Data);
   this->Tube->SetNumberOfSides(8);
   this->Tube->CappingOn();
