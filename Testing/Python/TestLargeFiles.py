@@ -606,8 +606,9 @@ def test_ome_zarr_has_its_place_and_a_coarse_level(tmp_path):
     zarr = pytest.importorskip("zarr")
     fine = make_array("uint16", (1, 2, 40, 24, 30))
     group = zarr.open_group(str(tmp_path / "a.zarr"), mode="w")
-    group.create_dataset("0", data=fine, chunks=(1, 1, 16, 16, 16))
-    group.create_dataset("1", data=fine[..., ::2, ::2, ::2], chunks=(1, 1, 16, 16, 16))
+    for name, level in ("0", fine), ("1", fine[..., ::2, ::2, ::2]):
+        zarr.open(str(tmp_path / "a.zarr" / name), mode="w", shape=level.shape, chunks=(1, 1, 16, 16, 16),
+                  dtype=level.dtype)[:] = level
     steps = [[{"type": "scale", "scale": [1, 1, 2.0 * f, 0.5 * f, 0.25 * f]},
               {"type": "translation", "translation": [0, 0, 10, 20, 30]}] for f in (1, 2)]
     group.attrs["multiscales"] = [{

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+os.environ["ZARR_DEFAULT_ZARR_FORMAT"] = "2"  # which zarr 3 would write only if it were told so
 
 
 def pytest_addoption(parser):
