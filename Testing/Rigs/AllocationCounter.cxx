@@ -8,17 +8,47 @@
 #include <malloc.h>
 #include <new>
 
-#if defined(_WIN32)
-#define posix_memalign(memory, alignment, bytes) \
-  ((*(memory) = _aligned_malloc(bytes, alignment)) ? 0 : 1)
-#define malloc_usable_size(memory) _aligned_msize(memory, alignof(std::max_align_t), 0)
-#define RELEASE _aligned_free
-#else
-#define RELEASE std::free
-#endif
-
 namespace
 {
+#if defined(_WIN32)
+/** Windows does not tell the size of aligned memory: it stands before the memory. */
+struct Head
+{
+  std::size_t Size = 0;
+  void* Begin = nullptr;
+};
+
+Head& HeadOf(void* memory)
+{
+  return static_cast<Head*>(memory)[-1];
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes)
+{
+  const std::size_t space = alignment > sizeof(Head) ? alignment : sizeof(Head);
+  void* const begin = _aligned_malloc(bytes + space, alignment);
+  if (!begin)
+  {
+    return 1;
+  }
+  *memory = static_cast<char*>(begin) + space;
+  HeadOf(*memory) = { bytes, begin };
+  return 0;
+}
+std::size_t malloc_usable_size(void* memory)
+{
+  return HeadOf(memory).Size;
+}
+void ReleaseAligned(void* memory)
+{
+  _aligned_free(HeadOf(memory).Begin);
+}
+#else
+void ReleaseAligned(void* memory)
+{
+  std::free(memory);
+}
+#endif
+
 std::atomic<std::size_t> Calls{ 0 };
 std::atomic<std::size_t> LiveBytes{ 0 };
 
@@ -39,7 +69,7 @@ void Release(void* memory) noexcept
   if (memory)
   {
     LiveBytes -= malloc_usable_size(memory);
-    RELEASE(memory);
+    ReleaseAligned(memory);
   }
 }
 } // namespace

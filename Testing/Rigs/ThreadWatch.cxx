@@ -5,12 +5,18 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <new>
-#include <pthread.h>
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define THREAD_WATCH_INTERPOSES
+#include <dlfcn.h>
+#include <pthread.h>
+#endif
+#if defined(_WIN32)
+#include <malloc.h>
+#define RELEASE _aligned_free
+#else
+#define RELEASE std::free
 #endif
 
 namespace
@@ -30,7 +36,12 @@ void* Allocate(std::size_t bytes, std::size_t alignment)
   CountAllocation();
   void* memory = nullptr;
   IsCounted = true;
+#if defined(_WIN32)
+  memory = _aligned_malloc(bytes ? bytes : 1, alignment);
+  const bool failed = !memory;
+#else
   const int failed = posix_memalign(&memory, alignment, bytes ? bytes : 1);
+#endif
   IsCounted = false;
   if (failed)
   {
@@ -72,19 +83,19 @@ void* operator new(std::size_t bytes, std::align_val_t alignment)
 }
 void operator delete(void* memory) noexcept
 {
-  std::free(memory);
+  RELEASE(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept
 {
-  std::free(memory);
+  RELEASE(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept
 {
-  std::free(memory);
+  RELEASE(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
 {
-  std::free(memory);
+  RELEASE(memory);
 }
 
 #ifdef THREAD_WATCH_INTERPOSES

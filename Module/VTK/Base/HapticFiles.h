@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Functions on files: reading without hanging, writing, names, and texts for errors. Descriptors are
- * those of Core/Platform/Files.h.
+ * Functions on files: reading without hanging, writing, names, and texts for errors. Descriptors
+ * are those of Core/Platform/Files.h.
  */
 #ifndef HapticFiles_h
 #define HapticFiles_h

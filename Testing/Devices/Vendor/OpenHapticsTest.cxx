@@ -13,7 +13,6 @@
 
 #include <HD/hd.h>
 
-#include <dlfcn.h>
 
 using namespace vendortest;
 
@@ -276,10 +275,11 @@ TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
 {
   // The plug-in alone: a driver writes zero by itself.
-  void* const library = dlopen(this->File.c_str(), RTLD_NOW | RTLD_LOCAL);
-  ASSERT_NE(library, nullptr);
+  std::string error;
+  void* const library = VolumeHaptics::Libraries::Load(this->File.string(), error);
+  ASSERT_NE(library, nullptr) << error;
   using Getter = const VolumeHapticsVendorPlugin* (*)(uint32_t);
-  const auto get = reinterpret_cast<Getter>(dlsym(library, "VolumeHapticsVendorGetPlugin"));
+  const auto get = reinterpret_cast<Getter>(VolumeHaptics::Libraries::Find(library, "VolumeHapticsVendorGetPlugin"));
   ASSERT_NE(get, nullptr);
   const VolumeHapticsVendorPlugin* const plugin = get(VOLUME_HAPTICS_VENDOR_VERSION);
   void* const device = plugin->Open(0);

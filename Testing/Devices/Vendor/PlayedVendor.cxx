@@ -18,7 +18,12 @@ PlayedVendor& Played()
 
 extern "C"
 {
-  __attribute__((visibility("default"))) PlayedVendor* GetPlayedVendor()
+#if defined(_WIN32)
+  __declspec(dllexport)
+#else
+__attribute__((visibility("default")))
+#endif
+    PlayedVendor* GetPlayedVendor()
   {
     return &Played();
   }

@@ -12,8 +12,6 @@
 
 #include <limits>
 
-#include <dlfcn.h>
-
 using namespace vendortest;
 
 namespace
@@ -24,9 +22,10 @@ protected:
   VendorDevice()
   {
     const fs::path file = this->Folder.Add("played");
-    void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    std::string error;
+    void* const library = Libraries::Load(file.string(), error);
     using Getter = PlayedVendor* (*)();
-    const auto get = reinterpret_cast<Getter>(dlsym(library, "GetPlayedVendor"));
+    const auto get = reinterpret_cast<Getter>(Libraries::Find(library, "GetPlayedVendor"));
     this->Played = get();
     this->Played->Calls.clear();
   }

@@ -19,7 +19,7 @@ namespace VolumeHaptics
 struct SerialPortInfo
 {
   std::string Path; ///< node of the port, such as /dev/ttyACM0 or COM3
-  /// Name of the board including its serial number, as the system gives it. Empty if it is not known.
+  /// Name of the board including its serial number, as the system gives it. Empty if unknown.
   std::string Name;
 };
 
