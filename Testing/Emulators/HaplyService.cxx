@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HaplyService.h"
 
-#include "Rigs/Portable.h"
-
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -38,10 +36,6 @@ using Json = nlohmann::json;
 using Socket = tcp::socket::native_handle_type;
 
 #if defined(_WIN32)
-constexpr int MSG_NOSIGNAL = 0;
-constexpr int MSG_DONTWAIT = 0;
-constexpr int SHUT_WR = SD_SEND;
-constexpr int SHUT_RDWR = SD_BOTH;
 /** Windows has no duplicates within a process. */
 Socket Duplicate(Socket socket)
 {
@@ -282,7 +276,7 @@ struct HaplyService::Server
     }
   }
   /// Sends pings, two bytes each, until the fault or the connection ends.
-  void Flood(Socket number, HaplyFault fault)
+  void Flood(int number, HaplyFault fault)
   {
     std::string pings;
     for (int i = 0; i < 2048; ++i)
@@ -304,7 +298,7 @@ struct HaplyService::Server
     }
   }
   /// Answers by what no service should do; frames are by RFC 6455, section 5.2.
-  std::future<void> Misbehave(Socket number, HaplyFault fault)
+  std::future<void> Misbehave(int number, HaplyFault fault)
   {
     const auto send = [number](const char* bytes, std::size_t size)
     { ::send(number, bytes, size, MSG_NOSIGNAL); };

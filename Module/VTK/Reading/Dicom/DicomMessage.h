@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#if !defined(_WIN32)
 #include <sys/socket.h>
+#endif
 
 namespace Explore
 {
@@ -52,6 +54,7 @@ struct DicomElement
   std::uint32_t Length = 0;   // bytes of the value, least significant byte first
 };
 
+#if !defined(_WIN32)
 /// Sends all bytes through a socket, also if signals interrupt it. Returns false if the other side
 /// is gone.
 inline bool SendAll(int link, const void* from, std::size_t size)
@@ -87,6 +90,7 @@ inline bool ReceiveAll(int link, void* to, std::size_t size)
   }
   return true;
 }
+#endif
 } // namespace Explore
 
 #endif

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/Dicom/DicomProcess.h"
 
-#include "Core/Platform/OwnFile.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Reading/InputError.h"
+
+#if !defined(_WIN32)
+#include "Core/Platform/OwnFile.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -134,6 +136,7 @@ bool DicomProcess::Ask(const DicomRequest& request, const std::string& path,
   return isRead && answer.IsRead != 0;
 }
 } // namespace
+#endif
 
 namespace Explore
 {
@@ -144,6 +147,20 @@ bool HasDicomMark(const std::string& path)
   file.seekg(128);
   return file.read(mark, sizeof(mark)) && std::string(mark, sizeof(mark)) == "DICM";
 }
+#if defined(_WIN32)
+bool AskDicom(DicomRequest::Kind, const std::string& path, std::uint64_t, DicomAnswer& answer,
+  std::string& bytes)
+{
+  answer = {};
+  bytes.clear();
+  if (HasDicomMark(path))
+  {
+    throw InputError(path, "is DICOM, which is read on Linux only",
+      "make a NIfTI or NRRD file of it, such as with dcm2niix or 3D Slicer");
+  }
+  return false;
+}
+#else
 bool AskDicom(DicomRequest::Kind what, const std::string& path, std::uint64_t mostBytes,
   DicomAnswer& answer, std::string& bytes)
 {
@@ -172,4 +189,5 @@ bool AskDicom(DicomRequest::Kind what, const std::string& path, std::uint64_t mo
     what == DicomRequest::Values ? least + 4 * vtksys::SystemTools::FileLength(path) : mostBytes;
   return process.Ask(request, path, mostAnswer, answer, bytes);
 }
+#endif
 } // namespace Explore
