@@ -18,10 +18,8 @@
 #include <mutex>
 #include <thread>
 
-#if !defined(_WIN32)
 #include <sys/socket.h>
 #include <unistd.h>
-#endif
 
 namespace emulated
 {
@@ -33,42 +31,6 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 using Json = nlohmann::json;
-using Socket = tcp::socket::native_handle_type;
-
-#if defined(_WIN32)
-/** Windows has no duplicates within a process. */
-Socket Duplicate(Socket socket)
-{
-  return socket;
-}
-void CloseDuplicate(Socket) {}
-void EndConnection(Socket socket)
-{
-  ::shutdown(socket, SD_BOTH);
-}
-/** Ends accept(), which shutdown() does not. */
-void EndListening(tcp::acceptor& acceptor)
-{
-  ::closesocket(acceptor.native_handle());
-}
-#else
-Socket Duplicate(Socket socket)
-{
-  return ::dup(socket);
-}
-void CloseDuplicate(Socket socket)
-{
-  ::close(socket);
-}
-void EndConnection(Socket socket)
-{
-  ::shutdown(socket, SHUT_RDWR);
-}
-void EndListening(tcp::acceptor& acceptor)
-{
-  ::shutdown(acceptor.native_handle(), SHUT_RDWR);
-}
-#endif
 } // namespace
 
 struct HaplyService::Server
@@ -93,7 +55,7 @@ struct HaplyService::Server
 
   std::mutex Mutex; // guards all members below
   std::vector<std::thread> Threads;
-  std::vector<Socket> Sockets; // duplicates of open connections, to end them
+  std::vector<int> Sockets; // duplicates of open connections, to end them
   std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
   HaplyState Arms;
@@ -133,7 +95,7 @@ struct HaplyService::Server
         [this, socket, serve]
         {
           tcp::socket mine = std::move(*socket);
-          const Socket number = Duplicate(mine.native_handle());
+          const int number = ::dup(mine.native_handle());
           {
             const std::lock_guard<std::mutex> other(this->Mutex);
             this->Sockets.push_back(number);
@@ -148,7 +110,7 @@ struct HaplyService::Server
           }
           const std::lock_guard<std::mutex> other(this->Mutex);
           this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), number));
-          CloseDuplicate(number);
+          ::close(number);
         });
     }
   }
@@ -160,7 +122,7 @@ struct HaplyService::Server
     }
     for (tcp::acceptor* const acceptor : { &this->States, &this->Events, &this->Http })
     {
-      EndListening(*acceptor);
+      ::shutdown(acceptor->native_handle(), SHUT_RDWR); // ends accept()
     }
     this->StatesThread.join();
     this->EventsThread.join();
@@ -168,9 +130,9 @@ struct HaplyService::Server
     std::vector<std::thread> threads;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      for (const Socket socket : this->Sockets)
+      for (const int socket : this->Sockets)
       {
-        EndConnection(socket);
+        ::shutdown(socket, SHUT_RDWR);
       }
       threads.swap(this->Threads);
     }

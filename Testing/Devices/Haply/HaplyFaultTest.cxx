@@ -7,13 +7,11 @@
 
 #include "HaplyRig.h"
 
-#if defined(__linux__)
 #include <csignal>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#endif
 
 using namespace emulated;
 
@@ -290,7 +288,6 @@ TEST_F(HaplyFaults, TheServoStandsStill)
   EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
 }
 
-#if defined(__linux__)
 /// Whoever is on this computer may listen at the service's port before it does.
 TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
 {
@@ -330,7 +327,6 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
   close(ports[0]);
   close(ports[1]);
 }
-#endif
 
 TEST(HaplyErrors, SayWhatToDo)
 {

@@ -9,7 +9,6 @@
 
 #include "Devices/Emulated/DeviceBench.h"
 #include "Emulators/HaplyService.h"
-#include "Rigs/Portable.h"
 
 #include <gtest/gtest.h>
 

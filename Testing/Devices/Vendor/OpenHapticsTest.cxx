@@ -13,7 +13,6 @@
 
 #include <HD/hd.h>
 
-
 using namespace vendortest;
 
 namespace
@@ -279,7 +278,8 @@ TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
   void* const library = VolumeHaptics::Libraries::Load(this->File.string(), error);
   ASSERT_NE(library, nullptr) << error;
   using Getter = const VolumeHapticsVendorPlugin* (*)(uint32_t);
-  const auto get = reinterpret_cast<Getter>(VolumeHaptics::Libraries::Find(library, "VolumeHapticsVendorGetPlugin"));
+  const auto get = reinterpret_cast<Getter>(
+    VolumeHaptics::Libraries::Find(library, "VolumeHapticsVendorGetPlugin"));
   ASSERT_NE(get, nullptr);
   const VolumeHapticsVendorPlugin* const plugin = get(VOLUME_HAPTICS_VENDOR_VERSION);
   void* const device = plugin->Open(0);

@@ -21,7 +21,7 @@ extern "C"
 #if defined(_WIN32)
   __declspec(dllexport)
 #else
-__attribute__((visibility("default")))
+  __attribute__((visibility("default")))
 #endif
     PlayedVendor* GetPlayedVendor()
   {
