@@ -160,7 +160,7 @@ TRIED = {
     "Devices/Hfab/HfabSessionTest.cxx": {
         "put the arm into its pose for calibration, hold it still, and press Home()": "has to be told where its arm is",
         "press the button of its controller, and press Home()": "press the button of its controller",
-        "or give its port, such as \"hfab:/dev/ttyACM0\".…Several": "No hfab controller is plugged in",
+        "or give its port, such as \"hfab:…\".…Several": "No hfab controller is plugged in",
         "Give the port of the controller, and look after its firmware": "none of an hfab controller",
         "drives another arm now. Open() it again": "says that it drives another arm now",
         "drives another arm than before. Open() and Start() it": "drives another arm than before",
@@ -188,7 +188,7 @@ TRIED = {
         "hold the arm still in its rest pose, and press Home() again": "did not take in where its arm is",
     },
     "Devices/Vendor/VendorLoaderTest.cxx": {
-        "as it does not begin with a slash. Name the whole path": "Name the whole path",
+        "as it is relative. Name the whole path": "Name the whole path",
         'give "vendor:PLUGIN" or "vendor:PLUGIN:N"': "is no device id",
         "no folder is searched. Name the plug-in's folder": "no folder is searched",
         "Count from 0, as EnumerateDevices() does": "has no device",
@@ -295,13 +295,16 @@ OUTSIDE = {
         "End threads of this program, or raise its limits (ulimit -u)", "Close files or end threads of this program",
         "set HOME, or VOLUMEHAPTICS_DEVICES to the name of a file",
     ),
+    "the system is Windows": (
+        "Take the right to write it from them (Properties, Security)", "Give the board's port, such as COM3",
+        "make a NIfTI or NRRD file of it, such as with dcm2niix or 3D Slicer",
+    ),
     "something is built or installed": (
         "Build it with -D…=ON", "Install both anew, from the same package", "Update its firmware to 1.16.5 or later",
         "Build one against the vendor's SDK", "Install the vendor's SDK", "Build it again with the VendorPlugin.h",
         ". Build it (Examples/Vendor)", "Link VTK::RenderingContextOpenGL2",
         "build it with a VTK that has the module IOOggTheora", "build it from its sources with the package libpulse-dev",
-        "build it with GDCM (package libgdcm-dev)", "make a NIfTI or NRRD file of it, such as with dcm2niix or 3D Slicer",
-        "Build it with c-blosc (package libblosc-dev)", "Build it with zstd (package libzstd-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
+        "build it with GDCM (package libgdcm-dev)", "Build it with c-blosc (package libblosc-dev)", "Build it with zstd (package libzstd-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
         "Load VolumeHapticsPlugin on the server, too", "Load the same VolumeHapticsPlugin there as here",
         "Use a client and a server of the same version",
         "derive it from one of the module's tools",

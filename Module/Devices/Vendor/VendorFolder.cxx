@@ -56,12 +56,8 @@ std::vector<VendorFile> VendorFolder::List(
   {
     if (!Files::IsAbsolute(folder))
     {
-      obstacles.push_back("\"" + folder +
-        "\" is not searched, as it does not begin with a slash"
-#if defined(_WIN32)
-        " or a drive"
-#endif
-        ". Name the whole path.");
+      obstacles.push_back(
+        "\"" + folder + "\" is not searched, as it is relative. Name the whole path.");
       continue;
     }
     std::error_code error;
