@@ -5,6 +5,7 @@
 import importlib.metadata
 import os
 import re
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -121,3 +122,37 @@ def test_programs_run():
         assert run.stdout + run.stderr in again.stdout + again.stderr and again.returncode == run.returncode, again
     run = subprocess.run([sys.executable, "-m", "volumehaptics"], capture_output=True, text=True, check=False, cwd="/")
     assert run.returncode == 2 and "Usage" in run.stderr
+
+
+def write_slice(file, z):
+    """A slice of 8 x 8 pixels, after PS3.5 (implicit VR, little endian) and PS3.10; its middle has the value 1000."""
+    def element(group, number, value):
+        value = value.encode() if isinstance(value, str) else value
+        value += b"" if len(value) % 2 == 0 else b" "
+        return struct.pack("<HHI", group, number, len(value)) + value
+
+    syntax = struct.pack("<HH2sH", 2, 0x10, b"UI", 18) + b"1.2.840.10008.1.2\0"
+    pixels = [1000 * (2 <= x < 6 and 2 <= y < 6 and 2 <= z < 6) for y in range(8) for x in range(8)]
+    file.write_bytes(bytes(128) + b"DICM" + struct.pack("<HH2sHI", 2, 0, b"UL", 4, len(syntax)) + syntax + b"".join([
+        element(8, 0x16, "1.2.840.10008.5.1.4.1.1.2"), element(8, 0x18, f"1.2.3.{z}"), element(8, 0x60, "CT"),
+        element(0x20, 0xe, "1.2.3"), element(0x20, 0x32, f"0\\0\\{2 * z}"), element(0x20, 0x37, "1\\0\\0\\0\\1\\0"),
+        element(0x28, 2, struct.pack("<H", 1)), element(0x28, 4, "MONOCHROME2"), element(0x28, 0x10, struct.pack("<H", 8)),
+        element(0x28, 0x11, struct.pack("<H", 8)), element(0x28, 0x30, "3\\3"), element(0x28, 0x100, struct.pack("<H", 16)),
+        element(0x28, 0x101, struct.pack("<H", 16)), element(0x28, 0x102, struct.pack("<H", 15)),
+        element(0x28, 0x103, struct.pack("<H", 0)), element(0x7fe0, 0x10, struct.pack("<64H", *pixels))]))
+
+
+def test_reads_dicom_with_the_libraries_that_it_carries(tmp_path):
+    import volumehaptics
+
+    for z in range(8):
+        write_slice(tmp_path / f"{z}.dcm", z)
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(str(tmp_path))
+    reader.Update()
+    image = reader.GetOutput()
+    assert image.GetDimensions() == (8, 8, 8) and image.GetSpacing() == (3.0, 3.0, 2.0)
+    assert [image.GetScalarComponentAsDouble(i, i, i, 0) for i in range(8)] == [0, 0, 1000, 1000, 1000, 1000, 0, 0]
+    press = [[10.5, 10.5, z] for z in range(30, 6, -1)]
+    force = volumehaptics.arrays.arrays(volumehaptics.touch(str(tmp_path), press, property=volumehaptics.vtkHapticProperty()))
+    assert force["Force"][-1][2] > 0.1 and not force["Force"][0].any()
