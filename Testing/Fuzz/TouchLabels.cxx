@@ -7,7 +7,6 @@
 #include "VTK/Material/Labels/ColorTables.h"
 #include "VTK/Material/Labels/CsvLabels.h"
 #include "VTK/Material/Labels/NiftiLabels.h"
-#include "VTK/Material/Labels/NrrdImage.h"
 #include "VTK/Material/Labels/NrrdLabels.h"
 
 #include <cmath>

@@ -33,7 +33,6 @@
 #include "VTK/Device/Playback/StreamedTimeSpan.h"
 #include "VTK/Device/Playback/TimeSpanPreparation.h"
 #include "VTK/Device/Playback/TimeStepMesher.h"
-#include "VTK/Device/Playback/TimeSteps.h"
 
 #include "vtkType.h"
 

@@ -6,7 +6,7 @@
 #include "Devices/Kinds/DeviceRegistry.h"
 #include "Devices/Replay/ReplayDevice.h"
 #include "VTK/Device/HapticSignals.h"
-#include "VTK/Device/Recording/HapticStateTable.h"
+#include "VTK/Device/Recording/TickCollector.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkMath.h"

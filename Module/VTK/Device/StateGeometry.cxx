@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/StateGeometry.h"
 
+#include "Core/Math/Vector3.h"
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/Primitives/FollowedShapes.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
 
 #include "vtkCellArray.h"
@@ -15,8 +18,19 @@
 #include "vtkPolyData.h"
 
 #include VOLUME_HAPTICS_VECTOR_HEADER
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFunctionSet.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRungeKutta4.h"
+#include "vtkStreamTracer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -92,6 +106,319 @@ void WriteStateGeometry(
   orientation->SetNumberOfComponents(4);
   orientation->InsertNextTypedTuple(state.Orientation);
   output->GetFieldData()->AddArray(orientation);
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+
+constexpr double StepVoxels = 0.5;
+/** Limit on the steps of a line: nobody could see the difference that more steps make. */
+constexpr int MostSteps = 2000;
+/** Smallest number of steps after which a line may return to its first position. */
+constexpr int LeastClosed = 5;
+
+/** Computes the direction of a line at a position in voxels from the first position. */
+class LineFunction : public vtkFunctionSet
+{
+public:
+  static LineFunction* New();
+  vtkTypeMacro(LineFunction, vtkFunctionSet);
+
+  using Superclass::FunctionValues;
+  int FunctionValues(double* x, double* f) override
+  {
+    const bool isThere = this->Shapes->Turn(this->Mode, this->ToPlace(x), this->Direction);
+    Write(this->Direction, f);
+    return isThere;
+  }
+
+  /** Moves a position onto the line. Returns false if the line ends there. */
+  bool Return(double* x)
+  {
+    Vector3 place = this->ToPlace(x);
+    const bool goesOn = this->Shapes->Return(this->Mode, place);
+    const Vector3 away = (1.0 / this->Voxel) * (place - this->Start);
+    this->IsClosed = ++this->Steps >= LeastClosed && Norm(away) < 0.6 * StepVoxels;
+    Write(this->IsClosed ? Vector3{} : away, x);
+    return goesOn && !this->IsClosed;
+  }
+
+  Vector3 ToPlace(const double* x) const
+  {
+    return this->Start + this->Voxel * Vector3{ x[0], x[1], x[2] };
+  }
+
+  FollowedShapes* Shapes = nullptr;
+  int Mode = 0;
+  Vector3 Start;      ///< first position (m)
+  double Voxel = 1.0; ///< edge of a voxel (m)
+  Vector3 Direction;  ///< last direction read; fixes the sign of an eigenvector
+  int Steps = 0;
+  bool IsClosed = false;
+  bool IsAtEnd = false;
+
+protected:
+  LineFunction()
+  {
+    this->NumFuncs = 3;
+    this->NumIndepVars = 4; // includes the time
+  }
+
+private:
+  static void Write(const Vector3& v, double* x)
+  {
+    x[0] = v.X;
+    x[1] = v.Y;
+    x[2] = v.Z;
+  }
+};
+vtkStandardNewMacro(LineFunction);
+
+/** Integrates LineFunction instead of the vectors that the tracer interpolates. */
+class LineIntegrator : public vtkRungeKutta4
+{
+public:
+  static LineIntegrator* New();
+
+  void SetFunctionSet(vtkFunctionSet*) override { this->Superclass::SetFunctionSet(this->Line); }
+
+  using Superclass::ComputeNextStep;
+  int ComputeNextStep(double* from, double* derivatives, double* to, double t, double& step,
+    double& taken, double least, double most, double allowed, double& error, void* data) override
+  {
+    // The step that reaches the end still belongs to the line.
+    const int failure = this->Line->IsAtEnd
+      ? static_cast<int>(OUT_OF_DOMAIN)
+      : this->Superclass::ComputeNextStep(
+          from, derivatives, to, t, step, taken, least, most, allowed, error, data);
+    this->Line->IsAtEnd = failure || !this->Line->Return(to);
+    return failure;
+  }
+
+  LineFunction* Line = nullptr;
+
+protected:
+  LineIntegrator() = default;
+  /** Sets the line of the instance that vtkStreamTracer makes and integrates with. */
+  vtkObjectBase* NewInstanceInternal() const override
+  {
+    LineIntegrator* const copy = LineIntegrator::New();
+    copy->Line = this->Line;
+    return copy;
+  }
+
+private:
+  using Superclass = vtkRungeKutta4;
+};
+vtkStandardNewMacro(LineIntegrator);
+
+/** Makes a single cell around the origin, with a vector of length 1. */
+void MakeCell(double half, vtkImageData* cell)
+{
+  cell->SetDimensions(2, 2, 2);
+  cell->SetOrigin(-half, -half, -half);
+  cell->SetSpacing(2.0 * half, 2.0 * half, 2.0 * half);
+  vtkNew<vtkDoubleArray> vector;
+  vector->SetName("Line");
+  vector->SetNumberOfComponents(3);
+  vector->InsertNextTuple3(1.0, 0.0, 0.0);
+  cell->GetCellData()->SetVectors(vector);
+}
+
+/**
+ * Computes the points (m) of a line, up to `reach` voxels of length `voxel` (m) to either side of
+ * where it was found; only one point if the line is too short. A closed line ends where it begins.
+ * For the GUI thread.
+ *
+ * The tracer's integrator, vtkRungeKutta4, calls a function that returns the directions that the
+ * servo reads, in steps of half a voxel. It does not interpolate an array of the volume, for two
+ * reasons. First, the hand does not feel trilinear interpolation: after 24 voxels along a flow with
+ * waves of 12 voxels, a line traced by it is up to 0.36 voxel off, this one 0.003. Second, tensors
+ * have no vectors, and ridges and guides have no array. The tracer's data set is therefore a single
+ * cell around the position, in voxels relative to it. It is as large as lines may become, whatever
+ * the volume's size. vtkHyperStreamline is not used, because it accepts no function and makes
+ * tubes.
+ */
+std::vector<Vector3> TraceFollowedLine(
+  FollowedShapes& shapes, const FollowedShape& line, double voxel, double reach)
+{
+  std::vector<Vector3> places = { line.Centre };
+  if (!(reach > 0.0))
+  {
+    return places;
+  }
+  const double most = std::min(reach, MostSteps * StepVoxels);
+  vtkNew<LineFunction> function;
+  function->Shapes = &shapes;
+  function->Mode = line.Mode;
+  function->Start = line.Centre;
+  function->Voxel = voxel;
+  vtkNew<LineIntegrator> integrator;
+  integrator->Line = function;
+  vtkNew<vtkImageData> cell;
+  MakeCell(most + 1.0, cell);
+  vtkNew<vtkStreamTracer> tracer;
+  tracer->SetInputData(cell);
+  tracer->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::VECTORS);
+  tracer->SetIntegrator(integrator);
+  tracer->SetIntegrationStepUnit(vtkStreamTracer::LENGTH_UNIT);
+  tracer->SetInitialIntegrationStep(StepVoxels);
+  tracer->SetMaximumPropagation(most);
+  tracer->SetMaximumNumberOfSteps(MostSteps);
+  tracer->SetComputeVorticity(false);
+  for (const double sign : { 1.0, -1.0 })
+  {
+    function->Direction = sign * line.Direction;
+    function->Steps = 0;
+    function->IsAtEnd = false;
+    tracer->Modified();
+    tracer->Update();
+    vtkPolyData* const traced = tracer->GetOutput();
+    for (vtkIdType i = 1; i < traced->GetNumberOfPoints(); ++i)
+    {
+      places.push_back(function->ToPlace(traced->GetPoint(i)));
+    }
+    if (function->IsClosed)
+    {
+      break;
+    }
+    std::reverse(places.begin(), places.end());
+  }
+  return places;
+}
+
+constexpr int FrontCorners = 48;
+/** Radius of a front, as a fraction of the reach along lines. */
+constexpr double FrontFraction = 0.25;
+/** Length of a tensor, as a fraction of the reach along lines. */
+constexpr double TensorFraction = 0.125;
+
+class ShapeWriter
+{
+public:
+  explicit ShapeWriter(const HapticModel& model)
+    : Model(model)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->Modes->SetName("Mode");
+    this->Tensors->SetName("Tensors");
+    this->Tensors->SetNumberOfComponents(9);
+  }
+
+  /** Adds a tensor, scaled so that its first eigenvalue becomes a length (m). */
+  void AddTensor(const FollowedShape& shape, double length)
+  {
+    this->Places->InsertNextCell(1);
+    this->Places->InsertCellPoint(this->AddPoint(shape.Centre, {}));
+    const double world = length * std::cbrt(Determinant(this->Model.DeviceToWorld.Linear));
+    const Matrix3 tensor = world * shape.Tensor;
+    const double nine[9] = { tensor.Row[0].X, tensor.Row[0].Y, tensor.Row[0].Z, tensor.Row[1].X,
+      tensor.Row[1].Y, tensor.Row[1].Z, tensor.Row[2].X, tensor.Row[2].Y, tensor.Row[2].Z };
+    this->Tensors->SetTuple(this->Tensors->GetNumberOfTuples() - 1, nine);
+    this->Modes->InsertNextValue(shape.Mode);
+  }
+
+  void AddLine(int mode, const std::vector<Vector3>& line)
+  {
+    this->Lines->InsertNextCell(static_cast<vtkIdType>(line.size()));
+    for (const Vector3& place : line)
+    {
+      this->Lines->InsertCellPoint(this->AddPoint(place, {}));
+    }
+    this->Modes->InsertNextValue(mode);
+  }
+
+  void AddFront(const FollowedShape& shape, double radius)
+  {
+    const Vector3& n = shape.Direction;
+    const Vector3 a = UnitAcross(n);
+    const Vector3 b = Cross(n, a);
+    constexpr double turn = 6.283185307179586 / FrontCorners;
+    this->Fronts->InsertNextCell(FrontCorners);
+    for (int i = 0; i < FrontCorners; ++i)
+    {
+      const Vector3 corner = std::cos(turn * i) * a + std::sin(turn * i) * b;
+      this->Fronts->InsertCellPoint(this->AddPoint(shape.Centre + radius * corner, n));
+    }
+    this->Modes->InsertNextValue(shape.Mode);
+  }
+
+  void WriteTo(vtkPolyData* shapes)
+  {
+    shapes->Initialize();
+    shapes->SetPoints(this->Points);
+    shapes->SetVerts(this->Places);
+    shapes->SetLines(this->Lines);
+    shapes->SetPolys(this->Fronts);
+    shapes->GetPointData()->SetNormals(this->Normals);
+    if (this->Places->GetNumberOfCells() > 0)
+    {
+      shapes->GetPointData()->SetTensors(this->Tensors);
+    }
+    shapes->GetCellData()->AddArray(this->Modes);
+  }
+
+private:
+  vtkIdType AddPoint(const Vector3& place, const Vector3& normal)
+  {
+    const Vector3 world = this->Model.DeviceToWorld(place);
+    const Vector3 turned = this->Model.DeviceToWorldRotation * normal;
+    constexpr double none[9] = {};
+    this->Normals->InsertNextTuple3(turned.X, turned.Y, turned.Z);
+    this->Tensors->InsertNextTuple(none);
+    return this->Points->InsertNextPoint(world.X, world.Y, world.Z);
+  }
+
+  const HapticModel& Model;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkIntArray> Modes;
+  vtkNew<vtkDoubleArray> Tensors;
+  vtkNew<vtkCellArray> Places; ///< vertices of the tensors
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Fronts;
+};
+
+} // namespace
+
+void WriteFollowed(
+  const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes)
+{
+  FollowedShapes modes(model);
+  const std::vector<FollowedShape> found = modes.Collect(proxy);
+  ShapeWriter writer(model);
+  // Cells are numbered vertices first, then lines, then polygons; the array has the same order.
+  const double voxel = 1.0 / model.MostVoxelsPerMeter;
+  for (const FollowedShape& shape : found)
+  {
+    if (shape.Form == FollowedForm::Tensor)
+    {
+      writer.AddTensor(shape, TensorFraction * reach * voxel);
+    }
+  }
+  for (const FollowedShape& shape : found)
+  {
+    if (shape.Form == FollowedForm::Line)
+    {
+      const std::vector<Vector3> line = TraceFollowedLine(modes, shape, voxel, reach);
+      if (line.size() > 1)
+      {
+        writer.AddLine(shape.Mode, line);
+      }
+    }
+  }
+  for (const FollowedShape& shape : found)
+  {
+    if (shape.Form == FollowedForm::Front)
+    {
+      writer.AddFront(shape, FrontFraction * reach * voxel);
+    }
+  }
+  writer.WriteTo(shapes);
 }
 
 } // namespace VolumeHaptics

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device's state as geometry, from a device or from what a client has sent.
+ * A device's state as geometry, from a device or from what a client has sent, and the shapes on
+ * which modes hold the hand.
  */
 #ifndef StateGeometry_h
 #define StateGeometry_h
@@ -35,6 +36,13 @@ struct ShownState
 /** Replaces the output by the geometry that vtkHapticState::CopyToPolyData describes. */
 VTKVOLUMEHAPTICS_EXPORT void WriteStateGeometry(
   const ShownState& state, double forceScale, bool isCommanded, vtkPolyData* output);
+
+class HapticModel;
+struct Vector3;
+
+/** Replaces the contents of `shapes`: see vtkHapticState::GetFollowed. The proxy is in metres. */
+void WriteFollowed(
+  const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes);
 
 } // namespace VolumeHaptics
 

@@ -4,7 +4,6 @@
 
 #include "Core/Model/BakedMode.h"
 #include "VTK/Device/DeviceParts.h"
-#include "VTK/Device/FollowedPolyData.h"
 #include "VTK/Device/StateGeometry.h"
 #include "VTK/Tools/NeedleTrace.h"
 

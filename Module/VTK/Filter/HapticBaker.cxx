@@ -5,24 +5,36 @@
 #include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/WholeFacts.h"
-#include "VTK/Filter/FilterSources.h"
+#include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticModelBuilder.h"
 #include "VTK/Trace/RecordedLabels.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
+#include "vtkHapticPointShell.h"
+#include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkHapticRemoval.h"
 #include "vtkHapticTool.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 #include <utility>
 
 namespace VolumeHaptics
@@ -367,6 +379,259 @@ TouchedArray HapticBaker::GetFilled(int component, bool areTimeSteps)
     filled.Array = nullptr; // Bake() reports the error
   }
   return filled;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource* ResampledInput::Find(vtkDataObject* data, std::vector<std::string>&& arrays)
+{
+  const bool isSet = vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
+  if (!isSet || vtkImageData::SafeDownCast(data))
+  {
+    *this = {};
+    return nullptr;
+  }
+  arrays.erase(std::remove(arrays.begin(), arrays.end(), std::string()), arrays.end());
+  if (this->Of != data || this->Time != data->GetMTime() || this->Arrays != arrays)
+  {
+    this->Source = vtkSmartPointer<vtkHapticRegionSource>::New();
+    this->Of = data;
+    this->Time = data->GetMTime();
+    this->Arrays = std::move(arrays);
+    this->Error.clear();
+    if (!this->Source->OpenDataSet(data, 0.0, this->Arrays, this->Error))
+    {
+      this->Source = nullptr;
+    }
+  }
+  return this->Source;
+}
+
+//------------------------------------------------------------------------------
+std::string ResampledInput::DescribeFault(vtkDataObject* data) const
+{
+  if (!this->Error.empty())
+  {
+    return Printable(this->Error);
+  }
+  return data ? std::string("A ") + data->GetClassName() +
+      " can't be touched. Connect a vtkImageData, or a data set with cells, to input port 0."
+              : "There is no image to touch. Connect a vtkImageData to input port 0.";
+}
+
+//------------------------------------------------------------------------------
+std::string ResampledInput::DescribeStillSteps(
+  vtkDataObject* data, const std::vector<double>& steps)
+{
+  if (!data || steps.empty() || steps == this->ToldSteps)
+  {
+    return {};
+  }
+  this->ToldSteps = steps;
+  std::ostringstream text;
+  text << "The " << data->GetClassName() << " on port 0 has " << steps.size()
+       << " time steps, of which only the first one, " << steps.front()
+       << ", is felt: what is resampled around the tip stands still. For a volume that moves put "
+          "vtkResampleToImage between source and filter, which gives an image of each step. Else "
+          "choose one step: SetTimeUnitsPerSecond(0), and UpdateTimeStep().";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+const char* BakePreparation::Prepare(bool isMoving)
+{
+  vtkVolumeHapticsFilter* const filter = this->Filter;
+  const bool hasLabels = (filter->GetLabelTable() && filter->GetInputDataObject(3, 0)) ||
+    (filter->GetProperty()->GetScalarsAreLabels() && !isMoving);
+  const bool hasMesh = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY && !isMoving;
+  if (!hasLabels)
+  {
+    this->Labels.EndPreparing();
+  }
+  if (!hasMesh)
+  {
+    this->Surfaces.EndPreparing();
+  }
+  if (hasLabels || hasMesh)
+  {
+    try
+    {
+      UpdateSources(filter);
+    }
+    catch (const std::bad_alloc&)
+    {
+      return nullptr; // Bake() reports the error
+    }
+  }
+  const char* const labels = hasLabels ? this->PrepareLabels() : nullptr;
+  const bool isMeshReady = !hasMesh || this->PrepareSurface();
+  const bool isToolReady = this->PrepareTool();
+  return labels    ? labels
+    : !isMeshReady ? MeshingWork
+    : !isToolReady ? "the points of the tool are spread"
+                   : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void BakePreparation::EndPreparing()
+{
+  this->Labels.EndPreparing();
+  this->Surfaces.EndPreparing();
+  this->Shells.EndPreparing();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> BakePreparation::FillOutside(
+  vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps)
+{
+  const bool areScalars = areTimeSteps || AreScalars(scalars->GetNumberOfComponents());
+  if (this->Filter->GetProperty()->GetScalarsAreLabels() || !areScalars)
+  {
+    this->Outside = OutsideFiller{};
+    return scalars;
+  }
+  return this->Outside.Fill(image, scalars, component);
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::PrepareTool()
+{
+  auto* const shell = vtkHapticPointShell::SafeDownCast(this->Filter->GetTool());
+  if (!shell)
+  {
+    this->Shells.EndPreparing();
+  }
+  return !shell || this->Shells.Prepare(shell->GetMesh(), shell->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+const char* BakePreparation::PrepareLabels()
+{
+  HapticBaker& baker = this->Filter->GetBaker();
+  const std::array<TouchedArray, 2> touched = baker.GetTouched();
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
+  if (image && touched[1].Array && this->Filter->GetLabelTable())
+  {
+    return this->Labels.Prepare(
+      image, touched[1].Array, this->Filter->GetLabelTable(), baker.HasLabelWalls());
+  }
+  vtkImageData* const scalars = this->Filter->GetTouchedImage();
+  if (scalars && touched[0].Array && baker.AreLabels(scalars))
+  {
+    return this->Labels.PrepareScalars(scalars, touched[0].Array, this->Filter->GetProperty());
+  }
+  this->Labels.EndPreparing();
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::PrepareSurface()
+{
+  vtkImageData* const image = this->Filter->GetTouchedImage();
+  const vtkSmartPointer<vtkDataArray> scalars = this->Filter->GetBaker().GetFilled().Array;
+  const int component = this->Filter->GetProperty()->GetComponent();
+  HapticVolume volume;
+  std::string error;
+  if (!scalars ||
+    !ReadVolume(image, scalars, component, this->Filter->GetKernelRadius(), volume, error))
+  {
+    return true; // Bake() reports an image that can't be read
+  }
+  const std::int64_t* const first = volume.View.First;
+  return this->Surfaces.Prepare(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
+    { image, scalars, component, this->Filter->GetIsoValue(),
+      { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+      volume.Whole.IsThere },
+    volume.IndexToWorld);
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::IsSurfaceAtHand()
+{
+  return this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    this->PrepareSurface();
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::AwaitSurface()
+{
+  constexpr double piece = 0.02; // s
+  while (!this->IsSurfaceAtHand())
+  {
+    if (!this->Surfaces.WaitFor(piece))
+    {
+      this->Filter->UpdateProgress(0.0);
+    }
+    if (MustAbort(this->Filter))
+    {
+      this->Surfaces.EndPreparing();
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double BakePreparation::EstimateTime()
+{
+  if (this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY)
+  {
+    return 0.0;
+  }
+  try
+  {
+    UpdateSources(this->Filter);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 0.0; // Bake() reports the error
+  }
+  vtkImageData* const image = this->Filter->GetTouchedImage();
+  const vtkSmartPointer<vtkDataArray> scalars = this->Filter->GetBaker().GetFilled().Array;
+  if (!scalars)
+  {
+    return 0.0; // Bake() reports the error
+  }
+  return this->Surfaces.EstimateTime(
+    vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
+    { image, scalars, this->Filter->GetProperty()->GetComponent(), this->Filter->GetIsoValue() });
+}
+
+//------------------------------------------------------------------------------
+bool UpdateSources(vtkAlgorithm* filter)
+{
+  bool hasRun = true;
+  for (const int port : { 0, 2, 3 }) // port 1, the path, is not needed
+  {
+    if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
+    {
+      try
+      {
+        const int output = filter->GetInputConnection(port, 0)->GetIndex();
+        hasRun = source->GetExecutive()->Update(output) != 0 && hasRun;
+      }
+      catch (const std::bad_alloc&)
+      {
+        throw SourceLacksMemory(port);
+      }
+    }
+  }
+  return hasRun;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeLackOfMemory(vtkImageData* image)
+{
+  std::ostringstream message;
+  message << "There is not enough memory to make the image on input port 0 ready to be touched";
+  if (image && image->GetNumberOfPoints() > 0)
+  {
+    const int* const n = image->GetDimensions();
+    message << ": it is of " << n[0] << " x " << n[1] << " x " << n[2] << " points and takes "
+            << image->GetActualMemorySize() / 1024 << " MiB itself";
+  }
+  message << ". Use a smaller image, or a region of it with vtkHapticRegionFilter; of the methods, "
+             "SURFACE_PROXY takes the most.";
+  return message.str();
 }
 
 } // namespace VolumeHaptics

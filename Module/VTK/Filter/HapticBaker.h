@@ -1,31 +1,170 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Bakes models from a vtkVolumeHapticsFilter and its inputs, and prepares the slow parts in the
+ * background.
+ */
 #ifndef HapticBaker_h
 #define HapticBaker_h
 
 #include "Core/Model/ForceCaps.h"
+#include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/ImageTimeSteps.h"
+#include "VTK/Base/OutsideFiller.h"
 #include "VTK/Base/TouchedArray.h"
-#include "VTK/Filter/BakePreparation.h"
 #include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/RegionSeries.h"
-#include "VTK/Filter/ResampledInput.h"
+#include "VTK/Tools/ShellPoints.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <array>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkHapticRegionSource;
+
 namespace VolumeHaptics
 {
+
+/** Thrown if memory ran out in the source of an input port, whose number is Port. */
+struct SourceLacksMemory : std::bad_alloc
+{
+  explicit SourceLacksMemory(int port)
+    : Port(port)
+  {
+  }
+  const int Port;
+};
+
+/**
+ * Runs the sources of the image, the surface and the labels. Returns false if one of them failed.
+ * Throws SourceLacksMemory.
+ */
+bool UpdateSources(vtkAlgorithm* filter);
+
+/** Text that is appended to a bake's error after UpdateSources() returned false. */
+inline constexpr char FailedSource[] =
+  // VTK's executive considers a source that threw to be still running, so it can't run again.
+  " A source of this filter failed: see its errors. If memory ran out in it before, VTK can't run "
+  "it again: connect a new source.";
+
+/**
+ * Returns the error, with the cure, for a lack of memory while an image is baked. `image` is null
+ * if it is unknown.
+ */
+std::string DescribeLackOfMemory(vtkImageData* image);
+
+/** Result of Prepare() while a mesh is being made. */
+inline constexpr char MeshingWork[] = "the surface is meshed";
+
+/**
+ * Prepares in the background what a filter needs to bake: the mesh of SURFACE_PROXY, the distances
+ * to forbidden labels, the finer grid of labels with thick slices, and the points of a tool with a
+ * shape.
+ */
+class BakePreparation
+{
+public:
+  explicit BakePreparation(vtkVolumeHapticsFilter* filter)
+    : Filter(filter)
+  {
+  }
+
+  HapticSurface& GetSurfaces() { return this->Surfaces; }
+  HapticLabels& GetLabels() { return this->Labels; }
+  OutsideFiller& GetOutside() { return this->Outside; }
+
+  /**
+   * Returns a copy of the array whose outside samples are filled. Returns the array itself if
+   * nothing is outside, or if it contains vectors or labels.
+   * @param areTimeSteps whether the components of the array are time steps
+   */
+  vtkSmartPointer<vtkDataArray> FillOutside(
+    vtkImageData* image, vtkDataArray* scalars, int component, bool areTimeSteps);
+
+  /**
+   * Records the text on what was guessed about the values. Returns whether there is one and it
+   * differs from the last one.
+   */
+  bool IsNewGuess(const std::string& guess)
+  {
+    return std::exchange(this->Guess, guess) != guess && !guess.empty();
+  }
+
+  /**
+   * Returns null if HapticBaker::Bake() needs no slow work that can be done in the background: the
+   * distances to forbidden labels, a large mesh, and the points of a tool with a shape. Otherwise
+   * begins this work, and returns a text for the status, such as MeshingWork.
+   * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
+   */
+  const char* Prepare(bool isMoving = false);
+  /** Ends the work that Prepare() began. */
+  void EndPreparing();
+
+  /**
+   * Whether baking needs no slow meshing. If it does, begins to make the mesh in the background.
+   */
+  bool IsSurfaceAtHand();
+  /** Waits for the mesh of IsSurfaceAtHand(). Returns false if the user aborts the wait. */
+  bool AwaitSurface();
+  /**
+   * Estimates how long (s) HapticBaker::Bake() would take now on a desktop computer, without the
+   * pipeline before the filter. Only the mesh of SURFACE_PROXY counts; 0 if it is up to date.
+   */
+  double EstimateTime();
+
+private:
+  const char* PrepareLabels();
+  bool PrepareSurface();
+  bool PrepareTool();
+
+  vtkVolumeHapticsFilter* const Filter;
+  HapticSurface Surfaces;
+  HapticLabels Labels;
+  OutsideFiller Outside;
+  ShellPreparation Shells;
+  std::string Guess;
+};
+
+/** Keeps the resampled regions of a data set until the data or the arrays change. */
+class ResampledInput
+{
+public:
+  /**
+   * Returns the source that resamples these arrays of the data. Returns null if the data are an
+   * image or have no cells.
+   */
+  vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
+  /** Explains why the data of the last Find() can't be touched, with the cure. */
+  std::string DescribeFault(vtkDataObject* data) const;
+  /**
+   * Returns the warning that only the first of these time steps is felt, with the cure. Returns an
+   * empty text if the warning has been returned for these time steps before.
+   */
+  std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
+
+private:
+  vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if the data can't be resampled
+  const void* Of = nullptr;
+  vtkMTimeType Time = 0;
+  std::vector<std::string> Arrays;
+  std::string Error;
+  std::vector<double> ToldSteps;
+};
 
 /**
  * Makes models from a filter and its inputs for the callers that compute ticks: the device, and the

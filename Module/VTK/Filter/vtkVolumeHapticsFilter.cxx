@@ -9,7 +9,6 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/TouchedArray.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
-#include "VTK/Filter/FilterSources.h"
 #include "VTK/Filter/FilterTimeSteps.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Filter/HapticFilterSettings.h"

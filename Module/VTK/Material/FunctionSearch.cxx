@@ -4,7 +4,6 @@
 
 #include "Core/Field/FieldSampler.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Material/EdgeSearch.h"
 #include "VTK/Material/HapticProposal.h"
 
 #include "vtkDataArray.h"

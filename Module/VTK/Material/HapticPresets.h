@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Named materials of vtkHapticProperty::ApplyPreset.
+ * Named materials of vtkHapticProperty::ApplyPreset, and the user's own materials as files (see
+ * vtkHapticProperty::WritePreset and ReadPreset).
  */
 #ifndef HapticPresets_h
 #define HapticPresets_h
@@ -49,6 +50,18 @@ bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force);
 vtkSmartPointer<vtkStringArray> MakePresetNames();
 /** Lists the names, quoted and separated by commas. */
 std::string ListPresets();
+
+/** Whether the name of a preset is the name of a file. The name may be null. */
+bool IsPresetFile(const char* name);
+
+///@{
+/**
+ * Write and read a preset. On failure, both return false, with an error that names the file and the
+ * cure, and change nothing.
+ */
+bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
+bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
+///@}
 
 } // namespace VolumeHaptics
 

@@ -2,24 +2,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Proposes functions from the edges of an image (vtkHapticProperty::ProposeFromImage).
+ * Proposes functions from the edges of an image (vtkHapticProperty::ProposeFromImage). The edges
+ * are found by examining a limited number of voxels.
  */
 #ifndef HapticProposal_h
 #define HapticProposal_h
 
+#include "Core/Proposal/EdgeLine.h"
 #include "Core/Proposal/MaterialProposal.h"
+#include "VTK/Base/BackgroundWork.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Material/EdgeSearch.h"
 
 #include "vtkImageData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 class vtkHapticProperty;
 
 namespace VolumeHaptics
 {
+
+/**
+ * One part of a search through many voxels. Without a monitor, the caller waits for it, and it uses
+ * all cores. With a monitor, it runs in the background.
+ */
+struct SearchPart
+{
+  WorkMonitor* Monitor = nullptr;
+  ///@{
+  /** Progress of the whole search at the beginning and at the end of this part. */
+  double Begin = 0.0;
+  double End = 1.0;
+  ///@}
+
+  bool IsCancelled() const { return this->Monitor && this->Monitor->IsCancelled(); }
+};
+
+/**
+ * Calls look(first, end) for all numbers below `count`: on all cores, or, with a monitor, in pieces
+ * on this thread alone, which has a low priority. Returns false if the search is cancelled.
+ */
+template <typename Look>
+bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Look&& look)
+{
+  if (!part.Monitor)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), look);
+    return true;
+  }
+  for (std::size_t first = 0; first < count; first += piece)
+  {
+    const double fraction = static_cast<double>(first) / static_cast<double>(count);
+    if (!part.Monitor->GoesOn(part.Begin + fraction * (part.End - part.Begin)))
+    {
+      return false;
+    }
+    look(static_cast<vtkIdType>(first), static_cast<vtkIdType>(std::min(first + piece, count)));
+  }
+  return !part.IsCancelled();
+}
+
+/**
+ * Picks one voxel in each of at most about a million equal blocks, at a position in it that looks
+ * random but is always the same.
+ *
+ * In a large volume (IsLargeVolume), which may be mapped from a file, picks the voxels of up to 512
+ * rows along the first axis, with up to 2048 voxels each, at positions of this kind. All voxels are
+ * still equally likely, but a row's samples lie side by side, so that only few pages of the file
+ * are read, however large the volume is.
+ */
+std::vector<Vector3> ScatterVoxels(const VolumeView& view);
+
+/**
+ * Finds the lines through those of the voxels that are on an edge, some ten thousand at most. The
+ * result is incomplete if the search is cancelled.
+ */
+std::vector<EdgeLine> DetectEdges(const VolumeView& view, const EdgeTracer& tracer,
+  const EdgeThresholds& thresholds, const SearchPart& part);
 
 /** A component of an image, in the form that a search reads, perhaps on another thread. */
 struct ProposalInput

@@ -4,7 +4,6 @@
 
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Material/HapticPresetFile.h"
 #include "VTK/Material/HapticPresets.h"
 #include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticProposal.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Named presets of vtkVolumeHapticsFilter::ApplyModePreset.
+ * Named presets of vtkVolumeHapticsFilter::ApplyModePreset, and strengths of modes that suit an
+ * image (see vtkHapticMode::ProposeFromImage).
  */
 #ifndef ModePresets_h
 #define ModePresets_h
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkHapticMode;
 class vtkImageData;
 class vtkStringArray;
 
@@ -26,6 +28,12 @@ namespace VolumeHaptics
 HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& error);
 
 vtkSmartPointer<vtkStringArray> MakeModePresetNames();
+
+/**
+ * Replaces the Strength of a mode by one that suits an image. Returns false, with the reason in
+ * `error`, if there is nothing to propose.
+ */
+bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& error);
 
 } // namespace VolumeHaptics
 

@@ -5,7 +5,7 @@
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModeSettings.h"
-#include "VTK/Modes/ModeProposal.h"
+#include "VTK/Modes/ModePresets.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

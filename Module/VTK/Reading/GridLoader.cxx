@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/GridLoader.h"
 
-#include "VTK/Reading/CheckedReading.h"
 #include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/WholeFile.h"
 #include "VTK/Regions/DataSetParts.h"
 

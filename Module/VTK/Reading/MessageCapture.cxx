@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/MessageCapture.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkObjectFactory.h"
 
+#include <exception>
 #include <iostream>
 
 namespace
@@ -102,4 +104,35 @@ std::string MessageCapture::FirstError() const
   }
   return OneLine(static_cast<ErrorCollector*>(this->Window.Get())->First);
 }
+
+//------------------------------------------------------------------------------
+bool ReadChecked(
+  vtkAlgorithm* reader, std::string& detail, const std::function<std::string()>& check)
+{
+  const MessageCapture capture;
+  const auto isGood = [&]
+  {
+    detail = detail.empty() ? capture.FirstError() : detail;
+    return detail.empty() && reader->GetErrorCode() == 0;
+  };
+  detail.clear();
+  try
+  {
+    reader->UpdateInformation();
+    if (isGood() && check)
+    {
+      detail = check();
+    }
+    if (isGood())
+    {
+      reader->Update();
+    }
+  }
+  catch (const std::exception&)
+  {
+    detail = "there is not enough memory for what its header promises";
+  }
+  return isGood();
+}
+
 } // namespace Explore

@@ -37,6 +37,12 @@ private:
   vtkSmartPointer<vtkImageData> Source; // image that has the geometry
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };
+
+/// Whether the values of a volume look like label numbers: they are few whole numbers of 0 or more,
+/// most voxels equal their neighbours, and the other steps are of any size. In a scan, noise makes
+/// neighbours differ, and blurred edges make most steps small.
+bool LooksLikeLabels(vtkImageData* image);
+
 } // namespace Explore
 
 #endif

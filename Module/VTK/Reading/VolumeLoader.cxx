@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/VolumeLoader.h"
 
-#include "VTK/Reading/CheckedReading.h"
 #include "VTK/Reading/Dicom/DicomFolder.h"
 #include "VTK/Reading/GridLoader.h"
 #include "VTK/Reading/InputError.h"
-#include "VTK/Reading/LabelMap.h"
 #include "VTK/Reading/MaskFolder.h"
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/SliceGeometry.h"

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The part of a vtkHapticRemoval that models and the servo use.
+ * The part of a vtkHapticRemoval that models and the servo use, and its files.
+ *
+ * Such a file is a .vti image of the fractions in the part of the volume that has lost tissue. The
+ * volume's extent and AirValue are field arrays.
  */
 #ifndef RemovalAccess_h
 #define RemovalAccess_h
 
 #include "Core/Carving/TissueRemoval.h"
+#include "Core/Carving/TissueSnapshot.h"
 #include "Core/Model/HapticModelDescription.h"
-#include "VTK/Tools/RemovalFile.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -24,6 +27,30 @@ class vtkHapticRemoval;
 
 namespace VolumeHaptics
 {
+
+/**
+ * Sets the extent of an image, and copies the origin, spacing and direction of another image to it.
+ */
+void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
+
+/** Makes an image of the fractions in an extent of a volume, with the volume's geometry. */
+void MakeTissueImage(
+  const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* fractions);
+
+/** Writes a file. On failure, returns false, with the reason and the cure in `error`. */
+bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
+  const std::string& file, std::string& error);
+
+/** Contents of a file of removed tissue. */
+struct RemovalContent
+{
+  vtkNew<vtkImageData> Geometry; ///< geometry of the volume
+  std::vector<BrickTissue> Fractions;
+  double AirValue = 0.0;
+};
+
+/** Reads a file. On failure, returns false, with the fault and the cure in `error`. */
+bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error);
 
 /** The data of a vtkHapticRemoval. */
 struct RemovalData

@@ -4,7 +4,6 @@
 
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Tools/ShellSampler.h"
-#include "VTK/Tools/ToolMesh.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"

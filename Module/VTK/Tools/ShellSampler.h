@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts the surface of a tool from triangles to points, each with the area that it stands for.
+ * Reads the mesh of a tool, which must be a closed surface that faces outwards, and converts it
+ * from triangles to points, each with the area that it stands for.
  *
  * The surface is covered with many candidates of the same area. Some of them are chosen, and the
  * most crowded ones are removed one by one until the wanted number is left (weighted sample
@@ -17,15 +18,35 @@
 #ifndef ShellSampler_h
 #define ShellSampler_h
 
+#include "Core/Math/Vector3.h"
 #include "Core/Tools/PointShell/PointShell.h"
 #include "VTK/Base/BackgroundWork.h"
-#include "VTK/Tools/ToolMesh.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
+
+class vtkPolyData;
 
 namespace VolumeHaptics
 {
+
+/** A triangle of a tool's surface, in the units of the mesh. */
+struct ToolTriangle
+{
+  Vector3 Corner[3];
+  Vector3 Normal;    ///< unit vector, outwards
+  double Area = 0.0; ///< more than 0
+};
+
+/**
+ * Reads the triangles of a mesh in their order, and triangulates its polygons and strips. Merges
+ * coinciding corners, which STL files need, and leaves out triangles without an area. Returns
+ * false, with the reason and the cure in `error`, if the mesh is null or has no polygons, points
+ * that are not finite, open edges, neighbours that face opposite sides or no area, or if it is
+ * inside out.
+ */
+bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
 
 /**
  * Spreads `count` points over some triangles; both must be at least one. Returns no points if the

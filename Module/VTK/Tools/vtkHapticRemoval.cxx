@@ -4,7 +4,6 @@
 
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Tools/RemovalAccess.h"
-#include "VTK/Tools/RemovalFile.h"
 #include "VTK/Tools/TissueArrays.h"
 
 #include "vtkFieldData.h"

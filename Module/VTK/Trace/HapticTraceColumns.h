@@ -5,10 +5,14 @@
  * Lists the arrays of traces and recordings with their names, types and units.
  *
  * The filter's output, the journal of a recording and both file formats are made from these lists.
+ * Files hold contacts of a tool with a shape as plain numbers (ContactRow).
  */
 #ifndef HapticTraceColumns_h
 #define HapticTraceColumns_h
 
+#include "Core/Tools/PointShell/ShellContacts.h"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -45,6 +49,20 @@ const std::vector<TraceColumn>& GetRecordingColumns();
 
 /** Returns the unit of a trace's or a recording's array, as in a title; empty if it has none. */
 std::string GetTraceUnit(const std::string& array);
+
+/**
+ * Ten numbers of a contact: the number of the point, the offset (3, m), depth (m), energy (J),
+ * stretch (m), stiffness (N/m^3), strength (N/m^2), and the fraction of the energy that counts. All
+ * contacts have the same fraction.
+ */
+using ContactRow = std::array<double, 10>;
+
+std::vector<ContactRow> ToRows(const ShellContacts& contacts);
+/**
+ * Reads a row. Returns false for numbers that no tick produces, because a file may contain any
+ * numbers.
+ */
+bool FromRow(const ContactRow& row, ShellContact& contact, double& fraction);
 
 } // namespace VolumeHaptics
 

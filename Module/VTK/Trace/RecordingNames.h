@@ -35,7 +35,7 @@ constexpr const char* TickPeriod = "TickPeriod"; ///< field array: period of the
  */
 constexpr const char* Caps = "Caps";
 constexpr const char* InitialState = "InitialState"; ///< field array: the numbers of the ServoState
-/// field array: contacts at the beginning of a tool with a shape, as ContactRows; see RecordedPath
+/// field array: contacts at the beginning of a tool with a shape, as ContactRow; see RecordedPath
 constexpr const char* InitialContacts = "InitialContacts";
 constexpr const char* AirValue = "AirValue"; ///< field array: value of a sample without tissue
 constexpr const char* Settings = "Settings"; ///< field array: a text

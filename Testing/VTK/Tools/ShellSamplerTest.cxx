@@ -9,7 +9,6 @@
 #include "VTK/Tools/ShellSampler.h"
 #include "Core/Tools/PointShell/ShellContacts.h"
 #include "Rigs/ShellRig.h"
-#include "VTK/Tools/ToolMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkCubeSource.h>

@@ -6,7 +6,6 @@
  * outside of its row, and units are those of the quantities.
  */
 
-#include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/TraceRow.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 
-#include "VTK/Reading/CheckedReading.h"
 #include "VTK/Reading/InputError.h"
+#include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/WholeFile.h"
 
 #include "vtkCellArray.h"

@@ -4,14 +4,15 @@
  * @file
  * Reads the first time steps of a moving volume that a filter bakes.
  *
- * For SURFACE_PROXY, their meshes are made in the background if meshing takes long.
+ * For SURFACE_PROXY, their meshes are made in the background if meshing takes long. TimeSteps
+ * chooses the steps that the servo needs.
  */
 #ifndef TimeSpanPreparation_h
 #define TimeSpanPreparation_h
 
+#include "Core/Servo/DataClock.h"
 #include "VTK/Baking/ImageTimeSteps.h"
 #include "VTK/Device/Playback/TimeStepMesher.h"
-#include "VTK/Device/Playback/TimeSteps.h"
 
 #include "vtkType.h"
 
@@ -23,6 +24,38 @@ class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
+
+struct TimeSteps
+{
+  std::vector<double> Times; ///< ascending
+  bool AreComponents = false;
+  bool AreInMemory = false; ///< whether all time steps are in the source's memory
+
+  /**
+   * The pair of neighbouring steps First and First + 1 that time is between, and the step that it
+   * needs next.
+   */
+  struct Need
+  {
+    std::size_t First;
+    std::size_t Next;
+  };
+  /** Returns the steps that are needed when time advances from a data time. */
+  Need ComputeNeed(double time, bool isBackward, Playback mode) const;
+
+  std::size_t After(std::size_t step) const { return (step + 1) % this->Times.size(); }
+  std::size_t Before(std::size_t step) const
+  {
+    return (step + this->Times.size() - 1) % this->Times.size();
+  }
+  /** Whether the servo gets all steps in one time span. */
+  bool AreAllAtOnce() const
+  {
+    constexpr std::size_t most = 3;
+    return this->AreComponents || this->AreInMemory || this->Times.size() <= most;
+  }
+};
+
 struct BakedVolume;
 
 /** Time steps as they are read. */

@@ -16,7 +16,7 @@
 
 #include "Core/Carving/TissueSnapshot.h"
 #include "Core/State/ServoStateNumbers.h"
-#include "VTK/Trace/ContactRows.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include <array>

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Collects the ticks of a servo loop for a recording and for displays, with their models.
+ * Collects the ticks of a servo loop for a recording and for displays, with their models. Writes
+ * states as rows of a table, for displays.
  */
 #ifndef TickCollector_h
 #define TickCollector_h
 
 #include "Core/Servo/ServoLoop.h"
 #include "VTK/Device/Recording/HapticRecording.h"
-#include "VTK/Device/Recording/HapticStateTable.h"
 
+#include "vtkNew.h"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -20,8 +23,81 @@
 #include <string>
 #include <vector>
 
+class vtkDoubleArray;
+class vtkTable;
+
 namespace VolumeHaptics
 {
+
+/**
+ * The values of a tick that displays need, in the device's space. A row has a tenth of the size of
+ * a ServoSnapshot, because up to 86000 rows wait for a slow reader.
+ */
+struct StateRow
+{
+  explicit StateRow(const ServoSnapshot& state);
+
+  Vector3 Tip;
+  Vector3 Proxy;
+  Vector3 Force;
+  Vector3 Command;
+  Quaternion Orientation;
+  double Time;
+  double NormalForce;
+  double FrictionForce;
+  double DragForce;
+  double SurfaceValue;
+  double Residency;
+  std::array<float, MostPrimitives> ModeForces; ///< N, magnitudes
+  std::uint64_t Tick;
+  std::uint64_t Generation;
+  ContactState Contact;
+  GateReason Fault;
+  bool Armed;
+  bool HasOrientation;
+};
+
+/** A table of states, with the columns that vtkHapticState::Drain documents. */
+class StateTable
+{
+public:
+  StateTable();
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
+
+  void Append(const StateRow& state, const Affine3& toWorld);
+  /** Moves the columns to `table`, in place of its own. */
+  void WriteTo(vtkTable* table);
+
+private:
+  enum Scalar
+  {
+    Time,
+    Tick,
+    NormalForce,
+    FrictionForce,
+    DragForce,
+    SurfaceValue,
+    Contact,
+    Armed,
+    Fault,
+    Residency,
+    Scalars
+  };
+  enum Vector
+  {
+    Tip,
+    Proxy,
+    Force,
+    Command,
+    Vectors
+  };
+  vtkNew<vtkDoubleArray> ScalarColumns[Scalars];
+  vtkNew<vtkDoubleArray> VectorColumns[Vectors];
+  vtkNew<vtkDoubleArray> Orientations;
+  vtkNew<vtkDoubleArray> ModeForces;
+};
 
 /**
  * Collects ticks. All functions are for the owner's thread; the keeper thread may also call Drain.

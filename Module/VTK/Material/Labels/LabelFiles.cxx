@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/Labels/LabelFiles.h"
 
+#include "Core/Platform/Files.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Material/Labels/ColorTables.h"
 #include "VTK/Material/Labels/CsvLabels.h"
-#include "VTK/Material/Labels/GzipFile.h"
 #include "VTK/Material/Labels/LabelEntry.h"
 #include "VTK/Material/Labels/LabelText.h"
 #include "VTK/Material/Labels/NiftiLabels.h"
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -110,6 +111,24 @@ vtkStandardNewMacro(LabelXmlParser);
 
 namespace VolumeHaptics
 {
+
+GzipFile OpenGzipFile(const std::string& name, std::size_t offset, std::string& error)
+{
+  const int descriptor = Files::Open(name, Files::For::Reading);
+  const bool isThere =
+    descriptor >= 0 && Files::Seek(descriptor, static_cast<std::int64_t>(offset));
+  GzipFile file(isThere ? gzdopen(descriptor, "rb") : nullptr, gzclose);
+  if (!file)
+  {
+    error = "can't be read (" + DescribeError(errno) + "). Check its permissions.";
+    if (descriptor >= 0)
+    {
+      Files::Close(descriptor);
+    }
+  }
+  return file;
+}
+
 namespace
 {
 

@@ -5,9 +5,7 @@
 #include "Core/Platform/Files.h"
 #include "VTK/Base/ArrayMemory.h"
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Material/Labels/GzipFile.h"
 #include "VTK/Material/Labels/LabelFiles.h"
-#include "VTK/Material/Labels/NrrdImage.h"
 #include "VTK/Material/Labels/NrrdLabels.h"
 
 #include "vtkHapticLabelTable.h"

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads an array in a Zarr folder of version 2 or 3.
+ * Reads an array in a Zarr folder of version 2 or 3, and the JSON files of such folders.
  */
 #ifndef ZarrArray_h
 #define ZarrArray_h
 
 #include "VTK/Regions/Formats/ChunkedVolume.h"
+
+#include "vtk_jsoncpp_fwd.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +20,12 @@
 
 namespace VolumeHaptics
 {
+
+/**
+ * Reads a file. Returns false if it does not exist.
+ * @throws std::runtime_error if the file contains no JSON object
+ */
+bool ReadZarrHead(const std::string& file, Json::Value& head);
 
 class OpenedFile;
 

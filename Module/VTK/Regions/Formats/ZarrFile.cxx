@@ -7,7 +7,6 @@
 #include "VTK/Base/LengthUnit.h"
 #include "VTK/Regions/Formats/FurtherAxes.h"
 #include "VTK/Regions/Formats/ZarrArray.h"
-#include "VTK/Regions/Formats/ZarrHead.h"
 
 #include "vtk_jsoncpp.h"
 

@@ -27,6 +27,7 @@
 // only inline functions of the header are used, since VTK's module of widgets is not linked
 #if __has_include("vtkTexturedButtonRepresentation2D.h")
 #include "vtkBalloonRepresentation.h"
+#include "vtkCellPicker.h"
 #include "vtkTexturedActor2D.h"
 #include "vtkTexturedButtonRepresentation2D.h"
 #define VOLUMEHAPTICS_HAS_BUTTONS
@@ -36,6 +37,7 @@
 #include <cmath>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -366,6 +368,66 @@ double ComputeTextRight(vtkViewport* viewport)
     right = isAbove && overlay[0] > 0.5 * size[0] ? std::min(right, overlay[0]) : right;
   }
   return right;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+
+bool IsOverWidget(vtkRenderer* renderer, int x, int y)
+{
+  vtkNew<vtkPropCollection> actors;
+  vtkCollectionSimpleIterator at;
+  renderer->GetViewProps()->InitTraversal(at);
+  while (vtkProp* const prop = renderer->GetViewProps()->GetNextProp(at))
+  {
+    // Compare by name, because the class is in a module of VTK that this library does not need
+    // otherwise.
+    if (prop->IsA("vtkWidgetRepresentation") && prop->GetVisibility())
+    {
+      prop->GetActors(actors);
+    }
+  }
+  if (actors->GetNumberOfItems() == 0)
+  {
+    return false;
+  }
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.005); // the tolerance of VTK's widgets
+  picker->PickFromListOn();
+  actors->InitTraversal(at);
+  while (vtkProp* const actor = actors->GetNextProp(at))
+  {
+    picker->AddPickList(actor);
+  }
+  return picker->Pick(x, y, 0.0, renderer) != 0;
+}
+
+} // namespace
+
+bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y)
+{
+  vtkRendererCollection* const renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* const renderer = renderers->GetNextRenderer(at))
+  {
+    if (!renderer->GetDraw() || !renderer->IsInViewport(x, y))
+    {
+      continue;
+    }
+    const int* const origin = renderer->GetOrigin();
+    const ViewportBox pixel{ static_cast<double>(x - origin[0]), static_cast<double>(x - origin[0]),
+      static_cast<double>(y - origin[1]), static_cast<double>(y - origin[1]) };
+    const std::vector<ViewportBox> boxes = CollectActorBoxes(renderer);
+    if (std::any_of(boxes.begin(), boxes.end(),
+          [&pixel](const ViewportBox& box) { return Overlaps(box, pixel); }) ||
+      IsOverWidget(renderer, x, y))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace VolumeHaptics

@@ -3,7 +3,7 @@
 /**
  * @file
  * Finds the overlays that other classes and programs draw over a viewport, and the free room beside
- * them.
+ * them. Detects parts of a host program, such as widgets, that use the mouse.
  */
 #ifndef HapticOverlays_h
 #define HapticOverlays_h
@@ -11,6 +11,7 @@
 #include <array>
 #include <vector>
 
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkViewport;
 
@@ -56,6 +57,12 @@ bool Overlaps(const ViewportBox& a, const ViewportBox& b);
 
 /** Returns the right end (pixels) of the room for a text that begins at the upper left corner. */
 double ComputeTextRight(vtkViewport* viewport);
+
+/**
+ * Whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a window
+ * (pixels). Representations are checked by the actors that they list.
+ */
+bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y);
 
 } // namespace VolumeHaptics
 

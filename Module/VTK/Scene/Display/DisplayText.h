@@ -87,6 +87,13 @@ std::string ListMeasurements(vtkHapticMeasurements* measurements);
 /** Describes the current time of a moving volume in a line; empty for other volumes. */
 std::string DescribeTime(vtkHapticDevice* device);
 
+/**
+ * Returns the name of the label at a position (world): from the filter's label table, or "label 5"
+ * if the table has no name for the label. Empty if there is no label image, if the position is
+ * outside of it, or if the table does not know the label.
+ */
+std::string NameLabelAt(vtkVolumeHapticsFilter* filter, const double position[3]);
+
 } // namespace VolumeHaptics
 
 #endif

@@ -7,7 +7,6 @@
 #include "VTK/Scene/Base/HapticOverlays.h"
 #include "VTK/Scene/Base/HapticPixels.h"
 #include "VTK/Scene/Base/HapticTextLook.h"
-#include "VTK/Scene/Base/TouchedLabel.h"
 #include "VTK/Scene/Display/DisplayProbe.h"
 #include "VTK/Scene/Display/DisplayText.h"
 #include "VTK/Scene/Display/HapticDisplaySettings.h"

@@ -3,19 +3,23 @@
 /**
  * @file
  * Draws a tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose. The
- * pose may lag behind the hand, and a burr spins.
+ * pose may lag behind the hand, and a burr spins. A needle in tissue is drawn with its track in the
+ * colours of the labels, its shaft and its hub.
  */
 #ifndef DrawnTool_h
 #define DrawnTool_h
 
 #include "Core/Math/Quaternion.h"
+#include "VTK/Scene/Hand/ColoredTubes.h"
 
 #include "vtkActor.h"
 #include "vtkHapticTool.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkTubeFilter.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -26,6 +30,18 @@ class vtkWindow;
 
 namespace VolumeHaptics
 {
+
+/** Returns the tool in the hand of a device; null if the hand touches with a point. */
+vtkHapticTool* GetHeldTool(vtkHapticDevice* device);
+
+/** Whether a tool looks different when it is turned. */
+bool IsTurnable(vtkHapticTool* tool);
+
+/**
+ * Returns the distance (world units) from the hand to the farthest touching point of a tool; 0
+ * without a shape.
+ */
+double ComputeToolReach(vtkHapticTool* tool);
 
 class DrawnTool
 {
@@ -56,6 +72,35 @@ private:
   vtkWeakPointer<vtkHapticTool> Tool; ///< the tool whose shape is drawn
   vtkMTimeType ToolTime = 0;
   bool Shown = false;
+};
+
+class DrawnNeedle
+{
+public:
+  DrawnNeedle();
+
+  /** Shows the latest state, or nothing without a device. Lengths are in world units. */
+  void Update(vtkHapticDevice* device, double radius, double length);
+
+  /** Whether a needle is in tissue. */
+  bool IsShown() const { return this->Lines.AreShown(); }
+  void RenderOpaque(vtkViewport* viewport);
+  /** Draws the faint copy. */
+  void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box) { this->Lines.AddTo(box); }
+
+private:
+  void Draw(vtkHapticDevice* device, double length);
+
+  vtkNew<vtkPolyData> Track;
+  ColoredTubes Lines{ 12 }; ///< pieces of the track, then the shaft outside the tissue
+  vtkNew<vtkPolyData> HubLine;
+  vtkNew<vtkTubeFilter> Hub;
+  vtkNew<vtkPolyDataMapper> HubMapper;
+  vtkNew<vtkActor> HubActor;
+  double Time = -1.0; ///< time and length of the drawn lines
+  double Length = 0.0;
 };
 
 } // namespace VolumeHaptics

@@ -9,7 +9,6 @@
 #include "VTK/Scene/Base/HapticOverlays.h"
 #include "VTK/Scene/Base/HapticTextLook.h"
 #include "VTK/Scene/Base/HapticViewRay.h"
-#include "VTK/Scene/Hand/DrawnNeedle.h"
 #include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Scene/Hand/FollowedScene.h"
 #include "VTK/Scene/Hand/HapticRepresentationSettings.h"

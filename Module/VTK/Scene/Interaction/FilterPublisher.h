@@ -2,24 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Sends changes of the filter to the servo, and switches the felt method and settings.
+ * Sends changes of the filter to the servo, and switches the felt method and settings. Keeps copies
+ * of settings.
  */
 #ifndef FilterPublisher_h
 #define FilterPublisher_h
 
 #include "VTK/Scene/Interaction/TouchedScene.h"
 
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
+
+class KeptSettings
+{
+public:
+  /** Copies the filter's settings, its property and its label table. */
+  explicit KeptSettings(vtkVolumeHapticsFilter* filter);
+
+  /**
+   * Copies the settings to a filter. The filter keeps the objects of its property and its label
+   * table, so that an editor keeps editing the same functions.
+   */
+  void Apply(vtkVolumeHapticsFilter* filter) const;
+
+  vtkNew<vtkHapticProperty> Property;
+
+private:
+  std::vector<double> Values;
+  std::vector<std::string> Texts;
+  vtkSmartPointer<vtkHapticLabelTable> Labels; ///< null without a table
+};
 
 class KeptSettings;
 

@@ -3,7 +3,7 @@
 #include "VTK/Scene/Interaction/SceneMouse.h"
 
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Scene/Hand/HeldTool.h"
+#include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Scene/Interaction/TouchMode.h"
 
 #include "vtkCamera.h"

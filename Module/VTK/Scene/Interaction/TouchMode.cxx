@@ -7,7 +7,7 @@
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/Base/HapticViewRay.h"
 #include "VTK/Scene/Frames/HapticWindowWatch.h"
-#include "VTK/Scene/Hand/HeldTool.h"
+#include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Scene/Interaction/WorkspaceControl.h"
 
 #include "vtkCamera.h"

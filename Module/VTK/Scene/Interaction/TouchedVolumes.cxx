@@ -4,8 +4,8 @@
 
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Scene/Base/KeptSettings.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
+#include "VTK/Scene/Interaction/FilterPublisher.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
 
 #include "vtkCamera.h"

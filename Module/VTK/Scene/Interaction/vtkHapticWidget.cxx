@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticWidget.h"
 
-#include "VTK/Scene/Base/HostParts.h"
+#include "VTK/Scene/Base/HapticOverlays.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
 #include "VTK/Scene/Interaction/HapticInteraction.h"
 

@@ -3,8 +3,8 @@
 #include "vtkHapticSliceView.h"
 
 #include "VTK/Scene/Base/RendererAspect.h"
-#include "VTK/Scene/Base/TouchedLabel.h"
 #include "VTK/Scene/Base/WindowDock.h"
+#include "VTK/Scene/Display/DisplayText.h"
 #include "VTK/Scene/Slices/HapticSliceViewSettings.h"
 #include "VTK/Scene/Slices/SlicePanel.h"
 

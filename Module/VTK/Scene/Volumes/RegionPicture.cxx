@@ -7,7 +7,7 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Scene/Volumes/CarvedArray.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
-#include "VTK/Scene/Volumes/ReplacedInput.h"
+#include "VTK/Scene/Volumes/CarvedPicture.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
 #include "vtkCallbackCommand.h"

@@ -6,7 +6,7 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Tools/TissueArrays.h"
-#include "VTK/Trace/ContactRows.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
