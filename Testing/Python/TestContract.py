@@ -5,7 +5,15 @@
 import pydoc
 
 import volumehaptics
-from volumehaptics import vtkHapticGuideMode, vtkHapticMode, vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics import (
+    vtkHapticBurr,
+    vtkHapticGuideMode,
+    vtkHapticMode,
+    vtkHapticNeedle,
+    vtkHapticPointShell,
+    vtkHapticProperty,
+    vtkVolumeHapticsFilter,
+)
 
 # A name, and words that its documentation has to contain. For Set... the getter must exist, too.
 PROPERTY = {
@@ -115,9 +123,12 @@ ARRAYS = {
     "Torque": "N m",
     "Depth": "world units",
     "ShaftForce": "N",
-    "ToolOrientation": "w, x, y, z",
-    "RemovedVolume": "mm^3",
-    "ForbiddenTouches": "forbidden label",
+}
+# The arrays that only one tool has, which the class of the tool documents.
+TOOL_ARRAYS = {
+    vtkHapticPointShell: {"ToolOrientation": "w, x, y, z"},
+    vtkHapticBurr: {"RemovedVolume": "mm^3"},
+    vtkHapticNeedle: {"ForbiddenTouches": "forbidden label"},
 }
 MODES = ("VectorFollow", "VectorFront", "Vortex", "Shear", "TensorFollow", "Ridge", "Guide", "Surface")
 MODE_PLAIN = ("SetTwoSided", "SetPolarityToDark", "SetSnapDistance", "HasSecondStrength", "GetText")
@@ -140,13 +151,14 @@ def check(cls, documented, plain):
 
 def test_array_table():
     """Every point array has a line of its own in the class documentation, with its unit."""
-    lines = vtkVolumeHapticsFilter.__doc__.splitlines()
-    for array, unit in ARRAYS.items():
-        heads = [i for i, line in enumerate(lines) if line.strip(" |-*").startswith(array)]
-        after = {i: lines[i].strip(" |-*")[len(array) :][:1] for i in heads}
-        heads = [i for i in heads if after[i] in (" ", "(", ",", "")]
-        assert heads, f"no line of the class documentation begins with {array}"
-        assert any(unit in " ".join(lines[i : i + 2]) for i in heads), f"no {unit} with {array}"
+    for documented, arrays in ((vtkVolumeHapticsFilter, ARRAYS), *TOOL_ARRAYS.items()):
+        lines = documented.__doc__.splitlines()
+        for array, unit in arrays.items():
+            heads = [i for i, line in enumerate(lines) if line.strip(" |-*").startswith(array)]
+            after = {i: lines[i].strip(" |-*")[len(array) :][:1] for i in heads}
+            heads = [i for i in heads if after[i] in (" ", "(", ",", "")]
+            assert heads, f"no line of the class documentation begins with {array}"
+            assert any(unit in " ".join(lines[i : i + 2]) for i in heads), f"no {unit} with {array}"
 
 
 def test_property():

@@ -33,12 +33,36 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <sstream>
 #include <utility>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/**
+ * Returns the fault in the settings for a servo of a rate (Hz), with the cure; empty if there is
+ * none.
+ */
+std::string CheckSettings(vtkVolumeHapticsFilter* filter, double rate)
+{
+  for (const FilterSetting& setting : FilterSettings)
+  {
+    // The rate of the servo counts instead of the filter's.
+    const bool isRate = std::string("ServoRate") == setting.Name;
+    if (!std::isfinite(isRate ? rate : setting.Get(filter)))
+    {
+      return std::string("The setting ") + setting.Name +
+        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting.Name + "() to one.";
+    }
+  }
+  return {};
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(
@@ -180,7 +204,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
     return nullptr;
   }
   HapticModelOptions options;
-  error = this->Filter->CheckSettings(1.0 / tickPeriod);
+  error = CheckSettings(this->Filter, 1.0 / tickPeriod);
   if (!error.empty() ||
     !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error) ||
     !this->BakeLabels(recording, options.Description.Labels, error))

@@ -4,7 +4,6 @@
 
 #include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/ImageTimeSteps.h"
-#include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/HapticHash.h"
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Base/TouchedArray.h"
@@ -13,17 +12,11 @@
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
+#include "VTK/Filter/PathTouch.h"
 #include "VTK/Filter/PlannerSettings.h"
 #include "VTK/Modes/ModePresets.h"
 #include "VTK/Regions/RegionPlanner.h"
-#include "VTK/Regions/RegionsAlongPath.h"
-#include "VTK/Tools/TissueArrays.h"
 #include "VTK/Tools/ToolKind.h"
-#include "VTK/Trace/HapticTrace.h"
-#include "VTK/Trace/Paths/TipPaths.h"
-#include "VTK/Trace/Paths/TipPathsWalk.h"
-#include "VTK/Trace/RecordedLabels.h"
-#include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkDataArray.h"
@@ -44,8 +37,6 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <cmath>
-#include <new>
 #include <utility>
 
 namespace
@@ -353,39 +344,8 @@ int vtkVolumeHapticsFilter::GetTraceArrayStatus(const char* name)
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsFilter::SetTraceArrayStatus(const char* name, int status)
 {
-  const std::string changed = name ? name : "";
-  const std::size_t count = VolumeHaptics::GetNumberOfTraceArrays();
-  const bool isKnown = VolumeHaptics::FindTraceArray(changed) < count;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::string other = VolumeHaptics::GetTraceArrayName(i);
-    if (other != changed && VolumeHaptics::IsChosen(this->TraceArrays, i))
-    {
-      names.push_back(other);
-    }
-  }
-  if (status != 0 || !isKnown) // ChooseTraceArrays reports an unknown name
-  {
-    names.push_back(changed);
-  }
-  this->ChooseTraceArrays(names);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkVolumeHapticsFilter::CheckSettings(double rate)
-{
-  for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
-  {
-    // The rate of the servo counts instead of the filter's.
-    const bool isRate = std::string("ServoRate") == setting.Name;
-    if (!std::isfinite(isRate ? rate : setting.Get(this)))
-    {
-      return std::string("The setting ") + setting.Name +
-        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting.Name + "() to one.";
-    }
-  }
-  return {};
+  this->ChooseTraceArrays(
+    VolumeHaptics::ListTraceArrays(this->TraceArrays, name ? name : "", status != 0));
 }
 
 //------------------------------------------------------------------------------
@@ -721,155 +681,14 @@ int vtkVolumeHapticsFilter::RequestUpdateExtent(
 int vtkVolumeHapticsFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  using namespace VolumeHaptics;
-
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
   if (IsLaterPiece(outputs))
   {
     output->Initialize();
     return 1;
   }
-  vtkImageData* const image = this->GetTouchedImage();
-  if (!image)
-  {
-    vtkErrorMacro(<< this->Baker->GetResampled().DescribeFault(this->GetInputDataObject(0, 0)));
-    return 0;
-  }
-  vtkIdType ticks = 0;
-  try
-  {
-    return this->TouchPath(image, vtkPolyData::GetData(inputs[1]), output, ticks);
-  }
-  catch (const RegionLost& lost)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< Printable(lost.what()));
-    return 0;
-  }
-  catch (const std::bad_alloc&)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< (ticks > 0 ? DescribeLackOfMemory(ticks) : DescribeLackOfMemory(image)));
-    return 0;
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkVolumeHapticsFilter::TouchPath(
-  vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks)
-{
-  using namespace VolumeHaptics;
-
-  std::string error;
-  const double period = 1.0 / this->ServoRate;
-  TipPaths paths;
-  const bool readable =
-    !path || (paths.Read(path, period, error) && (!this->Tool || paths.ReadHand(path, error)));
-  const RecordedPath* const recording = paths.GetRecording();
-  vtkHapticRegionSource* const source = this->GetRegionSource();
-  if (source && (!path || !readable || recording))
-  {
-    error = recording ? "The path on port 1 is a recording, which can't be replayed through a "
-                        "vtkHapticRegionSource: connect the whole image that it was made with."
-                      : error;
-    if (!error.empty())
-    {
-      vtkErrorMacro(<< Printable(error));
-    }
-    return error.empty() ? 1 : 0;
-  }
-  if (VolumeHaptics::AreTimeStepsFelt(this))
-  {
-    this->Baker->WarnOfStillSteps();
-  }
-  const RegionsAlongPath regions(source,
-    [&](vtkImageData* region, std::string& flaw)
-    { return this->Baker->BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {}); });
-  ImageTimeSteps timeSteps;
-  if (path && readable && !source && !CollectTimeStepsOfPaths(this, paths, timeSteps, error))
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  // Without a path, only check the input, and leave a slow mesh to the background.
-  if (readable && !source && timeSteps.TimeSteps.empty() &&
-    !(path ? this->Baker->GetPreparation().AwaitSurface()
-           : this->Baker->GetPreparation().IsSurfaceAtHand()))
-  {
-    return 1;
-  }
-  std::string imageError;
-  std::shared_ptr<const HapticModel> model = source
-    ? regions.Begin()
-    : this->Baker->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{},
-        nullptr, imageError, recording ? path : nullptr, std::move(timeSteps));
-  if (!model || !readable)
-  {
-    error = model ? error : imageError;
-    vtkErrorMacro(<< Printable(error));
-    return 0;
-  }
-
-  if (model->Baked->IsMoving())
-  {
-    this->Baker->WarnOfFastMotion(*model->Baked, true);
-  }
-  if (path && !ReadLabelHash(path).empty())
-  {
-    const std::string hash = this->Hashes[1].Await(this->Baker->GetTouched()[1],
-      [this](double)
-      {
-        this->UpdateProgress(0.0);
-        return !MustAbort(this);
-      });
-    if (MustAbort(this))
-    {
-      return 1;
-    }
-    error = CompareLabels(path, hash);
-    if (!error.empty())
-    {
-      vtkErrorMacro(<< error);
-      return 0;
-    }
-  }
-
-  ticks = paths.GetNumberOfTicks();
-  HapticTrace trace(ticks, this->TraceArrays, *model->Baked);
-  TipPathsWalk walk(paths, model, trace,
-    source ? [&regions](auto felt, const ServoState& state, const Vector3& tip)
-      { return regions.Find(std::move(felt), state, tip); }
-           : ModelFinder());
-  while (!walk.IsDone())
-  {
-    this->UpdateProgress(walk.GetProgress());
-    if (MustAbort(this))
-    {
-      KeepAbortedOutput(this);
-      break;
-    }
-    walk.Advance();
-    if (walk.GetFlaw() >= 0)
-    {
-      vtkErrorMacro("The recording on port 1 gives numbers that are not finite in tick "
-        << walk.GetFlaw() << ": it was changed, or made with another volume. Record again.");
-      return 0;
-    }
-  }
-  trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
-  if (const auto* const shares = walk.GetFinalTissue())
-  {
-    AddTissueArrays(*shares, FinalTissueNames, output->GetFieldData());
-  }
-  // Each tick of a recording is a point of the path, unless the user has aborted the run.
-  vtkDataArray* const orientations =
-    recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
-  if (orientations && !output->GetPointData()->HasArray(RecordingNames::Orientation) &&
-    output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
-  {
-    output->GetPointData()->AddArray(orientations);
-  }
-  return 1;
+  return VolumeHaptics::TouchPath(
+    this, vtkPolyData::GetData(inputs[1]), this->TraceArrays, this->Hashes[1], output);
 }
 
 //------------------------------------------------------------------------------

@@ -73,12 +73,9 @@
  *   Torque (3)         N m, world axes; on the hand about the tip. Only with a tool
  *   Depth              world units; of a vtkHapticNeedle that is inserted, else 0. Only with a tool
  *   ShaftForce         N; the most that the tissue along its shaft holds. Only with a tool
- *   ToolOrientation (4)  of a vtkHapticPointShell in the world: w, x, y, z. Its origin is the
- *                      output point. Only with one
- *   RemovedVolume      mm^3 of the hand's space; by a vtkHapticBurr in this tick. Only with one
- *   ForbiddenTouches   how often a forbidden label has stopped this insertion of a vtkHapticNeedle.
- *                      Only with one
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
+ *
+ * The classes of tools list the arrays that only their traces have.
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the
  * output is empty, and input is only checked; a mesh that takes long is then left to the
@@ -815,11 +812,6 @@ public:
   {
     return this->Cut.get();
   }
-  /**
-   * Returns the fault in the settings for a servo of a rate (Hz), with the cure; empty if there is
-   * none.
-   */
-  std::string CheckSettings(double rate);
   ///@}
 #endif
 
@@ -868,7 +860,6 @@ private:
 #ifndef __VTK_WRAP__
   void Choose(std::size_t choice);
   bool ChooseTraceArrays(const std::vector<std::string>& names);
-  int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
 
   std::unique_ptr<VolumeHaptics::HapticBaker> Baker;
   std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // hashes of scalars and labels

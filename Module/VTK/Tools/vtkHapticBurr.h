@@ -22,8 +22,10 @@
  * Live, it spins while the device is armed and its SpinButton is pressed, or
  * vtkHapticVirtualHand::SetSpinning() is on. Offline it always spins, unless the path has the point
  * array Spinning: then it spins where this is 1, and not where it is 0. Each path then removes
- * tissue by itself, from the tissue that the hand has left: the trace has the array RemovedVolume,
- * the mm^3 of each tick, and the field arrays of vtkHapticRemoval::ReadTrace().
+ * tissue by itself, from the tissue that the hand has left: the trace has the field arrays of
+ * vtkHapticRemoval::ReadTrace(), and an array that only this tool has:
+ *
+ *   RemovedVolume  mm^3 of the hand's space; in this tick
  *
  * It needs the method PROXY, and a volume that does not move. Burrs with a radius of four voxels or
  * more leave surfaces within 0.05 voxel; a radius of less than a voxel can't be used. Lengths and

@@ -30,9 +30,12 @@
  * direction of the hand's motion at the puncture, over the last millimetre, and stays until the
  * needle is out.
  *
- * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
- * length that is inserted (world units; 0: none), ShaftForce, the most that the tissue along the
- * shaft holds (N), and ForbiddenTouches, how often a forbidden label has stopped the insertion.
+ * It needs the method PROXY, and a volume that does not move. In the trace, Depth is the length
+ * that is inserted (world units; 0: none), ShaftForce is the most that the tissue along the shaft
+ * holds (N), and there is an array that only this tool has:
+ *
+ *   ForbiddenTouches  how often a forbidden label has stopped this insertion
+ *
  * MakeTrack() converts a trace to the track through the tissue; vtkHapticState::GetNeedleTrack()
  * writes the track of a needle in the hand.
  *

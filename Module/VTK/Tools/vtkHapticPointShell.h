@@ -31,9 +31,11 @@
  * force. A tool that begins in solid material is free to leave it.
  *
  * It needs the method PROXY, and a volume that does not move. Friction is not felt. In the trace,
- * the points (proxies) are the origins of the tool, ToolOrientation is its orientation (w, x, y, z;
- * world), Force and Torque act on the hand, and Contact says whether the tool is free (0), held
- * (1), or yields at all points of contact (3).
+ * the points (proxies) are the origins of the tool, Force and Torque act on the hand, and Contact
+ * says whether the tool is free (0), held (1), or yields at all points of contact (3). There is an
+ * array that only this tool has:
+ *
+ *   ToolOrientation (4)  of the tool in the world: w, x, y, z
  *
  * @sa vtkHapticShapedTool
  */

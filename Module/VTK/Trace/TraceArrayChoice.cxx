@@ -113,6 +113,25 @@ std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayCho
   return {};
 }
 
+std::vector<std::string> ListTraceArrays(
+  TraceArrayChoice choice, const std::string& other, bool isWanted)
+{
+  const std::size_t count = GetNumberOfTraceArrays();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (other != GetTraceArrayName(i) && IsChosen(choice, i))
+    {
+      names.emplace_back(GetTraceArrayName(i));
+    }
+  }
+  if (isWanted || FindTraceArray(other) >= count)
+  {
+    names.push_back(other);
+  }
+  return names;
+}
+
 std::string DescribeTraceArrays(TraceArrayChoice choice)
 {
   if (choice == AllTraceArrays)

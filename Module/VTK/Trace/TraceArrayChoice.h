@@ -70,6 +70,13 @@ std::vector<std::string> SplitTraceArrays(const std::string& text);
  */
 std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayChoice& choice);
 
+/**
+ * Lists the names of the chosen arrays, with or without another one. If no array has the name of
+ * the other one, the list has it, so that ReadTraceArrays() reports it.
+ */
+std::vector<std::string> ListTraceArrays(
+  TraceArrayChoice choice, const std::string& other, bool isWanted);
+
 /** Returns the choice as a text that ReadTraceArrays can read. */
 std::string DescribeTraceArrays(TraceArrayChoice choice);
 

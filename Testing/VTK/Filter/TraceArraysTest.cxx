@@ -10,6 +10,11 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
 using namespace apitest;
@@ -34,17 +39,62 @@ protected:
 using Texts = std::vector<std::string>;
 
 /// As the class documentation of vtkVolumeHapticsFilter lists them, without Label, DataTime,
-/// the eight ModeForce_i and the six of tools.
+/// the eight ModeForce_i and the four of every tool.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
+
+/// The arrays of single tools, as the class documentation of each tool lists them.
+std::set<std::string> ReadArraysOfTools()
+{
+  std::set<std::string> names;
+  const std::filesystem::path folder = VolumeHaptics_SOURCE_DIR "/Module/VTK/Tools";
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    const bool isTool = entry.path().filename().string().rfind("vtkHaptic", 0) == 0;
+    std::ifstream file(entry.path());
+    bool isListed = false;
+    for (std::string line; isTool && std::getline(file, line) && line != " */";)
+    {
+      isListed = isListed || line.find("that only this tool has:") != std::string::npos;
+      std::smatch name;
+      if (isListed && std::regex_match(line, name, std::regex(R"( \*   (\w+)( \(\d\))?  .*)")))
+      {
+        names.insert(name[1]);
+      }
+      isListed = isListed && (line == " *" || !name.empty() || line.back() == ':');
+    }
+  }
+  return names;
+}
 } // namespace
 
 TEST_F(TraceArrays, AreAllByDefault)
 {
   EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
   EXPECT_EQ(this->Names(), All);
-  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2 + 8 + 7);
+  Texts expected = All;
+  expected.insert(expected.end(), { "Label", "DataTime" });
+  for (int mode = 0; mode < 8; ++mode)
+  {
+    expected.push_back("ModeForce_" + std::to_string(mode));
+  }
+  expected.insert(expected.end(), { "Orientation", "Torque", "Depth", "ShaftForce" });
+  Texts choices;
+  for (int i = 0; i < this->Filter->GetNumberOfTraceArrays(); ++i)
+  {
+    choices.emplace_back(this->Filter->GetTraceArrayName(i));
+  }
+  ASSERT_GE(choices.size(), expected.size() + 3);
+  const auto ofTools = choices.begin() + static_cast<std::ptrdiff_t>(expected.size());
+  EXPECT_EQ(Texts(choices.begin(), ofTools), expected);
+  const std::set<std::string> documented = ReadArraysOfTools();
+  EXPECT_EQ(std::set<std::string>(ofTools, choices.end()), documented);
+  EXPECT_EQ(documented.size(), choices.size() - expected.size());
+  for (const char* const name : { "ForbiddenTouches", "RemovedVolume", "ToolOrientation" })
+  {
+    EXPECT_EQ(documented.count(name), 1U) << name;
+  }
 }
 
 TEST_F(TraceArrays, TheChosenOnesAreTheSameToTheBit)
