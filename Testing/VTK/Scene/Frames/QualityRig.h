@@ -23,6 +23,14 @@ namespace scenetest
 constexpr double InMotion = 15.0;
 constexpr double AtRest = 0.001;
 
+/// Waits until the X server has handled all requests; its events are then in X11's queue.
+inline void AwaitServer(vtkRenderWindow* window)
+{
+  using Sync = int (*)(void* display, int);
+  static const auto sync = reinterpret_cast<Sync>(dlsym(dlopen("libX11.so.6", RTLD_LAZY), "XSync"));
+  sync(window->GetGenericDisplayId(), 0);
+}
+
 /// A motion of the mouse comes to the window, by X11's XSendEvent: the pointer itself may be over a
 /// window of another test. The header of X11 defines macros that other tests must not see.
 inline void SendMotion(vtkRenderWindow* window)
@@ -43,6 +51,7 @@ inline void SendMotion(vtkRenderWindow* window)
   event.Type = motionNotify;
   event.Window = reinterpret_cast<unsigned long>(window->GetGenericWindowId());
   send(window->GetGenericDisplayId(), event.Window, 0, 0, &event);
+  AwaitServer(window);
 }
 
 /// Takes an event of this kind for the window out of X11's queue; false if there is none.

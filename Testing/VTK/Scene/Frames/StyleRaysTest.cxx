@@ -235,12 +235,8 @@ TEST_F(StyleRaysTest, InputInterruptsAFrameAtRest)
   // A motion of the mouse within the frame.
   vtkNew<vtkCallbackCommand> move;
   move->SetClientData(this->Window);
-  move->SetCallback(
-    [](vtkObject*, unsigned long, void* window, void*)
-    {
-      SendMotion(static_cast<vtkRenderWindow*>(window));
-      std::this_thread::sleep_for(std::chrono::milliseconds(2)); // the X server's
-    });
+  move->SetCallback([](vtkObject*, unsigned long, void* window, void*)
+    { SendMotion(static_cast<vtkRenderWindow*>(window)); });
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, move, 1.0f);
   this->Draw(AtRest, 1);
   EXPECT_EQ(this->Window->GetAbortRender(), 1);
@@ -271,7 +267,7 @@ TEST_F(StyleRaysTest, TheLoopIsWokenAfterAFrameThatDelaysTimers)
     return Eventually([this] { return this->Style->DrawHaptics(); });
   };
   ASSERT_TRUE(move(10.0));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100)); // the X server's
+  AwaitServer(this->Window);
   EXPECT_FALSE(DrainEvent(this->Window, noExpose)) << "a quick frame";
   this->Slowness = 900;
   ASSERT_TRUE(move(-10.0));
