@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
@@ -315,11 +316,12 @@ def test_the_lines_on_programs_of_others_serve(browser, root):
         browser.get(address)
         area = WebDriverWait(browser, PATIENCE).until(lambda _: browser.find_element(By.CSS_SELECTOR, f"{SCENE} img"))
         browser.find_element(By.CSS_SELECTOR, "[data-id=touch]").click()
-        time.sleep(1.0)
-        for _ in range(8):
+        felt = threading.Event()
+        threading.Thread(target=lambda: [felt.set() for line in server.stdout if line == "felt\n"], daemon=True).start()
+        end = time.monotonic() + PATIENCE
+        while not felt.wait(0.25):
+            assert time.monotonic() < end, "nothing is felt"
             ActionChains(browser, duration=0).scroll_from_origin(ScrollOrigin.from_element(area), 0, -100).perform()
-            time.sleep(0.25)
-        assert next(line for line in server.stdout if line == "felt\n")
         browser.get("about:blank")
         server.send_signal(signal.SIGINT)
         assert server.wait(PATIENCE) in (0, -signal.SIGINT)

@@ -165,8 +165,7 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   EXPECT_TRUE(this->Says("Force is off while the test sleeps")) << this->Device->GetStatusText();
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   this->CountForceless();
-  Sleep(100);
-  this->Device->UpdateState();
+  ASSERT_TRUE(this->WaitTicks(20));
   EXPECT_GT(this->CountForceless(), 10);
   EXPECT_EQ(this->Force, 0.0);
   EXPECT_EQ(this->Ends.Count, 0);
