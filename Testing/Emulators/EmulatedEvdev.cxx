@@ -67,7 +67,7 @@ int Fill(PadModel& model, const void* file, unsigned long request, std::uint8_t*
   }
   if (number == _IOC_NR(EVIOCGKEY(0)))
   {
-    for (const unsigned button : PadModel::GetButtons())
+    for (const unsigned button : model.GetButtons())
     {
       SetBits(
         bytes, size, model.IsPressed(button) ? std::set<unsigned>{ button } : std::set<unsigned>{});
@@ -133,19 +133,20 @@ FifoNode::Device Describe(const PadModel& model, int number)
   std::snprintf(device, sizeof(device), "/devices/virtual/input/input%d", number + 20);
   const std::string sysPath = std::string("/sys") + device;
   char text[1500];
-  const std::set<unsigned> rumble{ FF_RUMBLE, FF_PERIODIC, FF_SQUARE, FF_TRIANGLE, FF_SINE,
-    FF_GAIN };
+  const std::set<unsigned> force = model.Rumbles()
+    ? std::set<unsigned>{ FF_RUMBLE, FF_PERIODIC, FF_SQUARE, FF_TRIANGLE, FF_SINE, FF_GAIN }
+    : std::set<unsigned>{ FF_CONSTANT, FF_AUTOCENTER, FF_GAIN };
   std::snprintf(text, sizeof(text),
     "P: %s/event%d\nN: input/event%d\nE: DEVNAME=/dev/input/event%d\nE: SUBSYSTEM=input\n"
     "E: MAJOR=13\nE: MINOR=%d\nE: ID_INPUT=1\nE: ID_INPUT_JOYSTICK=1\nL: device=../../input%d\n"
     "A: dev=13:%d\\n\n\n"
     "P: %s\nE: SUBSYSTEM=input\nE: NAME=\"%s\"\nA: name=%s\\n\nA: id/vendor=%04x\\n\n"
     "A: id/product=%04x\\n\nA: capabilities/abs=%s\\n\nA: capabilities/key=%s\\n\n"
-    "A: capabilities/ff=%s\\n\n\n",
+    "A: uniq=%s\\n\nA: capabilities/ff=%s\\n\n\n",
     device, number, number, number, number + 64, number + 20, number + 64, device,
     model.GetName().c_str(), model.GetName().c_str(), model.GetVendor(), model.GetProduct(),
-    WordsOf(AxesOf(model)).c_str(), WordsOf(PadModel::GetButtons()).c_str(),
-    (model.Rumbles() ? WordsOf(rumble) : std::string("0")).c_str());
+    WordsOf(AxesOf(model)).c_str(), WordsOf(model.GetButtons()).c_str(), model.Serial.c_str(),
+    (model.HasForce() ? WordsOf(force) : std::string("0")).c_str());
   return { text, { sysPath + "/event" + std::to_string(number), sysPath } };
 }
 

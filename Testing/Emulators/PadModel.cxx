@@ -31,6 +31,13 @@ PadModel::PadModel(Kind kind)
   const input_absinfo stick = isXbox ? Range(-32768, 32767, 128, true) : Range(0, 255, 0, true);
   const input_absinfo trigger = Range(0, 255, 0, false);
   this->Axes = { { ABS_X, stick }, { ABS_Y, stick } };
+  if (kind == Kind::Wheel)
+  {
+    const input_absinfo pedal = Range(0, 255, 0, false);
+    this->Axes = { { ABS_X, Range(0, 65535, 0, true) }, { ABS_Y, pedal }, { ABS_Z, pedal },
+      { ABS_RZ, pedal } };
+    return;
+  }
   if (kind == Kind::Older)
   {
     this->Axes.insert({ { ABS_Z, stick }, { ABS_RZ, stick } });
@@ -43,24 +50,29 @@ PadModel::PadModel(Kind kind)
 std::string PadModel::GetName() const
 {
   constexpr const char* names[] = { "Microsoft X-Box 360 pad",
-    "Sony Interactive Entertainment DualSense Wireless Controller", "Generic USB Gamepad" };
+    "Sony Interactive Entertainment DualSense Wireless Controller", "Generic USB Gamepad",
+    "Logitech G29 Driving Force Racing Wheel" };
   return names[static_cast<int>(this->Model)];
 }
 
 int PadModel::GetVendor() const
 {
-  constexpr int vendors[] = { 0x045e, 0x054c, 0x0079 };
+  constexpr int vendors[] = { 0x045e, 0x054c, 0x0079, 0x046d };
   return vendors[static_cast<int>(this->Model)];
 }
 
 int PadModel::GetProduct() const
 {
-  constexpr int products[] = { 0x028e, 0x0ce6, 0x0006 };
+  constexpr int products[] = { 0x028e, 0x0ce6, 0x0006, 0xc24f };
   return products[static_cast<int>(this->Model)];
 }
 
-std::set<unsigned> PadModel::GetButtons()
+std::set<unsigned> PadModel::GetButtons() const
 {
+  if (this->Model == Kind::Wheel)
+  {
+    return { BTN_TRIGGER, BTN_THUMB, BTN_THUMB2, BTN_TOP, BTN_TOP2, BTN_PINKIE, BTN_BASE };
+  }
   return { BTN_SOUTH, BTN_EAST, BTN_NORTH, BTN_WEST, BTN_TL, BTN_TR, BTN_SELECT, BTN_START,
     BTN_MODE, BTN_THUMBL, BTN_THUMBR };
 }
@@ -158,11 +170,15 @@ long PadModel::Ticks(int milliseconds) const
 int PadModel::Upload(const void* file, ff_effect& effect)
 {
   const Lock lock(this->Guard);
-  if (!this->Rumbles())
+  if (!this->HasForce())
   {
     return -ENOSYS;
   }
-  if (effect.type != FF_RUMBLE)
+  if (this->Refuses)
+  {
+    return -EIO;
+  }
+  if (effect.type != (this->Rumbles() ? FF_RUMBLE : FF_CONSTANT))
   {
     return -EINVAL;
   }
@@ -233,7 +249,7 @@ void PadModel::CloseFiles()
 int PadModel::Write(const input_event& event)
 {
   const Lock lock(this->Guard);
-  if (event.type != EV_FF || !this->Rumbles())
+  if (event.type != EV_FF || !this->HasForce())
   {
     return 0;
   }
@@ -245,6 +261,10 @@ int PadModel::Write(const input_event& event)
       effect.Playing = false;
     }
     this->PlayEffects();
+  }
+  else if (event.code == FF_AUTOCENTER)
+  {
+    this->Autocentre = event.value;
   }
   else if (event.code < this->GetSlots() && this->Effects[event.code].Owner)
   {
@@ -280,6 +300,7 @@ void PadModel::PlayEffects()
   bool hasAny = false;
   int strong = 0;
   int weak = 0;
+  double x = 0.0;
   for (Effect& effect : this->Effects)
   {
     if (!effect.Started || now < effect.PlayAt)
@@ -301,11 +322,21 @@ void PadModel::PlayEffects()
     else
     {
       effect.Playing = true;
+      if (this->Model == Kind::Wheel)
+      {
+        const double angle = effect.What.direction * 2.0 * std::acos(-1.0) / 0x10000;
+        x += std::sin(angle) * effect.What.u.constant.level / 256.0 * this->Gain / 0xFFFF;
+        continue;
+      }
       const auto scale = [this](__u16 speed)
       { return static_cast<int>(static_cast<long>(speed) * this->Gain / 0xFFFF); };
       strong = std::min(0xFFFF, strong + scale(effect.What.u.rumble.strong_magnitude));
       weak = std::min(0xFFFF, weak + scale(effect.What.u.rumble.weak_magnitude));
     }
+  }
+  if (hasAny && this->Model == Kind::Wheel)
+  {
+    this->Force = 0x80 + static_cast<int>(std::lround(std::clamp(x, -128.0, 127.0)));
   }
   // Motors get new speeds only when an effect begins, plays or ends.
   if (hasAny && (strong != this->Motors.Strong || weak != this->Motors.Weak))
@@ -339,6 +370,42 @@ void PadModel::Step()
   {
     this->PlayEffects();
   }
+  if (this->Model == Kind::Wheel)
+  {
+    // The spring at its full strength gives the full force at the end of the axis.
+    const double spring = -FullScale * this->Autocentre / 0xFFFF * this->Hand.Tip[0] / Travel;
+    this->Hand.Step(1e-3, { this->ComputeForce() + spring, 0.0, 0.0 });
+    this->Move(ABS_X, std::clamp(this->Hand.Tip[0] / Travel, -1.0, 1.0));
+  }
+}
+
+double PadModel::ComputeForce() const
+{
+  return -FullScale * (this->Force - 0x80) / 127.0;
+}
+
+void PadModel::SetGoal(double right)
+{
+  const Lock lock(this->Guard);
+  this->Hand.Goal[0] = right;
+}
+
+double PadModel::GetPlace()
+{
+  const Lock lock(this->Guard);
+  return this->Hand.Tip[0];
+}
+
+double PadModel::GetForce()
+{
+  const Lock lock(this->Guard);
+  return this->ComputeForce();
+}
+
+int PadModel::GetAutocentre()
+{
+  const Lock lock(this->Guard);
+  return this->Autocentre;
 }
 
 PadModel::Change PadModel::GetMotors()

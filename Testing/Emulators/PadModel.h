@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A gamepad and its kernel driver, as a program sees them through evdev.
+ * A gamepad or a wheel and its kernel driver, as a program sees them through evdev.
  *
  * Written from the kernel, not from the driver of this library: linux/input.h (structures and
  * requests), ff.rst and gamepad.rst of its documentation of input; drivers/input/ff-core.c (the
@@ -11,13 +11,21 @@
  * until the timer's next tick, and if it is stopped before that, the motors stay on),
  * drivers/input/evdev.c (grabs, lost events). Axes: drivers/input/joystick/xpad.c, and
  * drivers/hid/hid-playstation.c. A jiffy is 4 ms, as of Debian's kernels.
+ *
+ * The wheel is a Logitech G29 with the kernel's drivers/hid/hid-lg4ff.c: constant forces, combined
+ * by ff-memless as x = sin(direction) level (an effect pulls into its direction, and 0x4000 is
+ * left: linux/input.h); one byte for the device, of which 0x80 is no force; a spring towards the
+ * centre; and a gain. The wheel is held by a hand.
  */
 #ifndef PadModel_h
 #define PadModel_h
 
+#include "EmulatedHand.h"
+
 #include <linux/input.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -36,7 +44,8 @@ public:
   {
     Xbox,        ///< sticks -32768 to 32767, triggers at Z and RZ
     PlayStation, ///< sticks 0 to 255, triggers at Z and RZ
-    Older        ///< the right stick at Z and RZ; no rumble
+    Older,       ///< the right stick at Z and RZ; no rumble
+    Wheel        ///< a wheel at X, pedals at Y, Z and RZ; constant forces
   };
 
   /** The speeds of the motors from a time on, 0 to 65535. */
@@ -54,9 +63,10 @@ public:
   std::string GetName() const;
   int GetVendor() const;
   int GetProduct() const;
-  bool Rumbles() const { return this->Model != Kind::Older; }
+  bool Rumbles() const { return this->Model != Kind::Older && this->Model != Kind::Wheel; }
+  bool HasForce() const { return this->Model != Kind::Older; }
   const std::map<unsigned, input_absinfo>& GetAxes() const { return this->Axes; }
-  static std::set<unsigned> GetButtons();
+  std::set<unsigned> GetButtons() const;
   ///@}
 
   ///@{
@@ -79,11 +89,24 @@ public:
   void CloseFiles();
   input_absinfo GetAxis(unsigned code);
   bool IsPressed(unsigned button);
-  int GetSlots() const { return this->Rumbles() ? 16 : 0; }
+  int GetSlots() const { return this->HasForce() ? 16 : 0; }
   ///@}
 
-  /** The kernel's timer; call it every millisecond. */
+  /** The kernel's timer and the hand on a wheel; call it every millisecond. */
   void Step();
+
+  ///@{
+  /** A wheel: the goal of its hand, its place (m, to the right), and the force on the hand (N). */
+  static constexpr double FullScale = 4.0; ///< N
+  static constexpr double Travel = 0.05;   ///< m, at the end of the axis
+  void SetGoal(double right);
+  double GetPlace();
+  double GetForce();
+  int GetAutocentre();
+  /** The next program's effects are refused, as by a device that does not answer. */
+  std::atomic<bool> Refuses{ false };
+  std::string Serial; ///< as the driver tells it, or empty
+  ///@}
 
   ///@{
   Change GetMotors();
@@ -115,6 +138,7 @@ private:
   long Ticks(int milliseconds) const;
   void Playback(int id, int value);
   void PlayEffects();
+  double ComputeForce() const;
   void Schedule();
   int ValueAt(unsigned axis, double share) const;
   void Send(unsigned type, unsigned code, int value);
@@ -128,6 +152,9 @@ private:
   std::array<Effect, 16> Effects{};
   long TimerAt = -1;
   int Gain = 0xFFFF;
+  int Autocentre = 0x8000; ///< as another program has left it
+  int Force = 0x80;        ///< byte in the wheel: to the left above 0x80
+  EmulatedHand Hand;
   int LongestReplay = 1;
   Change Motors;
   std::vector<Change> History;

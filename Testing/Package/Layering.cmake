@@ -117,15 +117,17 @@ set(device_basis Core/Math Core/Model/ForceCaps.h Core/Safety Core/Realtime Core
 allow(Devices/Common ${device_basis})
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
+allow(Devices/Transport/Evdev)
 allow(Devices/Transport/Serial ${device_basis})
 allow(Devices/Transport/WebSocket ${device_basis})
 allow(Devices/Guard ${device_basis} Devices/Common)
 allow(Devices/Falcon ${device_basis} Devices/Common Devices/Guard Devices/Transport/Usb)
 allow(Devices/Haply ${device_basis} Devices/Common Devices/Transport/WebSocket)
 allow(Devices/Hfab ${device_basis} Devices/Common Devices/Transport/Serial)
-allow(Devices/Pad ${device_basis} Devices/Common Devices/Guard Devices/Transport/Hid)
+allow(Devices/Pad ${device_basis} Devices/Common Devices/Guard Devices/Transport/Evdev Devices/Transport/Hid)
 allow(Devices/Pid ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/SpaceMouse ${device_basis} Devices/Common Devices/Transport/Hid)
+allow(Devices/Wheel ${device_basis} Devices/Common Devices/Transport/Evdev)
 allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
@@ -133,7 +135,7 @@ allow(Devices/Replay ${device_basis})
 allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
 # The list of kinds names each kind.
 allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply Devices/Hfab Devices/Pad Devices/Pid
-  Devices/SpaceMouse Devices/Vendor Devices/WoodenHaptics Devices/Xr)
+  Devices/SpaceMouse Devices/Vendor Devices/Wheel Devices/WoodenHaptics Devices/Xr)
 
 # VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <- Scene.
 # How numbers are read in any locale.

@@ -181,6 +181,7 @@ TRIED = {
         "Close it where it is open, in this program": "is in use. Close it where it is open",
         "Plug in a WoodenHaptics instead": "Plug in a WoodenHaptics instead",
     },
+    "Devices/Emulated/WheelTest.cxx": {"End other programs that use it, plug it in again, and open it again": "does not take a constant force"},
     "VTK/Emulated/PhantomFalconTest.cxx": {"the device was lost, and is back. Arm() again": "is back. Arm() again"},
     "Devices/Emulated/HidTogetherTest.cxx": {"was unplugged. Plug it in, then Open() and Start() it": "was unplugged"},
     "Devices/Emulated/WoodenFaultTest.cxx": {
@@ -278,7 +279,7 @@ OUTSIDE = {
     "another program, or the system, is started, ended or set up": (
         "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",
         "is in use by another program. Close that program", "service closed the connection. Start it again",
-        "to whose user the system gives gamepads", "sudo usermod -a -G dialout", "then run \"sudo udevadm control --reload\"",
+        "to whose user the system gives game controllers", "sudo usermod -a -G dialout", "then run \"sudo udevadm control --reload\"",
         "or opened a second time by this one. Close it there", "Start the one of your headset",
         "Check its permissions", "Check the permissions of its folder and the space on its disk",
         "Close other programs that need memory", "Record to a local disk, with less else running",

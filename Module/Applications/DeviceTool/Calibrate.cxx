@@ -343,7 +343,7 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
       return false;
     }
   }
-  const bool isStick = options.Id.compare(0, 3, "pid") == 0;
+  const bool isStick = options.IsStick();
   const int axis = options.Axis >= 0 ? options.Axis : isStick ? 0 : 1;
   const double direction = options.Axis >= 0 && !options.IsAxisNegative ? 1.0 : -1.0;
   MakeHoldingMedium(device.GetVolume(), device->GetMaximumForce() / FullWay);

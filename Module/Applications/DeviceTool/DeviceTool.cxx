@@ -181,7 +181,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
     streams.Errors << options.Id << " gives no force: there is nothing to feel. Try monitor.\n";
     return false;
   }
-  const bool isStick = options.Id.compare(0, 3, "pid") == 0;
+  const bool isStick = options.IsStick();
   const bool vibrates = options.Id.compare(0, 9, "vibration") == 0;
   const int axis = options.Axis >= 0 ? options.Axis : isStick ? 0 : 2;
   MakeGentleWall(device.GetVolume(), axis);

@@ -39,6 +39,9 @@ struct ToolOptions
   bool IsAxisNegative = false; ///< whether the axis was given with a minus sign
   double Grams = 0.0;          ///< mass of the hung weight (g); 0: a scale is used instead
   bool HasScale = false;
+
+  /** Whether the device is a stick or a wheel, whose first axis is x. */
+  bool IsStick() const { return this->Id.rfind("pid", 0) == 0 || this->Id.rfind("wheel", 0) == 0; }
 };
 
 /// The usage of the program, for --help.

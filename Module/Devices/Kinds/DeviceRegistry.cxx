@@ -10,6 +10,7 @@
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/Vendor/VendorKind.h"
+#include "Devices/Wheel/WheelKind.h"
 #include "Devices/WoodenHaptics/WoodenKind.h"
 #include "Devices/Xr/XrKind.h"
 
@@ -59,6 +60,9 @@ std::vector<DeviceKind> GetBuiltInKinds()
   {
     kinds.push_back(WithoutLibrary(name, "hidapi", "VolumeHaptics_USE_HIDAPI"));
   }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+  kinds.push_back(GetWheelKind());
 #endif
 #if defined(VOLUME_HAPTICS_HAS_BEAST)
   kinds.push_back(GetHaplyKind());

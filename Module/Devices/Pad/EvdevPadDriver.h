@@ -16,6 +16,7 @@
 #include "Devices/Pad/EvdevReader.h"
 #include "Devices/Pad/EvdevRumble.h"
 #include "Devices/Pad/PadLimits.h"
+#include "Devices/Transport/Evdev/EvdevNode.h"
 
 #include <cstdint>
 #include <string>
@@ -24,21 +25,21 @@
 namespace VolumeHaptics
 {
 
-/** A gamepad for which Linux has a driver, as sysfs lists it. */
-struct EvdevPad
+/** A gamepad for which Linux has a driver. */
+struct EvdevPad : public EvdevNode
 {
-  std::string Path; ///< the pad's node, such as /dev/input/event5
-  std::string Name; ///< the product's name
-  std::uint16_t Vendor = 0;
-  std::uint16_t Product = 0;
+  EvdevPad() = default;
+  EvdevPad(const EvdevNode& node, bool vibrates)
+    : EvdevNode(node)
+    , Vibrates(vibrates)
+  {
+  }
   bool Vibrates = false; ///< whether the pad's driver supports FF_RUMBLE
 
   /** Returns name and path, as the user sees them. */
   std::string GetLabel() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** Returns the obstacle and its cure for an error of open() or EVIOCGRAB. */
-  static std::string Explain(int fault);
 };
 
 /**

@@ -3,14 +3,12 @@
 #include "Devices/Pad/EvdevReader.h"
 
 #include <algorithm>
-#include <climits>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-constexpr unsigned WordBits = sizeof(long) * CHAR_BIT;
 constexpr std::uint32_t LeftTriggerButton = 1U << 30;
 constexpr std::uint32_t RightTriggerButton = 1U << 31;
 
@@ -25,39 +23,7 @@ constexpr ButtonCode Codes[] = { { BTN_SOUTH, PadSouth }, { BTN_EAST, PadEast },
   { BTN_SELECT, PadSelect }, { BTN_START, PadStart }, { BTN_THUMBL, PadLeftStick },
   { BTN_THUMBR, PadRightStick }, { BTN_MODE, PadMode } };
 
-/** Returns the value of a hexadecimal digit, or a negative number for any other character. */
-int DigitOf(char c)
-{
-  return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-}
-
 } // namespace
-
-bool HasEvdevBit(const std::string& words, unsigned bit)
-{
-  // Read from the end, because the lowest word comes last.
-  unsigned word = 0;
-  unsigned digit = 0;
-  bool isSet = false;
-  const std::size_t end = words.find_last_not_of('\n') + 1;
-  for (std::size_t i = end; i-- > 0;)
-  {
-    if (words[i] == ' ')
-    {
-      ++word;
-      digit = 0;
-      continue;
-    }
-    const int value = DigitOf(words[i]);
-    if (value < 0 || digit >= WordBits / 4)
-    {
-      return false;
-    }
-    const unsigned first = word * WordBits + 4 * digit++;
-    isSet = isSet || (bit >= first && bit < first + 4 && (value >> (bit - first) & 1) != 0);
-  }
-  return isSet;
-}
 
 void EvdevReader::SetAxis(unsigned code, const input_absinfo& axis) noexcept
 {

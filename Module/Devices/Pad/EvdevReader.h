@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A gamepad in Linux: its capabilities as sysfs writes them, and its events.
+ * The events of a gamepad in Linux.
  *
  * The codes are those of the kernel's gamepad specification (gamepad.rst of its documentation of
  * input), with triggers at Z and RZ as the drivers of Xbox and PlayStation pads have them. Pads
@@ -17,16 +17,9 @@
 #include <linux/input.h>
 
 #include <array>
-#include <string>
 
 namespace VolumeHaptics
 {
-
-/**
- * Returns whether a bit is set in a text of sysfs, such as "107030000 0 0". Such a text has words
- * of the kernel's type long in hexadecimal, the highest word first. Returns false for other texts.
- */
-bool HasEvdevBit(const std::string& words, unsigned bit);
 
 /** Processes the events of a pad and stores its state. */
 class EvdevReader

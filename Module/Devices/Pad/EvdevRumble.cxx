@@ -3,29 +3,16 @@
 #include "Devices/Pad/EvdevRumble.h"
 
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Transport/Evdev/EvdevNode.h"
 
 #include <linux/input.h>
 
 #include <cerrno>
 
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
-namespace
-{
-
-bool WriteEvent(int node, int code, int value) noexcept
-{
-  input_event event{};
-  event.type = EV_FF;
-  event.code = static_cast<__u16>(code);
-  event.value = value;
-  return write(node, &event, sizeof(event)) == static_cast<ssize_t>(sizeof(event));
-}
-
-} // namespace
 
 bool EvdevRumble::Begin(int node) noexcept
 {
@@ -33,7 +20,8 @@ bool EvdevRumble::Begin(int node) noexcept
   this->Node = node;
   int slots = 0;
   // The last program may have changed the gain. Drivers without a gain ignore this.
-  return ioctl(node, EVIOCGEFFECTS, &slots) >= 0 && slots > 0 && WriteEvent(node, FF_GAIN, 0xFFFF);
+  return ioctl(node, EVIOCGEFFECTS, &slots) >= 0 && slots > 0 &&
+    EvdevNode::SendForce(node, FF_GAIN, 0xFFFF);
 }
 
 bool EvdevRumble::Upload(const Pair& pair) noexcept
@@ -57,7 +45,7 @@ bool EvdevRumble::Upload(const Pair& pair) noexcept
 
 bool EvdevRumble::Play(bool isOn) const noexcept
 {
-  return WriteEvent(this->Node, this->Id, isOn ? 1 : 0);
+  return EvdevNode::SendForce(this->Node, this->Id, isOn ? 1 : 0);
 }
 
 bool EvdevRumble::Send(const Pair& pair) noexcept

@@ -9,5 +9,5 @@ set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceM
 # For umockdev only: a kernel of its own has its own test of permissions and its own pace, and it does not tell the
 # device that a program has closed it.
 set(umockdev_libusb_tests FalconGuard FalconGuardEnds FalconLate FalconPermission FalconTries)
-set(umockdev_evdev_tests Pad PadFault)
+set(umockdev_evdev_tests Pad PadFault Wheel)
 set(umockdev_hidapi_tests DualSense PidStuck PidTime)

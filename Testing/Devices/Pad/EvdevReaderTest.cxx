@@ -7,6 +7,7 @@
  */
 
 #include "Devices/Pad/EvdevReader.h"
+#include "Devices/Transport/Evdev/EvdevNode.h"
 
 #include <gtest/gtest.h>
 
