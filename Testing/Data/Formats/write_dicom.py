@@ -126,6 +126,17 @@ def signed(folder):
     return save_all(folder, slices(GRID, intercept=0.0, signed=True))
 
 
+@case("dicom-ybr-full-422", source="pydicom's SC_ybr_full_422_uncompressed.dcm: PS3.3 C.7.6.3.1.2, two pixels share differences",
+      scale=0.2, offset=210.0, tolerance=1.6, told=("colours: their brightness is used",), options=("--preset", "histogram"))
+def ybr_full_422(folder):
+    sets = slices(GRID, sampled=np.round(0.2 * GRID.sample(float) + 210.0), intercept=0.0, bits=8)
+    for data in sets:
+        luminance = np.frombuffer(data.PixelData, np.uint8).reshape(-1, 2)
+        data.PixelData = np.concatenate([luminance, np.full_like(luminance, 128)], axis=1).tobytes()
+        data.SamplesPerPixel, data.PlanarConfiguration, data.PhotometricInterpretation = 3, 0, "YBR_FULL_422"
+    return save_all(folder, sets)
+
+
 @case("dicom-no-suffix")
 def no_suffix(folder):
     for k, data in enumerate(slices(GRID)):

@@ -258,6 +258,7 @@ void ReadValue(
       break;
     case 0x00280004:
       header.IsYbr = TrimValue(value) == "YBR_FULL";
+      header.IsHalved = TrimValue(value) == "YBR_FULL_422";
       break;
     case 0x00280008:
       header.Frames = ReadWhole(value, 1);
@@ -521,8 +522,9 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
   header.Frames = std::max(header.Frames, 1);
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
   // The parts of compressed pixels have no common length.
-  header.IsWhole =
-    answer.AreItems != 0 ? answer.AreItemsWhole != 0 : answer.PixelLength >= header.GetSizeOfAll();
+  header.IsWhole = answer.AreItems != 0 ? answer.AreItemsWhole != 0
+                                        : answer.PixelLength >=
+      (header.IsHalved ? header.GetSizeOfAll() / 3 * 2 : header.GetSizeOfAll());
   reader.Orient();
   return true;
 }
@@ -534,7 +536,7 @@ bool DicomHeader::IsPlain() const
 {
   const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
     this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
-  return isPlain &&
+  return isPlain && !this->IsHalved &&
     (this->Bits == 1 || this->Bits == 8 || this->Bits == 16 || this->Bits == 32 || this->IsFloat);
 }
 

@@ -68,6 +68,7 @@ struct DicomHeader
   bool ArePlanes = false; // whether the samples of each colour are stored together
   // whether colours are stored as luminance and two differences (YBR_FULL) instead of RGB
   bool IsYbr = false;
+  bool IsHalved = false;    // whether two pixels share their differences (YBR_FULL_422)
   int Bits = 0, Stored = 0; // bits of a sample in the file, and the number of those that are used
   bool IsSigned = false;
   bool IsFloat = false;
