@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Common/HardwareDevice.h"
 
+#include "Core/Realtime/CrashGuard.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/DeviceTexts.h"
 
@@ -169,6 +170,9 @@ void HardwareDevice::Run()
 {
   ServoClock::BlockSignals();
   this->Priority->Raise();
+  const CrashGuard guard([](void* driver) noexcept
+    { static_cast<HardwareDriver*>(driver)->SendLastZero(); },
+    this->Driver.get());
   try
   {
     this->Driver->ServeUntilStop(this->Exchange);

@@ -120,6 +120,12 @@ public:
    * homed if it has to be, and gives no force before the user arms it again.
    */
   void ServeUntilStop(HardwareExchange& exchange);
+  /**
+   * Sends zero force after the device's thread has crashed somewhere in Serve(). The handler of the
+   * crash calls it on this thread, so it must only use system calls, neither locks nor memory from
+   * the heap. Does nothing if the device is reached through a library that needs these.
+   */
+  virtual void SendLastZero() noexcept {}
   /** Releases the device. Called after Serve(). */
   virtual void Disconnect() noexcept = 0;
 

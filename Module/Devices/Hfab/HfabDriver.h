@@ -74,6 +74,7 @@ public:
   bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
     std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
+  void SendLastZero() noexcept override { this->Rest(); }
   void Disconnect() noexcept override;
 
   /** Lists the ports of boards that may be controllers. */

@@ -65,6 +65,7 @@ public:
   bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
     std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
+  void SendLastZero() noexcept override { this->Rumble.Silence(); }
   void Disconnect() noexcept override;
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Device/HapticSignals.h"
 
+#include "Core/Realtime/CrashGuard.h"
 #include "Core/Realtime/PerProcess.h"
 #include "VTK/Device/ServoThreads.h"
 
@@ -23,7 +24,6 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -317,6 +317,7 @@ extern "C" void OnCrash(int number, siginfo_t* info, void*)
   const int keep = errno;
   GuardedSignal& signal = FindSignal(number);
   const int count = signal.CountBefore();
+  CrashGuard::RunAct(); // first, because a device's thread does not answer the watcher any more
   QuenchByWatcher();
   signal.PutBack(count);
   if (!ComesAgain(number, *info))
@@ -397,57 +398,10 @@ void StartWatching()
   }
 }
 
-/**
- * Sets an alternate stack for the thread while this lives, if it has none: without one, no handler
- * could run after a stack overflow.
- */
-class AlternateStack
-{
-public:
-  AlternateStack()
-  {
-    stack_t now{};
-    if (sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0)
-    {
-      return;
-    }
-    this->Size = 1 << 16;
-#if defined(_SC_MINSIGSTKSZ)
-    this->Size += static_cast<std::size_t>(std::max(0L, sysconf(_SC_MINSIGSTKSZ)));
-#endif
-    this->Memory =
-      mmap(nullptr, this->Size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (this->Memory != MAP_FAILED)
-    {
-      stack_t mine{};
-      mine.ss_sp = this->Memory;
-      mine.ss_size = this->Size;
-      sigaltstack(&mine, nullptr);
-    }
-  }
-  ~AlternateStack()
-  {
-    stack_t now{};
-    if (this->Memory != MAP_FAILED && sigaltstack(nullptr, &now) == 0 && now.ss_sp == this->Memory)
-    {
-      stack_t none{};
-      none.ss_flags = SS_DISABLE;
-      sigaltstack(&none, nullptr);
-      munmap(this->Memory, this->Size);
-    }
-  }
-  AlternateStack(const AlternateStack&) = delete;
-  AlternateStack& operator=(const AlternateStack&) = delete;
-
-private:
-  void* Memory = MAP_FAILED;
-  std::size_t Size = 0;
-};
-
 void PrepareThread()
 {
-  static thread_local const AlternateStack stack;
-  static_cast<void>(stack);
+  static thread_local const CrashGuard guard;
+  static_cast<void>(guard);
 }
 
 #endif
@@ -456,6 +410,7 @@ std::terminate_handler BeforeTerminate = nullptr;
 
 [[noreturn]] void OnTerminate() noexcept
 {
+  CrashGuard::RunAct();
   QuenchByWatcher();
   if (BeforeTerminate)
   {

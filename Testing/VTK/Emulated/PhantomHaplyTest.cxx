@@ -7,7 +7,7 @@
  */
 
 #include "Emulators/HaplyService.h"
-#include "PhantomRig.h"
+#include "OverflowRig.h"
 
 #include <filesystem>
 #include <fstream>
@@ -151,4 +151,15 @@ TEST_F(PhantomHaply, TheFirstArmingIsGentle)
   memory << std::ifstream(this->Memory).rdbuf();
   EXPECT_NE(memory.str().find("haply:049D confirmed=20"), std::string::npos) << memory.str();
   ASSERT_NO_FATAL_FAILURE(this->Press());
+}
+
+TEST_F(PhantomHaply, AStackThatOverflowsLeavesNoForce)
+{
+  EXPECT_EQ(OverflowDeviceThread(this->Hand, "haply",
+              [this](bool isIn) {
+                this->Service->SetGoal({ 0.0, isIn ? Depth : -0.01, 0.0 });
+              }),
+    SIGSEGV);
+  EXPECT_TRUE(Eventually([&] { return Length(this->Service->GetForce().data()) == 0.0; }))
+    << Length(this->Service->GetForce().data());
 }

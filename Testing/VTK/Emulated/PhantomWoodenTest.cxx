@@ -7,12 +7,14 @@
 
 #include "Emulators/EmulatedHid.h"
 #include "Emulators/WoodenModel.h"
-#include "PhantomRig.h"
+#include "OverflowRig.h"
 
 using namespace emulated;
 
 namespace
 {
+volatile std::sig_atomic_t HasOverflowed = 0;
+
 class PhantomWooden : public testing::Test
 {
 protected:
@@ -95,4 +97,29 @@ TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
     EXPECT_TRUE(this->Hand.WaitTicks(100));
     EXPECT_EQ(Length(this->Device->GetState()->GetForce()), 0.0);
   }
+}
+
+TEST_F(PhantomWooden, AStackThatOverflowsLeavesNoForce)
+{
+  // The handler that was there before ends the thread alone, so that the test goes on.
+  struct sigaction end = {};
+  end.sa_handler = [](int)
+  {
+    HasOverflowed = 1;
+    syscall(SYS_exit, 0);
+  };
+  end.sa_flags = SA_ONSTACK;
+  sigaction(SIGSEGV, &end, nullptr);
+  std::signal(SIGTRAP, [](int) { std::_Exit(Overflow(0)); });
+  const std::set<int> before = ListThreads();
+  ASSERT_TRUE(this->Device->Open("wooden"));
+  const int thread = FindNewThread(before);
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_NO_FATAL_FAILURE(this->CalibrateAndPress());
+  ASSERT_GT(Length(this->Arm.GetForce().data()), 0.0);
+  syscall(SYS_tgkill, getpid(), thread, SIGTRAP);
+  ASSERT_TRUE(Eventually([] { return HasOverflowed != 0; }));
+  // It has no time, and so no watchdog, without packets.
+  EXPECT_TRUE(Eventually([this] { return Length(this->Arm.GetForce().data()) == 0.0; }))
+    << Length(this->Arm.GetForce().data());
 }

@@ -38,6 +38,15 @@ HidClaim::Answer HidClaim::Own(const std::string& path) noexcept
   return Answer::Held;
 }
 
+bool HidClaim::Write(const std::uint8_t* report, std::size_t size) const noexcept
+{
+#if defined(__linux__)
+  return write(this->Descriptor, report, size) == static_cast<ssize_t>(size);
+#else
+  return report == nullptr && size == 0;
+#endif
+}
+
 void HidClaim::Release() noexcept
 {
 #if defined(__linux__)

@@ -11,6 +11,7 @@
 #ifndef HidClaim_h
 #define HidClaim_h
 
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -44,6 +45,8 @@ public:
 
   Answer Own(const std::string& path) noexcept;
   void Release() noexcept;
+  /** Writes a report by a system call alone. Returns false if the device refuses it. */
+  bool Write(const std::uint8_t* report, std::size_t size) const noexcept;
 
 private:
   int Descriptor = -1;

@@ -97,6 +97,12 @@ bool HidDriver::Reconnect(
   return false;
 }
 
+void HidDriver::SendLastZero() noexcept
+{
+  this->Port.WriteByClaim();
+  this->Rest();
+}
+
 void HidDriver::Serve(HardwareExchange& exchange)
 {
   /** Ends the force, even if an exception is thrown. */

@@ -32,6 +32,7 @@ public:
   void Serve(HardwareExchange& exchange) final;
   bool Reconnect(
     const std::string& identity, const std::function<bool()>& mustStop, std::string& error) final;
+  void SendLastZero() noexcept final;
   void Disconnect() noexcept final { this->Port.Close(); }
   bool KeepsIdentity() const final { return this->Info.KeepsIdentity(); }
 

@@ -112,7 +112,11 @@ bool HidPort::Send(F&& send) noexcept
 bool HidPort::Write(const std::uint8_t* report, std::size_t size) noexcept
 {
   return this->Send(
-    [&] { return hid_write(this->Device, report, size) == static_cast<int>(size); });
+    [&]
+    {
+      return this->WritesByClaim ? this->Claim.Write(report, size)
+                                 : hid_write(this->Device, report, size) == static_cast<int>(size);
+    });
 }
 
 bool HidPort::SendFeature(const std::uint8_t* report, std::size_t size) noexcept

@@ -54,6 +54,11 @@ public:
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
+   * Makes Write() a system call, without the library, which may take memory. For a handler of a
+   * crash.
+   */
+  void WriteByClaim() noexcept { this->WritesByClaim = true; }
+  /**
    * Allows reports to be sent again. After the kernel has waited in vain for the device to accept a
    * report, no more reports are sent until this call: each would wait as long, and the device's own
    * watchdog has already ended its force.
@@ -74,6 +79,7 @@ private:
   HidClaim Claim;
   bool InUse = false;
   bool Stuck = false;
+  bool WritesByClaim = false;
 };
 
 } // namespace VolumeHaptics

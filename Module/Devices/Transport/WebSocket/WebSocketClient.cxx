@@ -160,15 +160,27 @@ public:
     }
     this->LastWord = std::move(frame);
   }
-  /** Writes the last word, once, if no frame is half written and the socket takes it at once. */
-  void WriteLastWord()
+  /**
+   * Writes the last word, once, if the socket takes it at once. Called between two frames, or in a
+   * handler of a crash, where a frame is nearly always written as a whole.
+   */
+  void WriteLastWord() noexcept
   {
-    if (!this->LastWord.empty() && this->FrameLeft == 0)
+    if (!this->LastWord.empty())
     {
       error_code ignored;
       this->Tcp.socket().non_blocking(true, ignored);
       this->Tcp.socket().send(asio::buffer(this->LastWord), 0, ignored);
       this->LastWord.clear();
+    }
+  }
+
+  /** Writes the last word unless a frame is half written. */
+  void EndFrames() noexcept
+  {
+    if (this->FrameLeft == 0)
+    {
+      this->WriteLastWord();
     }
   }
 
@@ -210,7 +222,7 @@ public:
   template <typename Handler>
   friend void async_teardown(beast::role_type role, LastWordStream& stream, Handler&& handler)
   {
-    stream.WriteLastWord();
+    stream.EndFrames();
     beast::async_teardown(role, stream.Tcp, std::forward<Handler>(handler));
   }
 
@@ -261,7 +273,7 @@ struct WebSocketClient::Connection
         if (error)
         {
           this->IsClosed = true;
-          this->Stream.next_layer().WriteLastWord(); // the service may have ended its half only
+          this->Stream.next_layer().EndFrames(); // the service may have ended its half only
         }
       });
   }
@@ -328,6 +340,14 @@ void WebSocketClient::SetLastWord(const std::string& text)
   if (this->IsOpen())
   {
     this->Link->Stream.next_layer().SetLastWord(text);
+  }
+}
+
+void WebSocketClient::WriteLastWord() noexcept
+{
+  if (this->IsOpen())
+  {
+    this->Link->Stream.next_layer().WriteLastWord();
   }
 }
 

@@ -54,6 +54,8 @@ public:
    * if the socket takes it then: the service closes it, breaks the protocol, or Close() is called.
    */
   void SetLastWord(const std::string& text);
+  /** Sends this text now, if the socket takes it at once. A handler of a crash may call it. */
+  void WriteLastWord() noexcept;
   /**
    * Receives the next message that comes before `until`, a time of ServoClock, or one that has
    * already come.
