@@ -117,7 +117,8 @@ const std::vector<Preset>& Presets()
     // A hand meets fat only from outside, where it lies under skin: so fat has the stiffness of
     // both together. So have the half-filled voxels of the skin, and voxels of skin, fat and muscle
     // with the values of fluid; their friction is that of skin, for a finger that leaves a slope.
-    // The skin's values reach 37 HU in a head CT, so the stiffness of organs begins above that.
+    // Just under the skin of a head CT the values reach 37 HU, so the stiffness of organs begins
+    // above that, and at 37 HU a finger that leaves a slope still feels 0.1 N.
     // Values without surface strength have the stiffness of an organ, so that springs begin without
     // slack.
     { "CT physical",
@@ -127,7 +128,8 @@ const std::vector<Preset>& Presets()
         { "skin", -500, -200, 53, 0.46, 0.02, 0.30 },
         { "fat under skin", -150, -30, 53, 0.46, 0.02, 0.30 },
         { "fluid", -10, 15, 53, 0.46, 0.02, 0.30 },
-        { "muscle, organ", 40, 80, 28, 0.46, 0.03, 0.40 },
+        { "skin, brain", 20, 27, 53, 0.46, 0.02, 0.30 },
+        { "muscle, organ", 47, 80, 28, 0.46, 0.03, 0.40 },
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
