@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Middle = 31.3; // voxels: the edges stand here
 constexpr double Radius = 2.0;  // voxels
-constexpr double Tolerance = 0.025;
+constexpr double Tolerance = 0.01;
 
 double Phi(double x)
 {

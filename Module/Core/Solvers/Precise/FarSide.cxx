@@ -29,7 +29,10 @@ struct Walk
   /** Rise of V along the gradient in this step; before the first step, the gradient's rise. */
   double Rise;
   double Weight = 1.0;
-  double Change = 0.0; ///< change of V in this step
+  /** Rise at the place where the walk ends, as a fraction of the largest one. */
+  double EndRise = 0.0;
+  double EndRiseInValley = 0.0; ///< EndRise at the smallest rise since the largest one
+  double Change = 0.0;          ///< change of V in this step
   double Largest = 0.0;
   double LargestBefore = 0.0; ///< largest rise before this step
   double First = 0.0;         ///< rise of the first step
@@ -94,11 +97,18 @@ struct Walk
       std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
     const double before =
       1.0 - SmoothStep(FarSide::Rise, FarSide::NextEdge, (hill - this->Smallest) * inverseOfMost);
+    const double relative = std::max(this->Rise * inverseOfMost, 0.0);
+    const double goesOn = SmoothStep(FarSide::Flat, FarSide::Steep, relative);
     this->Far = this->Valley + before * (this->Far - this->Valley);
-    this->Weight *= before * SmoothStep(FarSide::Flat, FarSide::Steep, this->Rise * inverseOfMost);
-    this->Far += this->Weight * this->Change;
+    this->EndRise = this->EndRiseInValley + before * (this->EndRise - this->EndRiseInValley);
+    this->Weight *= before;
+    const double ends = this->Weight * (1.0 - goesOn);
+    this->Weight *= goesOn;
+    this->Far += (this->Weight + (relative > 0.0 ? 0.5 * ends : 0.0)) * this->Change;
+    this->EndRise += ends * relative;
     this->Smallest = isLargest ? this->Rise : this->Smallest;
     this->Valley = isValley ? this->Far : this->Valley;
+    this->EndRiseInValley = isValley ? this->EndRise : this->EndRiseInValley;
   }
 };
 
@@ -166,7 +176,9 @@ FarValues MeasureFarSide(const FieldAtTime& field, const Vector3& index, const V
   behind.AddRest();
   const double evenness = ComputeEvenness(ahead, behind, 2.0 * part * rise);
   const auto finite = [start](double far) { return std::isfinite(far) ? far : start; };
-  return { finite(ahead.Far), finite(behind.Far), evenness };
+  const double tail = FarSide::Tail * (ahead.Far - behind.Far);
+  return { finite(ahead.Far + ahead.EndRise * tail), finite(behind.Far - behind.EndRise * tail),
+    evenness };
 }
 
 } // namespace VolumeHaptics

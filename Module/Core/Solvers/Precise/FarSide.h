@@ -20,15 +20,19 @@
  * if x_p is on the flank of an edge, of the other side. The value F of a side begins with F_0 =
  * V(x_p) and changes by
  *
- *   F_j = F_l + v_j (F_j-1 - F_l) + w_j (V_j - V_j-1),   w_j = w_j-1 v_j u_j,   w_0 = 1.
+ *   F_j = F_l + v_j (F_j-1 - F_l) + (w_j + e_j/2) (V_j - V_j-1),
+ *   w_j = w_j-1 v_j u_j,   e_j = w_j-1 v_j (1 - u_j),   w_0 = 1.
  *
  * u_j rises smoothly from 0, at a_j/m = FarSide::Flat, to 1 at FarSide::Steep: the walk ends where
  * the ramp is flat. v_j falls from 1, at (h_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
  * another edge begins, steeper or not, F is the value between the two edges, so that the skull is
  * not read through the scalp, even if the scalp is too thin for a plateau. On an edge that is
  * blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2) F is the plateau's value
- * within 2.5 % of the edge's height. At the border of the volume the walk of a side stops, as if V
- * continued in the same way outside: a ramp that is even up to the border counts as even.
+ * within 1 % of the edge's height. This includes the tail of the edge behind the end of the walk:
+ * on a Gaussian edge of height H, it is FarSide::Tail H a_j/m behind the middle of step j, so that
+ * F gets the mean of this for the steps in which the walk ends, whose weights are e_j. At the
+ * border of the volume the walk of a side stops, as if V continued in the same way outside: a ramp
+ * that is even up to the border counts as even.
  *
  * An even ramp has no edge. There the values are the kernel's, at a radius to both sides of each
  * position, as if MaterialPlacement were Kernel. The whole walk measures how even a ramp is:
@@ -81,6 +85,12 @@ constexpr double Steep = 0.12;
 constexpr double Rise = 0.05;
 constexpr double NextEdge = 0.2;
 ///@}
+/**
+ * Tail of a Gaussian edge behind a place, per height of the edge and per relative slope q at this
+ * place: (1 - Phi(z))/q with q = exp(-z^2/2). It is 0.13 for q = FarSide::Flat, and 0.16 for
+ * FarSide::Steep.
+ */
+constexpr double Tail = 0.15;
 ///@{
 /** Lengths of the proxy's path along a surface in voxels. */
 constexpr double PathLength = 2.5;
