@@ -76,8 +76,8 @@ done < <(find "$root/Testing/Core" "$root/Testing/Devices" -name '*Test.cxx' | s
 # Each suite runs in a process of its own. Wine wakes a thread each millisecond at most, so that fast loops take long.
 passed=0
 mkdir -p "$folder/results"
-for program in "$build"/bin/*Test.exe; do
-  name=$(basename "$program" .exe)
+while IFS= read -r name; do
+  program=$build/bin/$name.exe
   count=0
   while IFS= read -r suite; do
     result=$folder/results/$name.${suite//\//-}txt
@@ -88,7 +88,7 @@ for program in "$build"/bin/*Test.exe; do
   done < <("$wine" "$program" --gtest_list_tests 2>&1 | tr -d '\r' | grep -E '^[A-Za-z].*\.' | sed 's/ .*//')
   echo "$name: $count passed"
   passed=$((passed + count))
-done
+done < <(ninja -C "$build" -t targets all | sed -nE 's#^bin/([A-Za-z]+Test)[.]exe: .*#\1#p' | sort)
 for text in ${failed[@]+"${failed[@]}"}; do
   echo "Failed: $text"
 done

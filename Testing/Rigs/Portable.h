@@ -20,13 +20,15 @@
 #endif
 
 #if defined(_WIN32)
+/// Names and values are UTF-8.
 inline int setenv(const char* name, const char* value, int)
 {
-  return _putenv_s(name, value);
+  const std::string text = std::string(name) + "=" + value;
+  return _wputenv(std::filesystem::u8path(text).c_str());
 }
 inline int unsetenv(const char* name)
 {
-  return _putenv_s(name, "");
+  return setenv(name, "", 1);
 }
 #endif
 
