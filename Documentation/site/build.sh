@@ -22,7 +22,7 @@ cd "$root"
 source CMake/install-packages.sh
 require_packages cmake doxygen python3 python3-venv
 
-packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1 sphinx-gallery==0.22.1)
+packages=(--require-hashes -r Documentation/site/requirements.txt)
 python=build/site-python
 wheels=build/site-wheels
 if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme, sphinx_gallery' 2> /dev/null; then

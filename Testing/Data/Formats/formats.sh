@@ -21,7 +21,7 @@ flock $lock
 if ! cmp -s "$here/requirements.txt" "$libraries/requirements.txt"; then
   rm -rf "$libraries"
   python3 -m venv "$libraries"
-  if ! "$libraries/bin/pip" install -q -r "$here/requirements.txt"; then
+  if ! "$libraries/bin/pip" install -q --require-hashes -r "$here/requirements.txt"; then
     echo "SKIPPED: pip did not install the writers of the files, as it says above"
     exit 77
   fi
