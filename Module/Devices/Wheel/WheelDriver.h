@@ -52,6 +52,7 @@ public:
   bool Reconnect(const std::string& identity, const std::function<bool()>& mustStop,
     std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
+  void SendLastZero() noexcept override { this->Rest(); }
   void Disconnect() noexcept override;
 
   static std::string MakeIdentity(const EvdevNode& node);
