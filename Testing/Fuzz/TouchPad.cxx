@@ -6,6 +6,7 @@
 #include "Devices/Pad/DualSense.h"
 #include "Devices/Pad/EvdevReader.h"
 #include "Devices/Pad/Vibration.h"
+#include "Devices/Transport/Evdev/EvdevNode.h"
 
 #include <climits>
 #include <cmath>
