@@ -195,19 +195,25 @@ Vector3 FindFirstResistance(
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {
   const double step = reader.ComputeStep(needle.Axis);
-  const int most = static_cast<int>(std::min(pushed / step, MostBack));
+  const double most = std::min(pushed, MostBack * step);
   const Vector3 tip = needle.Entry;
-  int back = 0;
-  while (back < most && reader.At(tip - (back + 1) * step * needle.Axis).Resists())
+  const auto behind = [&](double length) { return tip - length * needle.Axis; };
+  double back = 0.0;
+  for (bool resists = true; resists && back < most;)
   {
-    ++back;
+    const double further = std::min(back + step, most);
+    resists = reader.At(behind(further)).Resists();
+    back = resists
+      ? further
+      : Dot(tip - FindFirstResistance(reader, behind(further), behind(back)), needle.Axis);
   }
-  needle.Entry = tip - back * step * needle.Axis;
-  needle.Depth = needle.Deepest = back * step;
-  for (int i = 0; i <= back; ++i)
+  needle.Entry = behind(back);
+  needle.Depth = needle.Deepest = back;
+  for (double depth = 0.0; depth < back + step; depth += step)
   {
-    const NeedleTissue tissue = reader.At(needle.Entry + i * step * needle.Axis);
-    needle.Track.Append(i * step, tissue.Shaft, tissue.Label);
+    const double at = std::min(depth, back);
+    const NeedleTissue tissue = reader.At(behind(back - at));
+    needle.Track.Append(at, tissue.Shaft, tissue.Label);
   }
 }
 
