@@ -594,11 +594,31 @@ def blanked_cells_of_cell_data_in_front_of_the_wall():
     return blanked(s, 5, s.data.AllocateCellGhostArray(), 32)
 
 
-@felt(15.0)
-def other_flags_of_cells():
+@felt(14.0)
+def points_with_another_flag():
+    """The mapper hides what has any flag, as DUPLICATEPOINT."""
+    s = gpu_mapper()
+    return blanked(s, 14, s.data.AllocatePointGhostArray(), 1)
+
+
+@felt(14.0)
+def cells_with_another_flag():
+    """REFINEDCELL."""
+    s = gpu_mapper()
+    return blanked(s, 14, s.data.AllocateCellGhostArray(), 8)
+
+
+@felt(18.5 if vtkVersion().GetVTKVersion() >= "9.2" else 15.0)
+def cells_of_cell_data_with_another_flag():
     """HIGHCONNECTIVITYCELL is the number of HIDDENPOINT."""
     s = cell_data()
     return blanked(s, 18, s.data.AllocateCellGhostArray(), 2)
+
+
+@felt(8.0)
+def points_with_another_flag_that_cpu_draws():
+    s = cpu_mapper()
+    return blanked(s, 14, s.data.AllocatePointGhostArray(), 1)
 
 
 @felt(8.0)

@@ -13,6 +13,7 @@ from TestShownAndFelt import (
     blanked_cells,
     blanked_points,
     blanked_points_that_cpu_draws,
+    cells_with_another_flag,
     clipped,
     components,
     cropped,
@@ -23,6 +24,7 @@ from TestShownAndFelt import (
     look,
     mask_behind_the_wall,
     one_component_with_opacity,
+    points_with_another_flag,
     rectilinear_grid,
     set_up,
     step,
@@ -191,6 +193,11 @@ for row in (clipped, cropped, mask_behind_the_wall, label_without_opacity, label
       lambda s: s.data.GetPointData().RemoveArray("vtkGhostType"))
 def _():
     return unfollowed(blanked_points_that_cpu_draws())
+
+
+for row in (points_with_another_flag, cells_with_another_flag):
+    told("hides points or cells by flags other than those of blanked ones (array vtkGhostType), but they are still felt",
+         follow)(lambda row=row: unfollowed(row()))
 
 
 def resampled(s):

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace VolumeHaptics
@@ -102,6 +103,9 @@ const Difference Differences[] = {
   { 16384,
     "It is moved, turned or scaled in the scene, but its data are no image and felt where they "
     "are. Cure: vtkResampleToImage as the input of the mapper." },
+  { 32768,
+    "Its mapper hides points or cells by flags other than those of blanked ones (array "
+    "vtkGhostType), but they are still felt. Cure: TouchVolume() of the interactor style." },
 };
 
 /** Whether corners of an image have different positions in the scene and in the felt image. */
@@ -336,13 +340,14 @@ unsigned int HapticShownVolumes::DetectDifferences(const DrawnVolume& drawn, vtk
   const bool isMagnitude = HasMagnitude(drawn.Mapper) && hasComponents;
   const bool isCropped = mapper && shown && IsCropped(mapper, shown);
   const bool isClipped = IsClipped(drawn.Mapper, volume);
+  const bool hides = HidesBlanked(drawn.Mapper, areCells);
   const bool isTrue[] = { shown && !areCells && IsPlacedElsewhere(drawn.Matrix, shown, image),
     isCropped && !FeelsCropping(filter, mapper, shown, image),
     isClipped && !FeelsClipping(filter, drawn.Mapper),
     mask && !(isFollowed && !areCells && shown && IsMaskOf(mask, shown)) &&
       !FeelsMask(filter, drawn.Mapper),
     HasTransferFunction2D(property),
-    shown && !isFollowed && !HidesBlanked(drawn.Mapper, areCells) && this->HasBlanks(shown, false),
+    shown && !isFollowed && !hides && this->HasBlanks(shown, false, false),
     array && shown && !isPicture && !areCells && !FeelsArray(filter, array),
     hasComponents && !isMagnitude &&
       ChooseDrawnComponent(drawn.Mapper, property, array, felt) != felt,
@@ -351,9 +356,10 @@ unsigned int HapticShownVolumes::DetectDifferences(const DrawnVolume& drawn, vtk
     isFollowed && shown && !isIso && !mapper->GetCropping() && this->IsFull(image, filter),
     isFollowed && !filter->GetFeelCutFaces() &&
       (isCropped || isClipped ||
-        (shown &&
-          (mask || (HidesBlanked(drawn.Mapper, areCells) && this->HasBlanks(shown, areCells))))),
-    !shown && !drawn.Matrix->IsIdentity() };
+        (shown && (mask || (hides && this->HasBlanks(shown, areCells, true))))),
+    !shown && !drawn.Matrix->IsIdentity(),
+    shown && !isFollowed && !areCells && hides && this->HasBlanks(shown, false, true) &&
+      !this->HasBlanks(shown, false, false) };
   static_assert(std::size(isTrue) == std::size(Differences));
   unsigned int differences = 0;
   for (std::size_t i = 0; i < std::size(Differences); ++i)
@@ -387,29 +393,24 @@ bool HapticShownVolumes::IsFull(vtkImageData* image, vtkVolumeHapticsFilter* fil
   return this->LastFilled.IsTrue;
 }
 
-bool HapticShownVolumes::HasBlanks(vtkImageData* image, bool areCells)
+bool HapticShownVolumes::HasBlanks(vtkImageData* image, bool areCells, bool byAnyFlag)
 {
+  const auto hasFlag = [this, byAnyFlag](vtkUnsignedCharArray* ghosts, int hidden, Blanks& last)
+  {
+    if (ghosts && (last.Ghosts != ghosts || last.Time != ghosts->GetMTime()))
+    {
+      const unsigned char* const flags = ghosts->GetPointer(0);
+      last.Flags = std::accumulate(
+        flags, flags + ghosts->GetNumberOfValues(), 0, [](int all, int one) { return all | one; });
+      last.Ghosts = ghosts;
+      last.Time = ghosts->GetMTime();
+    }
+    return ghosts && (byAnyFlag ? last.Flags : last.Flags & hidden) != 0;
+  };
   return (!areCells &&
-           this->HasBlanks(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, 0)) ||
-    this->HasBlanks(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, 1);
-}
-
-bool HapticShownVolumes::HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which)
-{
-  Blanks& last = this->Last[which];
-  if (!ghosts)
-  {
-    return false;
-  }
-  if (last.Ghosts != ghosts || last.Time != ghosts->GetMTime())
-  {
-    const unsigned char* const flags = ghosts->GetPointer(0);
-    last.HasAny = std::any_of(flags, flags + ghosts->GetNumberOfValues(),
-      [hidden](unsigned char flag) { return (flag & hidden) != 0; });
-    last.Ghosts = ghosts;
-    last.Time = ghosts->GetMTime();
-  }
-  return last.HasAny;
+           hasFlag(
+             image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, this->Last[0])) ||
+    hasFlag(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, this->Last[1]);
 }
 
 } // namespace VolumeHaptics

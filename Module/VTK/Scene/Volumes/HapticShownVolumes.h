@@ -54,11 +54,10 @@ private:
     vtkVolumeHapticsFilter* filter, const HapticShownTimeSteps& pictures,
     const CarvedPictures& carved, vtkVolume* followed);
   /**
-   * Return whether the drawn data have blanked cells, or, if points are drawn, blanked points or
-   * cells.
+   * Returns whether the drawn data have blanked cells, or, if points are drawn, blanked points or
+   * cells. With `byAnyFlag`, those with any other flag count, too.
    */
-  bool HasBlanks(vtkImageData* image, bool areCells);
-  bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
+  bool HasBlanks(vtkImageData* image, bool areCells, bool byAnyFlag);
   /** Whether the followed volume is opaque up to all faces of its image. */
   bool IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
@@ -67,12 +66,9 @@ private:
   {
     vtkWeakPointer<vtkUnsignedCharArray> Ghosts;
     vtkMTimeType Time = 0;
-    bool HasAny = false;
+    int Flags = 0;
   };
-  /**
-   * for points and for cells: whether there are blanks; stored, because finding out takes a pass
-   * over the image
-   */
+  /** All flags of points and of cells; stored, because finding out takes a pass over the image. */
   Blanks Last[2];
   struct Filled
   {

@@ -33,6 +33,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace VolumeHaptics
@@ -45,8 +46,7 @@ enum Kind
   Nothing,
   Binary,
   Labels,
-  Isosurfaces,
-  Cells
+  Isosurfaces
 };
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
@@ -209,40 +209,44 @@ bool DrawnVoxels::Source::operator==(const Source& other) const
     this->Time == other.Time && this->Kind == other.Kind && this->Component == other.Component;
 }
 
-vtkUnsignedCharArray* DrawnVoxels::ComputeCells(const DrawnImage& drawn)
+vtkUnsignedCharArray* MapperFlags::Get(vtkUnsignedCharArray* own, unsigned char hidden, bool isRead)
 {
-  vtkUnsignedCharArray* const own = drawn.Image->GetCellGhostArray();
-  Source now;
-  if (own && HidesBlanked(drawn.Mapper, true))
+  const vtkMTimeType time = own ? own->GetMTime() : 0;
+  if (std::exchange(this->Own, own) != own || std::exchange(this->Time, time) != time)
   {
-    now.Kind = Cells;
-    now.Own = own;
-    now.Time = own->GetMTime();
-  }
-  if (!(now == this->From))
-  {
-    this->From = now;
     this->Flags = nullptr;
-  }
-  this->HasOpacity = false;
-  if (now.Kind == Cells && !this->Flags)
-  {
-    this->Flags = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    this->Flags->SetName(vtkDataSetAttributes::GhostArrayName());
-    this->Flags->SetNumberOfValues(own->GetNumberOfValues());
-    std::transform(own->GetPointer(0), own->GetPointer(0) + own->GetNumberOfValues(),
-      this->Flags->GetPointer(0),
-      [](unsigned char flag) -> unsigned char
-      { return (flag & vtkDataSetAttributes::HIDDENCELL) != 0 ? Hidden : 0; });
+    const unsigned char* const begin = own ? own->GetPointer(0) : nullptr;
+    const unsigned char* const end = own ? begin + own->GetNumberOfValues() : nullptr;
+    if (std::any_of(begin, end,
+          [hidden, isRead](unsigned char flag)
+          { return flag != 0 && !(isRead && (flag & hidden) != 0); }))
+    {
+      this->Flags = vtkSmartPointer<vtkUnsignedCharArray>::New();
+      this->Flags->SetName(vtkDataSetAttributes::GhostArrayName());
+      this->Flags->SetNumberOfValues(own->GetNumberOfValues());
+      std::transform(begin, end, this->Flags->GetPointer(0),
+        [hidden](unsigned char flag) { return flag != 0 ? hidden : flag; });
+    }
   }
   return this->Flags;
+}
+
+vtkUnsignedCharArray* DrawnVoxels::GetCells(const DrawnImage& drawn)
+{
+  const bool hides = !drawn.AreCells && HidesBlanked(drawn.Mapper, false);
+  return hides
+    ? this->Cells.Get(drawn.Image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, true)
+    : nullptr;
 }
 
 vtkUnsignedCharArray* DrawnVoxels::Get(const DrawnImage& drawn)
 {
   if (drawn.AreCells)
   {
-    return this->ComputeCells(drawn);
+    this->HasOpacity = false;
+    return HidesBlanked(drawn.Mapper, true)
+      ? this->Cells.Get(drawn.Image->GetCellGhostArray(), Hidden, false)
+      : nullptr;
   }
   vtkImageData* const binary = GetBinaryMask(drawn.Mapper);
   vtkImageData* const labels = GetOpacityMask(drawn.Mapper, drawn.Property);
@@ -277,7 +281,7 @@ vtkUnsignedCharArray* DrawnVoxels::Get(const DrawnImage& drawn)
   {
     this->From = now;
     this->Flags = nullptr;
-    return nullptr;
+    return hides ? this->Points.Get(own, Hidden, true) : nullptr;
   }
   if (!this->Flags || !(now == this->From))
   {
@@ -295,9 +299,10 @@ void DrawnVoxels::Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedC
   this->Flags->FillValue(0);
   if (own)
   {
-    std::copy_n(own->GetPointer(0),
-      std::min(own->GetNumberOfValues(), this->Flags->GetNumberOfValues()),
-      this->Flags->GetPointer(0));
+    std::transform(own->GetPointer(0),
+      own->GetPointer(0) + std::min(own->GetNumberOfValues(), this->Flags->GetNumberOfValues()),
+      this->Flags->GetPointer(0),
+      [](unsigned char flag) -> unsigned char { return flag != 0 ? Hidden : 0; });
   }
   switch (this->From.Kind)
   {
@@ -545,11 +550,13 @@ int TouchedVolume::ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* 
     : 0;
 }
 
-void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags)
+void TouchedVolume::CopyImage(
+  vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags, vtkUnsignedCharArray* cells)
 {
   this->PlacedTime = shown->GetMTime();
   this->ArePlacedCells = areCells;
   this->PlacedFlags = flags;
+  this->PlacedCells = cells;
   vtkPointData* const points = this->Placed->GetPointData();
   const char* const name = vtkDataSetAttributes::GhostArrayName();
   if (areCells)
@@ -578,6 +585,11 @@ void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCha
   {
     this->Placed->GetCellData()->RemoveArray(name);
   }
+  if (cells)
+  {
+    this->Placed->GetCellData()->RemoveArray(name);
+    this->Placed->GetCellData()->AddArray(cells);
+  }
 }
 
 void TouchedVolume::Place(
@@ -587,7 +599,9 @@ void TouchedVolume::Place(
   vtkDataArray* const array = GetDrawnArray(this->Drawn.Mapper, shown, areCells);
   const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array, areCells,
     array ? this->ChooseComponent(array, filter) : 0, TouchesIsosurface(filter) };
-  vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Get(drawn);
+  const bool isFirst = this->Drawn.Port == 0;
+  vtkUnsignedCharArray* const flags = isFirst ? this->Voxels.Get(drawn) : nullptr;
+  vtkUnsignedCharArray* const cells = isFirst ? this->Voxels.GetCells(drawn) : nullptr;
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
   // Leave a sheared image where it is: the interactor style warns of it.
@@ -595,7 +609,7 @@ void TouchedVolume::Place(
   {
     place->CopyStructure(shown);
   }
-  if (!areCells && !flags && IsSamePlace(place, shown))
+  if (!areCells && !flags && !cells && IsSamePlace(place, shown))
   {
     Connect(filter, input);
     return;
@@ -610,9 +624,9 @@ void TouchedVolume::Place(
     place->SetOrigin(centre);
   }
   if (this->PlacedTime != shown->GetMTime() || this->ArePlacedCells != areCells ||
-    this->PlacedFlags != flags)
+    this->PlacedFlags != flags || this->PlacedCells != cells)
   {
-    this->CopyImage(shown, areCells, flags);
+    this->CopyImage(shown, areCells, flags, cells);
   }
   if (!IsSamePlace(place, this->Placed))
   {

@@ -45,6 +45,26 @@ struct DrawnImage
   bool IsIsosurface; ///< whether an isosurface is felt, for which no flags are needed
 };
 
+/**
+ * Flags of an image's points or cells by which mappers on the graphics card hide them. Any flag
+ * hides: the shader of vtkOpenGLGPUVolumeRayCastMapper tests whether the flags are above 0.
+ */
+class MapperFlags
+{
+public:
+  /**
+   * Returns the flag `hidden` wherever the own flags are not 0. Returns null if nothing is hidden,
+   * or if the own flags are read (`isRead`) and have `hidden` there, too. The array stays the same
+   * until the own flags change.
+   */
+  vtkUnsignedCharArray* Get(vtkUnsignedCharArray* own, unsigned char hidden, bool isRead);
+
+private:
+  const void* Own = nullptr;
+  vtkMTimeType Time = 0;
+  vtkSmartPointer<vtkUnsignedCharArray> Flags;
+};
+
 class DrawnVoxels
 {
 public:
@@ -54,6 +74,11 @@ public:
    * image's own flags are sufficient. The array stays the same until something changes.
    */
   vtkUnsignedCharArray* Get(const DrawnImage& drawn);
+  /**
+   * Returns flags of the image's cells if points are drawn. Hidden cells have the flag
+   * vtkDataSetAttributes::HIDDENCELL. Returns null if the image's own flags are sufficient.
+   */
+  vtkUnsignedCharArray* GetCells(const DrawnImage& drawn);
   /** Whether the flags alone decide what is felt, without the property's scalar opacity. */
   bool ReplacesOpacity() const { return this->HasOpacity; }
 
@@ -68,13 +93,13 @@ private:
     int Component = 0;
     bool operator==(const Source& other) const;
   };
-  /** Computes the flags of the image's cells. */
-  vtkUnsignedCharArray* ComputeCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 
   Source From;
   bool HasOpacity = false;
   vtkSmartPointer<vtkUnsignedCharArray> Flags;
+  MapperFlags Points;
+  MapperFlags Cells;
 };
 
 /** Returns the mask by which a mapper hides voxels; null if it has none. */
@@ -89,8 +114,8 @@ vtkImageData* GetOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty*
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
 /**
- * Whether a mapper hides blanked points and cells. Since VTK 9.2, a mapper that draws cell data
- * hides only blanked cells.
+ * Whether a mapper hides points and cells that have flags. Since VTK 9.2, a mapper that draws cell
+ * data hides only cells.
  */
 bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells);
 
@@ -129,10 +154,12 @@ private:
   void ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter);
   int ChooseComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
   /**
-   * Copies the image. If `flags` is given, it replaces the flags of the image's points. If
-   * `areCells`, the copy has a point at each cell's centre, with the cell arrays as point arrays.
+   * Copies the image. If `flags` is given, it replaces the flags of the image's points; if `cells`
+   * is given, those of its cells. If `areCells`, the copy has a point at each cell's centre, with
+   * the cell arrays as point arrays.
    */
-  void CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags);
+  void CopyImage(
+    vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags, vtkUnsignedCharArray* cells);
   void Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter);
 
   vtkSmartPointer<vtkVolume> Volume;
@@ -141,6 +168,7 @@ private:
   vtkMTimeType PlacedTime = 0; ///< the image's modification time when it was placed
   bool ArePlacedCells = false;
   vtkSmartPointer<vtkUnsignedCharArray> PlacedFlags;
+  vtkSmartPointer<vtkUnsignedCharArray> PlacedCells;
   DrawnVoxels Voxels;
 };
 
