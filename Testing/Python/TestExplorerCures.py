@@ -299,7 +299,7 @@ def fill(folder, values):
             (folder / place / f"{number}.dcm").write_bytes(one)
         (folder / "unspaced" / f"{number}.dcm").write_bytes(one.replace(struct.pack("<HH", 0x28, 0x30), struct.pack("<HH", 0x28, 0x2f)))
         (folder / "unplaced" / f"{number}.dcm").write_bytes(one.replace(struct.pack("<HH", 0x20, 0x32), struct.pack("<HH", 0x20, 0x31)))
-    (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
+    (folder / "cutoff" / "7.dcm").write_bytes((folder / "series" / "7.dcm").read_bytes()[:-200])
     (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
     for name, one in {
             "bowl": bowl(), "speck": speck(), "cropped": speck()[20:41, 20:41, 20:41],

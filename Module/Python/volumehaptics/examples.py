@@ -92,7 +92,7 @@ def first_touch() -> None:
 
     >>> from volumehaptics import examples
     >>> examples.first_touch()
-    1.433 N
+    1.432 N
     """
     trace = touch(phantom(), stroke(), preset="CT contrast")
     print(f"{trace.GetPointData().GetArray('Force').GetMaxNorm():.3f} N")
