@@ -215,7 +215,7 @@ std::string ResolveLinks(const std::string& file)
       return name;
     }
     const std::string next(target, static_cast<std::size_t>(size));
-    name = next[0] == '/' ? next : GetFolder(name) + "/" + next;
+    name = next[0] == '/' ? next : GetFolder(name).append("/").append(next);
   }
   return file;
 }
