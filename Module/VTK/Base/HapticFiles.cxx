@@ -85,7 +85,7 @@ std::string Printable(const std::string& text)
   for (std::size_t i = 0; i < text.size();)
   {
     const std::size_t size = CharacterSize(bytes + i, text.size() - i);
-    if (size > 0)
+    if (size > 0 && bytes[i] != 0) // a zero would end the message
     {
       result.append(text, i, size);
       i += size;
