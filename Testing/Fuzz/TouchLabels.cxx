@@ -27,8 +27,7 @@ void CheckEntries(const LabelEntries& entries)
   for (const auto& [label, entry] : entries)
   {
     const std::string name = entry.Name.value_or("");
-    const bool hasZero = name.find('\0') != std::string::npos;
-    Check(hasZero || Printable(name) == name, "names are UTF-8");
+    Check(IsUtf8(name), "names are UTF-8");
     for (const double part : entry.Color.value_or(std::array<double, 3>{}))
     {
       Check(part >= 0.0 && part <= 1.0, "colours are from 0 to 1");

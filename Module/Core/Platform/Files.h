@@ -67,7 +67,7 @@ bool SeekEnd(int descriptor) noexcept;
 int Sync(int descriptor) noexcept;
 
 ///@{
-/** Lock an open file without waiting. errno is EWOULDBLOCK if somebody else has the lock. */
+/** Lock an open file without waiting. Set errno to EWOULDBLOCK if the file is locked already. */
 bool LockAlone(int descriptor) noexcept;
 bool LockShared(int descriptor) noexcept;
 void Unlock(int descriptor) noexcept;

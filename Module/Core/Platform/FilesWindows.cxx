@@ -174,7 +174,7 @@ bool SeekEnd(int descriptor) noexcept
 
 int Sync(int descriptor) noexcept
 {
-  // What is opened for reading only, and a folder, can't be synchronized and needs it not.
+  // Windows can't synchronize folders and files that are open for reading only. It need not.
   return FlushFileBuffers(ToHandle(descriptor)) || GetLastError() == ERROR_ACCESS_DENIED
     ? 0
     : ToErrno(GetLastError());

@@ -52,7 +52,7 @@ public:
    * the class was granted.
    */
   static bool RaiseThread() noexcept;
-  /** Lowers the priority of the calling thread, for work that nobody waits for. */
+  /** Lowers the priority of the calling thread, for work in the background. */
   static void LowerThread() noexcept;
 
   /** Calls RaiseThread() and stores its answer. Call it on the servo's thread. */

@@ -253,7 +253,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // It is a new file, so that this writes through no link that somebody has put there.
+  // The file is new: a link that somebody has put there is not followed.
   std::string temporary;
   constexpr Files::Mode onlyThisUser = 0600;
   const int descriptor = Files::CreateBeside(file, onlyThisUser, temporary);

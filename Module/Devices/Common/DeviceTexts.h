@@ -13,10 +13,10 @@
 namespace VolumeHaptics
 {
 
-/** What is said of an unplugged device that is looked for, after its name. */
+/** Text, after the device's name, for an unplugged device that the driver looks for. */
 constexpr const char* UnpluggedText =
   "was unplugged. Plug it in again: it is opened by itself, and waits for Arm().";
-/** What is said of an unplugged device that can't be told from another one, after its name. */
+/** Text, after the device's name, for an unplugged device that looks the same as another one. */
 constexpr const char* OpenAgainText = "was unplugged. Plug it in, then Open() and Start() it.";
 
 ///@{

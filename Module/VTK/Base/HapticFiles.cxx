@@ -85,7 +85,7 @@ std::string Printable(const std::string& text)
   for (std::size_t i = 0; i < text.size();)
   {
     const std::size_t size = CharacterSize(bytes + i, text.size() - i);
-    if (size > 0 && bytes[i] != 0) // a zero would end the message
+    if (size > 0 && bytes[i] != 0)
     {
       result.append(text, i, size);
       i += size;
@@ -97,6 +97,17 @@ std::string Printable(const std::string& text)
     ++i;
   }
   return result;
+}
+
+bool IsUtf8(const std::string& text)
+{
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(text.data());
+  std::size_t size = 1;
+  for (std::size_t i = 0; i < text.size() && size > 0; i += size)
+  {
+    size = CharacterSize(bytes + i, text.size() - i);
+  }
+  return size > 0;
 }
 
 std::string MakeAbsolute(const std::string& file)

@@ -17,9 +17,11 @@ namespace VolumeHaptics
 
 /**
  * Makes a text fit for a message. File names may contain any bytes. Bytes that are not UTF-8 become
- * \xNN, because Python drops a message that is not UTF-8.
+ * \xNN, because Python drops a message that is not UTF-8; so does a zero, which would end it.
  */
 std::string Printable(const std::string& text);
+/** Whether a text is UTF-8 (RFC 3629). */
+bool IsUtf8(const std::string& text);
 
 /** Returns an absolute file name, which stays valid when the program changes its working folder. */
 std::string MakeAbsolute(const std::string& file);

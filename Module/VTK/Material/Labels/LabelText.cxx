@@ -115,8 +115,7 @@ std::optional<std::array<double, 3>> MakeColor(double red, double green, double 
 std::string MakeLabelName(std::string_view text)
 {
   const std::string bytes(text);
-  // A text that Printable() changes is not UTF-8.
-  const bool isLatin = Printable(bytes) != bytes;
+  const bool isLatin = !IsUtf8(bytes);
   std::string name;
   for (const char character : bytes)
   {

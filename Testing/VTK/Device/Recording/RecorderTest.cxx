@@ -260,5 +260,8 @@ TEST(HapticFiles, PrintsWhatIsNotUtf8)
   EXPECT_EQ(Printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");
   EXPECT_EQ(Printable("a\xE6\x97"), "a\\xE6\\x97");
   EXPECT_EQ(Printable("\xFFz"), "\\xFFz");
-  EXPECT_EQ(Printable(std::string("ui\0nt", 5)), "ui\\x00nt");
+  const std::string withZero("ui\0nt", 5);
+  EXPECT_EQ(Printable(withZero), "ui\\x00nt");
+  EXPECT_TRUE(IsUtf8(withZero));
+  EXPECT_FALSE(IsUtf8("a\xE6\x97"));
 }
