@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -18,7 +17,6 @@ namespace
 
 constexpr int PadRoundPause = 2; // in ms, if there is nothing new from servo and pad
 constexpr int PadLostPause = 10; // in ms
-constexpr int MostEvents = 64;
 constexpr const char* PadUnplugged =
   "is gone: unplugged, switched off or out of reach. Bring it back: it is opened by itself, and "
   "waits for Arm().";
@@ -244,23 +242,17 @@ void EvdevPadDriver::Round(HardwareExchange& exchange)
 
 bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
 {
-  pollfd watched[] = { { this->Node, POLLIN, 0 }, { exchange.GetWakeDescriptor(), POLLIN, 0 } };
-  poll(watched, watched[1].fd < 0 ? 1 : 2, PadRoundPause);
-  input_event events[MostEvents];
-  const ssize_t size = read(this->Node, events, sizeof(events));
-  if (size < 0)
-  {
-    return errno == EAGAIN || errno == EINTR;
-  }
-  const auto count = static_cast<std::size_t>(size) / sizeof(input_event);
-  for (std::size_t i = 0; i < count; ++i)
+  EvdevEvents events;
+  const int count =
+    EvdevNode::Receive(this->Node, exchange.GetWakeDescriptor(), PadRoundPause, events);
+  for (int i = 0; i < count; ++i)
   {
     if (this->Reader.Receive(events[i]) == EvdevReader::News::MustRead)
     {
       this->ReadAll();
     }
   }
-  return true;
+  return count >= 0;
 }
 
 void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <linux/input.h>
-#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -21,7 +20,6 @@ namespace
 
 constexpr int WheelRoundPause = 1; // in ms, if there is nothing new from servo and wheel
 constexpr int WheelLostPause = 10; // in ms
-constexpr int MostWheelEvents = 64;
 constexpr int FullLevel = 32767;
 constexpr int ToTheLeft = 0x4000;
 constexpr unsigned MostButtons = 32;
@@ -289,16 +287,10 @@ void WheelDriver::Round(HardwareExchange& exchange)
 
 bool WheelDriver::Listen(const HardwareExchange& exchange) noexcept
 {
-  pollfd watched[] = { { this->Node, POLLIN, 0 }, { exchange.GetWakeDescriptor(), POLLIN, 0 } };
-  poll(watched, watched[1].fd < 0 ? 1 : 2, WheelRoundPause);
-  input_event events[MostWheelEvents];
-  const ssize_t size = read(this->Node, events, sizeof(events));
-  if (size < 0)
-  {
-    return errno == EAGAIN || errno == EINTR;
-  }
-  const auto count = static_cast<std::size_t>(size) / sizeof(input_event);
-  for (std::size_t i = 0; i < count; ++i)
+  EvdevEvents events;
+  const int count =
+    EvdevNode::Receive(this->Node, exchange.GetWakeDescriptor(), WheelRoundPause, events);
+  for (int i = 0; i < count; ++i)
   {
     const input_event& event = events[i];
     const unsigned button = event.code - static_cast<unsigned>(BTN_JOYSTICK);
@@ -324,7 +316,7 @@ bool WheelDriver::Listen(const HardwareExchange& exchange) noexcept
       this->HasNews = true;
     }
   }
-  return true;
+  return count >= 0;
 }
 
 bool WheelDriver::Show(int level) noexcept

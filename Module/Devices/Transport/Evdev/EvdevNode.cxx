@@ -9,7 +9,7 @@
 #include <cstring>
 #include <dirent.h>
 #include <fcntl.h>
-#include <linux/input.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -163,6 +163,18 @@ bool EvdevNode::SendForce(int node, int code, int value) noexcept
   event.code = static_cast<__u16>(code);
   event.value = value;
   return write(node, &event, sizeof(event)) == static_cast<ssize_t>(sizeof(event));
+}
+
+int EvdevNode::Receive(int node, int wake, int pause, EvdevEvents& events) noexcept
+{
+  pollfd watched[] = { { node, POLLIN, 0 }, { wake, POLLIN, 0 } };
+  poll(watched, wake < 0 ? 1 : 2, pause);
+  const ssize_t size = read(node, events.data(), sizeof(events));
+  if (size < 0)
+  {
+    return errno == EAGAIN || errno == EINTR ? 0 : -1;
+  }
+  return static_cast<int>(static_cast<std::size_t>(size) / sizeof(input_event));
 }
 
 std::string EvdevNode::GetState() const

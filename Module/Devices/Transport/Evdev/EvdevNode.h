@@ -7,6 +7,9 @@
 #ifndef EvdevNode_h
 #define EvdevNode_h
 
+#include <linux/input.h>
+
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,6 +22,8 @@ namespace VolumeHaptics
  * of the kernel's type long in hexadecimal, the highest word first. Returns false for other texts.
  */
 bool HasEvdevBit(const std::string& words, unsigned bit);
+
+using EvdevEvents = std::array<input_event, 64>;
 
 struct EvdevNode
 {
@@ -51,6 +56,11 @@ struct EvdevNode
    * false if the driver refuses it.
    */
   static bool SendForce(int node, int code, int value) noexcept;
+  /**
+   * Waits for events of an open node or for a wake signal, at most `pause` ms, and reads events.
+   * `wake` is a descriptor, or negative. Returns the number of events, or -1 if the node is gone.
+   */
+  static int Receive(int node, int wake, int pause, EvdevEvents& events) noexcept;
 
 private:
   std::string GetFolder() const;
