@@ -6,9 +6,28 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace benchmarks
 {
+
+namespace
+{
+
+// Why a run gave no time, or an empty text. Google Benchmark has other names for it from 1.8.0 on.
+template <class RUN>
+auto GetError(const RUN& run, int) -> decltype(run.error_occurred, std::string())
+{
+  return run.error_occurred ? run.error_message : std::string();
+}
+
+template <class RUN>
+std::string GetError(const RUN& run, long)
+{
+  return run.skipped != decltype(run.skipped){} ? run.skip_message : std::string();
+}
+
+} // anonymous namespace
 
 double ReadClock()
 {
@@ -37,10 +56,9 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
   std::vector<double> slowest;
   for (const Run& run : runs)
   {
-    if (run.error_occurred)
+    if (const std::string error = GetError(run, 0); !error.empty())
     {
-      std::printf(
-        "%-48s ERROR: %s\n", run.run_name.function_name.c_str(), run.error_message.c_str());
+      std::printf("%-48s ERROR: %s\n", run.run_name.function_name.c_str(), error.c_str());
     }
     else if (run.run_type == Run::RT_Iteration)
     {
