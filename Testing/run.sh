@@ -313,7 +313,19 @@ fi
 
 # Some of the others wait, too.
 echo "== Tests"
+test_seconds=$SECONDS
 run_tests "$build_dir" "$((2 * jobs))" "${chosen[@]}" || status=$?
+test_seconds=$((SECONDS - test_seconds))
+
+# usage: still_fits PERCENT NAME
+# Whether tests end before 24 minutes are over, whatever was planned. PERCENT is their time as a share of that of the
+# tests above.
+still_fits()
+{
+  ends_by 24 $((test_seconds * $1 / 100)) && return
+  skip "$2"
+  return 1
+}
 
 # usage: test_sanitized
 # The tests with the sanitizers, whose builds are under way.
@@ -343,7 +355,7 @@ test_sanitized()
 }
 [ $sanitizers = no ] || test_sanitized
 
-if [ $wheel = yes ]; then
+if [ $wheel = yes ] && still_fits 35 "the wheel's tests"; then
   built=0
   finish wheel || built=$?
   if [ $built -eq 3 ]; then
@@ -361,14 +373,14 @@ if [ -n "${beside[tidy]:-}" ]; then
   finish tidy || status=$?
 fi
 
-if [ $paraview = yes ]; then
+if [ $paraview = yes ] && still_fits 40 "the tests of ParaView's plugin"; then
   finish paraview
   echo "== Tests of ParaView's plugin in $plugin_dir"
   run_tests "$plugin_dir" "$((jobs + 1))" -L '^paraview$' -LE "^($left_out)\$" || status=$?
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 fi
 
-if [ $fuzz = yes ]; then
+if [ $fuzz = yes ] && still_fits 5 "the fuzzer's search"; then
   finish fuzz
   echo "== Fuzzing"
   "$root/Testing/Fuzz/fuzz.sh" search "$build_dir-fuzz" "$([ $full = yes ] && echo 300 || echo 10)"
