@@ -27,7 +27,7 @@ version = release = re.search(
 extensions = ["myst_parser", "sphinx_gallery.gen_gallery"]
 templates_path = ["templates"]
 root_doc = "Documentation/index"
-include_patterns = ["*.md", "Documentation/*.md", "Examples/**.md", "Data/README.md", "build/pyvista-pages/*.rst", "build/settings.md"]
+include_patterns = ["*.md", "Documentation/*.md", "Documentation/devices/*.md", "Examples/**.md", "Data/README.md", "build/pyvista-pages/*.rst", "build/settings.md"]
 # Writes build/pyvista-pages from the scripts.
 sphinx_gallery_conf = write_scripts(root, root / "build" / "pyvista-scripts")
 

@@ -72,7 +72,7 @@ def check_members(text, sources):
 
 
 def check_mentions(path, text):
-    for name in re.findall(r"\bDocumentation/[\w-]+[.]md\b", text):
+    for name in re.findall(r"\bDocumentation/[\w/-]+[.]md\b", text):
         if not (ROOT / name).exists():
             yield f"{path}: names {name}, which does not exist"
 

@@ -37,7 +37,7 @@ OTHERS = (
 def main():
     root, output = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     functions = []
-    for path in [root / "README.md", *sorted((root / "Documentation").glob("*.md"))]:
+    for path in [root / "README.md", *sorted((root / "Documentation").rglob("*.md"))]:
         for number, block in enumerate(re.findall(r"```cpp\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL), 1):
             if "int main(" in block or "OpenXR" in block:
                 continue

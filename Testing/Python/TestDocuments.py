@@ -16,7 +16,7 @@ import volumehaptics
 from conftest import ROOT
 from volumehaptics import arrays, examples
 
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").glob("*.md"))]
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").rglob("*.md"))]
 PAGES = [*DOCUMENTS, ROOT / "CONTRIBUTING.md", ROOT / "Data" / "README.md", ROOT / "Examples" / "PyVista" / "README.md"]
 # Files whose blocks of Python a test runs, and how many there are.
 RUN = {

@@ -17,7 +17,7 @@
  * their reports, OpenFFBoard for example every 0.1 s; they are lost if two repeats do not come.
  *
  * The kernel's PID driver uses the same device. If a game uses it at the same time, the two disturb
- * each other. Documentation/devices.md explains why this driver uses hidraw.
+ * each other. Documentation/devices/wheels.md explains why this driver uses hidraw.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
