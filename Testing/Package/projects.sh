@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Configures projects of others that use the sources by add_subdirectory() or the package by find_package(), and looks
+# for the cure in CMake's text where a project has a mistake.
+# usage: projects.sh SOURCE_DIR BUILD_DIR
+set -euo pipefail
+
+source_dir=$1
+build_dir=$2
+work=$build_dir/Testing/Package/projects
+rm -rf "$work"
+mkdir -p "$work"
+touch "$work/begin"
+
+# usage: configure NAME LANGUAGES LINE...
+configure()
+{
+  mkdir "$work/$1"
+  printf '%s\n' "cmake_minimum_required(VERSION 3.19)" "project(Other LANGUAGES $2)" "add_library(other INTERFACE)" "${@:3}" > "$work/$1/CMakeLists.txt"
+  cmake -S "$work/$1" -B "$work/$1/build" -G Ninja -DCMAKE_PREFIX_PATH="$build_dir" > "$work/$1.log" 2>&1
+}
+
+# usage: accept NAME LANGUAGES LINE...
+accept()
+{
+  configure "$@" || { cat "$work/$1.log"; echo "$1: refused"; exit 1; }
+}
+
+# usage: refuse TEXT NAME LANGUAGES LINE...
+refuse()
+{
+  if configure "${@:2}"; then
+    echo "$2: accepted"
+    exit 1
+  fi
+  # CMake breaks lines.
+  tr -s ' \n' ' ' < "$work/$2.log" | grep -F "$1" > /dev/null || { cat "$work/$2.log"; echo "$2: nothing like '$1'"; exit 1; }
+}
+
+folder="add_subdirectory(\"$source_dir\" haptics)"
+link="target_link_libraries(other INTERFACE VTK::VolumeHaptics)"
+accept folder "C CXX" "$folder" "$link"
+accept folder_after_vtk "C CXX" "find_package(VTK REQUIRED COMPONENTS CommonCore)" "$folder" "$link"
+accept package_after_vtk "C CXX" "find_package(VTK REQUIRED COMPONENTS CommonCore)" \
+  "find_package(VolumeHaptics REQUIRED)" "$link"
+refuse "VolumeHaptics has no components, such as Servo" components "C CXX" \
+  "find_package(VolumeHaptics REQUIRED COMPONENTS Servo)"
+refuse "enable C, by project(NAME LANGUAGES C CXX)" no_c CXX "find_package(VolumeHaptics REQUIRED)"
+
+# The folder of the sources stays as it is, and the other project gets no setting that is not its own.
+written=$(find "$source_dir" -newer "$work/begin" -type f -not -path '*/.git/*' -not -path '*cache*' \
+  -not -path "$source_dir/build/*" -not -path "$build_dir/*")
+if [ -n "$written" ]; then
+  echo "Written into the sources: $written"
+  exit 1
+fi
+if grep -E '^(CMAKE_BUILD_TYPE:[A-Z]*=.|BUILD_TESTING:)' "$work/folder/build/CMakeCache.txt"; then
+  echo "Settings of the whole project were changed"
+  exit 1
+fi
