@@ -83,13 +83,23 @@ class SoundServer
 {
 public:
   SoundServer()
-    : Server(MakeWords(), "/dev/null")
+    : Folder(MakeNewFolder("/tmp/VolumeHaptics").string())
+    , Server(MakeWords(this->Folder), "/dev/null")
   {
     while (Program({ "pactl", "info" }, "/dev/null").Wait() != 0)
     {
       usleep(20000);
     }
   }
+
+  ~SoundServer()
+  {
+    this->Server.End(SIGKILL);
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Folder, ignored);
+  }
+  SoundServer(const SoundServer&) = delete;
+  SoundServer& operator=(const SoundServer&) = delete;
 
   /** What it is playing, one line for each stream. */
   static std::string ListStreams()
@@ -106,15 +116,17 @@ public:
       "--format=float32le", "--latency-msec=20" };
   }
 
+private:
+  /** Not in the folder of the build, whose path may be longer than a socket's (107 characters). */
+  const std::string Folder;
+
+public:
   Program Server;
 
 private:
-  static std::vector<std::string> MakeWords()
+  static std::vector<std::string> MakeWords(const std::string& folder)
   {
-    const std::string folder = TemporaryPath("pulse");
     const std::string socket = folder + "/socket";
-    std::filesystem::create_directories(folder);
-    std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
     for (const char* variable : { "HOME", "XDG_CONFIG_HOME", "XDG_RUNTIME_DIR" })
     {
       setenv(variable, folder.c_str(), 1);
