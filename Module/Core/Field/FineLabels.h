@@ -111,8 +111,10 @@ private:
   std::vector<std::byte> Labels;
   std::vector<std::uint8_t> Fractions;
   ///@{
-  /** Data of the image that Make() compares with those of the last image. */
-  /** One for each slice; empty if more than one axis was refined. */
+  /**
+   * Make() compares these with the next image, to find the slices that have not changed. There is
+   * one hash for each slice, or none if more than one axis was refined.
+   */
   std::vector<std::uint64_t> Hashes;
   Vector3 Spacing;
   ///@}

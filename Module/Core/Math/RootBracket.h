@@ -13,7 +13,10 @@
 namespace VolumeHaptics
 {
 
-/** Value to give to Narrow() if the function has no root. The bracket then moves to its far end. */
+/**
+ * Value to give to Narrow() if the function has no root up to the argument that Next() returned.
+ * The bracket then begins there.
+ */
 constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
 /**
@@ -51,7 +54,9 @@ public:
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
   }
-  /** Returns the end of the bracket at which the function is below zero. */
+  /**
+   * Returns the upper end of the bracket, where the function is below zero; 1 if there is no root.
+   */
   double GetHigh() const noexcept { return this->High; }
 
   /** Returns the next argument to evaluate. Every third call halves the bracket. */

@@ -39,7 +39,8 @@ bool Lock(void* address, std::size_t size) noexcept
   {
     return true;
   }
-  // A process may lock as much as the least memory that it keeps. It starts with some 200 KiB.
+  // Windows lets a process lock only about as much as its minimum working set, some 200 KiB at
+  // first. So raise the minimum and try again.
   SIZE_T least = 0;
   SIZE_T most = 0;
   constexpr std::size_t spare = std::size_t{ 1 } << 20;

@@ -209,7 +209,7 @@ DeviceState HardwareExchange::Receive(DeviceSample& sample) noexcept
     this->TimeSeen = sample.Time;
     sample.Fresh = isNew;
     sample.Alive = isTold;
-    // The zero may have changed, so that earlier positions are not valid.
+    // A sample that follows a pause begins anew, because homing may have moved the origin.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }

@@ -104,7 +104,7 @@ void GuardedDevice::Watch()
   this->EndedCondition = this->GetExchange().GetCondition();
   if (!hasEndedByItself || this->EndedCondition.Stage != DeviceStage::Lost)
   {
-    // The guard has not told the reason.
+    // The guard has not reported the reason.
     this->EndedCondition.Stage = DeviceStage::Lost;
     std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
       "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
@@ -140,7 +140,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // Memory or something else is missing, and nothing more can be done.
+    // For example, memory ran out. Nothing more can be done.
   }
 }
 

@@ -102,7 +102,7 @@ bool HfabDriver::Connect(std::string& error)
 bool HfabDriver::Reconnect(
   const std::string& identity, const std::function<bool()>& mustStop, std::string& error)
 {
-  // A board may get another port than before.
+  // After it is plugged in again, a board may have a different port.
   std::vector<SerialPortInfo> ports = ListBoardPorts(this->Folder);
   if (!this->Wanted.empty() && SerialPort::IsThere(this->Wanted))
   {

@@ -301,8 +301,8 @@ bool VendorDriver::Reconnect(
   const DeviceLimits limits = this->Limits;
   for (std::size_t place = 0; place < devices.size() && !mustStop(); ++place)
   {
-    // Some libraries tell the serial number of open devices only. Another program may want to have
-    // the others, so each of them is opened once.
+    // Some libraries report serial numbers only of open devices, so open each device to read its
+    // number. Do this only once, because another program may want the device.
     const auto number = static_cast<int>(place);
     const std::string& serial = devices[place].Serial;
     const bool isOther =

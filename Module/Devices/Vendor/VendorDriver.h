@@ -89,7 +89,7 @@ public:
    */
   static constexpr double LongestCall = 0.5;
 
-  /** @param path a search path as in VendorFolder::Split */
+  /** @param path folders, as VendorFolder::Split() reads them */
   VendorDriver(std::string plugin, int number, std::string path);
   ~VendorDriver() override;
 
@@ -123,7 +123,10 @@ private:
   const std::string Plugin;
   const int Number;
   int Place = 0; ///< number of the connected device, which may have changed since Connect()
-  /** Which devices of the list Reconnect() has opened that were others. */
+  /**
+   * For each device in the plug-in's list, whether Reconnect() has opened it and found a different
+   * device. Reconnect() does not open it again, because another program may want it.
+   */
   std::vector<bool> Others;
   const std::string Path;
   std::string Label;

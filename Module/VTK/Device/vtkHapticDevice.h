@@ -413,10 +413,11 @@ public:
 
   ///@{
   /**
-   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. A
-   * plug-in that other users may write is not loaded; the libraries that it needs are not checked.
-   * Default: empty, which stands for the environment variable VOLUMEHAPTICS_VENDOR_PATH.
-   * EnumerateDevices and ListDevices look by the variable only. Takes effect with Open.
+   * The folders of the plug-ins for vendors' libraries, which devices vendor:PLUGIN[:N] use:
+   * absolute paths, separated by `:`, on Windows by `;`. A plug-in is not loaded if other users may
+   * write its file; the libraries that it needs are not checked. Default: empty, which stands for
+   * the environment variable VOLUMEHAPTICS_VENDOR_PATH. EnumerateDevices and ListDevices search
+   * only the variable's folders. Takes effect with Open.
    */
   void SetVendorPath(const std::string& path);
   std::string GetVendorPath() const

@@ -192,13 +192,12 @@ public:
 
   ///@{
   /**
-   * Whether the functions are in Hounsfield units and the image tells how they are stored:
-   * unchanged, or as whole numbers from 0 on that are 1000, 1024 or 32768 higher. On, as
-   * ApplyPreset() sets it for CT: if there is no value below -200, air and soft tissue are searched
-   * for at these shifts, and the shift that is found (FoundShift) is used; a warning reports values
-   * that can't be Hounsfield units. Nothing is searched for if ScalarShift or ScalarScale is set.
-   * Off (default): only these two count. FoundShift is set when a filter with this property last
-   * ran or was published; 0 if nothing was found.
+   * Whether to detect how a CT stores Hounsfield units: unchanged, or higher by 1000, 1024 or
+   * 32768, so that no value is negative. Default off; ApplyPreset() turns it on for CT. If hardly
+   * any value is negative, the peaks of air and soft tissue are searched for at each of these
+   * shifts. FoundShift is the number that is then added to the scalars, 0 if none was found; it is
+   * updated when a filter with this property runs or is published. A warning reports values that
+   * can't be Hounsfield units. Nothing is detected if ScalarShift or ScalarScale is set.
    */
   vtkSetMacro(ShiftFromImage, bool);
   vtkGetMacro(ShiftFromImage, bool);

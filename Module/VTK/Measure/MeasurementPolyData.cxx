@@ -140,7 +140,7 @@ vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
     : nullptr;
 }
 
-/** Reads what was felt at points of a shape. */
+/** Reads the arrays of time, force and surface value at the points of a shape. */
 class ShapeSamples
 {
 public:
@@ -166,7 +166,7 @@ private:
   vtkDataArray* Values;
 };
 
-/** Removes the samples of a measurement if nothing is known at any of them. */
+/** Removes the samples of a measurement if none of them has a finite number. */
 void DropUnknown(Measurement& measurement)
 {
   const auto isKnown = [](const MeasuredSample& s)

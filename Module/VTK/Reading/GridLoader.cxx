@@ -100,12 +100,12 @@ using Files = vtksys::SystemTools;
 /// Largest number of samples of the image. More samples would take minutes.
 constexpr double MOST_SAMPLES = 1 << 25;
 
-/// What the reader of a format takes a file for. It decides what is checked before the reader runs.
+/// The sort of files that a format has. It decides what is checked before the reader runs.
 enum class FileKind
 {
-  XML,    ///< text that may be cut off
-  LEGACY, ///< a file whose reader finds out itself what is wrong
-  CASE    ///< the name of one of the files beside it, which its reader opens
+  XML,    ///< XML, whose end is missing if the file was cut off
+  LEGACY, ///< a file whose faults its reader detects
+  CASE    ///< a file that names others beside it, which the reader opens
 };
 
 struct Format
@@ -153,11 +153,12 @@ const Format* FindFormat(const std::string& path)
   return found == std::end(FORMATS) ? nullptr : found;
 }
 
-/// Reads the last time if there are several. Returns null if nothing could be read.
+/// Reads a file; if it has several times, only the last one. Throws InputError if nothing could be
+/// read.
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
-  // Before the reader's first look, because for that it opens other files, which these name.
+  // Check before the reader runs, because it opens the other files that a case names.
   std::string detail = format.Kind == FileKind::XML ? Explore::DetectMissingEnd(path)
     : format.Kind == FileKind::CASE
     ? Explore::DetectDeviceIn(Files::GetFilenamePath(Files::CollapseFullPath(path)))

@@ -191,17 +191,17 @@ public:
    * Open a file that describes its contents: a VTKHDF image (.vtkhdf), whose active array is read;
    * a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd), whose samples are in it or in one file
    * beside it; a TIFF file (.tif, .tiff) with a page for each slice, or a folder of TIFF files in
-   * the order of the numbers in their names; or a folder (.zarr) of a Zarr array or an OME-Zarr
-   * image, whose first time and channel are read. Sets extent, type, origin, spacing and direction,
-   * and a reader, as SetReader does; and the CoarseImage, if the file has coarser levels: the
-   * finest one of at most 2^22 voxels, which is read at once.
+   * the order of the numbers in their names; a FreeSurfer volume (.mgh) or a MINC 1 file (.mnc); or
+   * a folder (.zarr) of a Zarr array or an OME-Zarr image. Sets extent, type, origin, spacing and
+   * direction, and a reader, as SetReader does; and the CoarseImage, if the file has coarser
+   * levels: the finest one of at most 2^22 voxels, which is read at once.
    *
    * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
-   * samples of Zarr by zlib, gzip, lz4, zstd or Blosc, and in shards, but samples of MetaImage and
-   * NRRD must be uncompressed. A NRRD file in the space right-anterior-superior is converted to
-   * left-posterior-superior, as ITK does. Returns false and reports an error that names the cure if
-   * it can't be read; nothing is changed then. If the file is written again, open it again. VTKHDF
-   * is opened by HDF5's library, which no other thread may use meanwhile.
+   * samples of Zarr by zlib, gzip, lz4, zstd or Blosc, and in shards, but samples of MetaImage,
+   * NRRD and FreeSurfer must be uncompressed. A NRRD file in the space right-anterior-superior is
+   * converted to left-posterior-superior, as ITK does. Returns false and reports an error that
+   * names the cure if it can't be read; nothing is changed then. If the file is written again, open
+   * it again. HDF5's library opens VTKHDF; while it does, no other thread may use that library.
    *
    * Lengths are turned into millimetres where NRRD, TIFF or OME-Zarr name their unit. Of several
    * volumes in a file, such as times, channels or components of the voxels, the one with the number

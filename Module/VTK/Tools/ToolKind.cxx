@@ -14,7 +14,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Each kind is defined in the source of its tool. */
+/** Each kind is defined in a file of its own, such as NeedleKind.cxx. */
 const ToolKind& GetPointShellKind();
 const ToolKind& GetBurrKind();
 const ToolKind& GetNeedleKind();

@@ -186,7 +186,10 @@ Contents ReadTable(const std::string& file)
   return contents;
 }
 
-/** Whether the last line of a table is complete. In a table that was cut off, it has no end. */
+/**
+ * Whether the last line of a table ends with a line break. The last line of a table that was cut
+ * off usually does not.
+ */
 bool EndsWithLine(const std::string& file)
 {
   vtksys::ifstream stream(file.c_str(), std::ios::binary);

@@ -18,8 +18,8 @@ std::string ListModes();
 /// texts.
 std::string ListModePresets();
 
-/// Checks the name of a mode, which an array's name may follow after a colon, or of a preset.
-/// Throws InputError for any other text.
+/// Checks a value of --mode: the name of a mode, alone or as MODE:ARRAY, or the name of a preset.
+/// Throws InputError for any other text, and if a mode that has no array is given one.
 void CheckMode(const std::string& mode);
 
 /// Adds modes to a filter, with strengths that suit the image. Without names, the hand follows the

@@ -35,8 +35,8 @@ struct IsoTimeSteps
 };
 
 /**
- * Returns the motions of points of the isosurface in the first time step. Points and motions are in
- * world units.
+ * Returns how far each point moves to the next time step. The points lie on the isosurface `value`
+ * of the first time step. Points and motions are in world units.
  */
 std::vector<Vector3> MeasureIsoMotions(
   const std::vector<Vector3>& points, double value, const IsoTimeSteps& timeSteps);

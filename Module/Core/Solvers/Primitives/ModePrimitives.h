@@ -77,8 +77,10 @@ public:
   ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 
   /**
-   * Adds a mode. Returns false if there would be too many primitives or if the mode is not valid;
-   * then the mode is not felt. An inactive mode can always be added.
+   * Adds a mode. If an active mode is not valid, needs scalars that this field lacks, or would
+   * exceed the number of primitives, returns false: the mode keeps its number, but is not felt. If
+   * there are `Most` modes already, returns false and adds nothing. Inactive modes count, too, but
+   * are not felt.
    */
   bool Add(const BakedMode& mode) noexcept;
 

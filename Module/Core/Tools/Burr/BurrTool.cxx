@@ -295,7 +295,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   }
   if (!hand.IsSpinning || !(force > 0.0))
   {
-    // The head is free, or the burr is at rest.
+    // The burr does not spin, or nothing presses on its head.
     state.IsCarving = false;
     state.Part = 0;
     state.Unspent = hand.IsSpinning ? state.Unspent : 0.0;

@@ -295,8 +295,8 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
   }
 }
 
-// Returns a range of usages with its page, which is the last page before the main item, even if the
-// page follows the usage.
+// Returns a range of usages with its page: its own if it has one, else the last page before the
+// main item, even if that page follows the usage.
 HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
 {
   const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);

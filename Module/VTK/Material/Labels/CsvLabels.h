@@ -37,7 +37,10 @@
 namespace VolumeHaptics
 {
 
-/** Whether a column of labels is named in the first line that is not empty. */
+/**
+ * Whether the first line that is not empty has at least two cells, one of which names the column of
+ * labels.
+ */
 bool IsCsv(std::string_view text);
 
 /**

@@ -82,9 +82,9 @@ public:
   std::vector<double> ReadNumbers(const std::string& group, const std::string& attribute) const;
   Hdf5Array ReadArray(const std::string& path) const;
   /**
-   * Locates the chunks of an array that are first along all further dimensions. The key of a chunk
-   * is its number among `counts` chunks along x, y and z, x fastest. Chunks that were never written
-   * are left out.
+   * Locates the chunks of an array. x, y and z are its last three dimensions, x the last; along all
+   * other dimensions, only the first chunk is located. The key of a chunk is its number among
+   * `counts` chunks along x, y and z, x fastest. Chunks that were never written are left out.
    */
   std::unordered_map<std::uint64_t, Hdf5Chunk> LocateChunks(const std::string& path,
     const Hdf5Array& array, const std::array<std::uint64_t, 3>& counts) const;

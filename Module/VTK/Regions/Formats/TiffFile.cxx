@@ -661,7 +661,10 @@ void CollectPlanes(
   stack.Pages = std::move(kept);
 }
 
-/** Returns the stored samples of a box as values on ImageJ's straight line. */
+/**
+ * Returns a reader that converts the file's samples to values by ImageJ's linear calibration,
+ * line[0] + line[1] * sample.
+ */
 template <typename Value>
 BoxReader ApplyLine(const LargeFile& file, const double line[2])
 {
@@ -687,8 +690,8 @@ BoxReader ApplyLine(const LargeFile& file, const double line[2])
 }
 
 /**
- * Turns stored samples into the values that ImageJ shows: 16-bit integers with signs, which it
- * stores as others, stay so.
+ * Converts stored samples to the values that ImageJ shows. They become floats, except signed 16-bit
+ * integers, which ImageJ stores as unsigned ones 32768 higher.
  */
 void Calibrate(const TiffText& text, LargeFile& file)
 {

@@ -182,7 +182,8 @@ public:
   /** Returns only those objects that the page can edit. */
   EditedObjects GetEditable() const;
   /**
-   * Returns what is wrong with stiffness and viscosity, on their pages; empty if nothing is wrong.
+   * Returns a warning if the page shows stiffness or viscosity, and a value is too soft for its
+   * viscosity; else an empty text.
    */
   std::string GetWarning() const;
   /** Sets the scale of the axis of values to the scale of the page's functions. */

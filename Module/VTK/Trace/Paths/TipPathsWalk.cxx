@@ -43,9 +43,15 @@ constexpr vtkIdType LongestStretch = 1000;
  * threads wait for the last one.
  */
 constexpr vtkIdType ShortestStretch = 64;
-/** The most rounds for one long path. */
+/**
+ * A round on a single thread has at least 1 / WalkRounds of all ticks, unless RoundTime ends it
+ * earlier.
+ */
 constexpr vtkIdType WalkRounds = 100;
-/** The least number of rounds of several paths. */
+/**
+ * A round on several threads has at most 1 / LeastRounds of all ticks, if the paths are long
+ * enough.
+ */
 constexpr vtkIdType LeastRounds = 8;
 /** The number of paths that are under way at a time, for each thread. */
 constexpr std::size_t RunnersOfAThread = 16;
@@ -61,8 +67,8 @@ constexpr vtkIdType TicksOfAThread = 65536;
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 
 /**
- * Makes a path's own copy of the removal with which it begins, the model's or the recording's.
- * Returns null if nothing is removed.
+ * Makes a path's own copy of the removed tissue with which it begins: that of the recording, if
+ * there is one, else that of the model. Returns null if there is none.
  */
 std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const BakedVolume& baked, const RecordedPath* recording)
