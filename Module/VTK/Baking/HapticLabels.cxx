@@ -30,8 +30,8 @@ namespace
 {
 
 /**
- * Largest span of scalars that are taken for labels. The table has an entry for each number within
- * it.
+ * Largest span of scalars that can be labels. The table has an entry for each whole number in the
+ * span.
  */
 constexpr int MostScalarLabels = 1 << 16;
 

@@ -22,7 +22,9 @@ namespace VolumeHaptics
  */
 bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 
-/** Returns the map from the device to the world that is used without a matrix. It only scales. */
+/**
+ * Returns the map from the device to the world that is used if no matrix is set. It only scales.
+ */
 inline Affine3 ScaledPlacement(double metersPerWorldUnit)
 {
   Affine3 map;

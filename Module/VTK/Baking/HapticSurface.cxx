@@ -165,7 +165,8 @@ bool ComputeScalarRange(const IsoSurface& iso, double range[2])
 }
 
 /**
- * Returns the mesh of an isosurface if it can be touched. Otherwise returns null, with an error.
+ * Returns the mesh of an isosurface if it can be touched, or an empty mesh if there is none and
+ * there need not be one. Otherwise returns null, with an error.
  */
 std::shared_ptr<const SurfaceMesh> CheckMesh(
   const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
@@ -385,7 +386,8 @@ bool HapticSurface::Prepare(
   // Don't read even the few samples of the estimate if the image is large.
   const double reading =
     surface ? 0.0 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
-  // VTK copies the values of other layouts for readers, into one copy that all threads share.
+  // If the layout is another one, VTK copies the values for a reader into one copy that all threads
+  // share.
   const bool isShared =
     surface ? MayBeShared(surface) : iso.Scalars->HasStandardMemoryLayout() != 0;
   if (this->IsMadeOf(key) || !isShared ||

@@ -14,9 +14,9 @@
  *   device->GetPlayback()->Play();
  *
  * The output shares the arrays of the time step at the requested time (UPDATE_TIME_STEP), or of the
- * last one before it. Nothing is copied, not even for the servo: do not change the arrays
- * meanwhile. All time steps need the same extent, spacing, origin and direction; the filter reports
- * one that differs.
+ * last one before it. Nothing is copied, not even for the servo: do not change the arrays while
+ * they are felt. All time steps need the same extent, spacing, origin and direction; the filter
+ * reports a time step that differs.
  *
  * A program that receives the time steps one by one, for example to animate them, passes the last
  * two; a device then moves from one to the other (SetStreamed):

@@ -10,7 +10,7 @@
  * to, and begins again if the data have changed:
  *
  *   KeyedWork<DataKey, std::string> hash;
- *   const std::string* known = hash.Follow({ array, array->GetMTime() }, // on each GUI tick
+ *   const std::string* known = hash.Poll({ array, array->GetMTime() }, // on each GUI tick
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
  * The owner's thread releases the objects that the task holds, such as a reference to an array; the

@@ -49,16 +49,16 @@ std::ifstream OpenStream(const std::string& file);
 int SyncFolder(const std::string& file);
 
 /**
- * Accepts regular files only, because reading a FIFO or a terminal may block for ever. Returns
- * false, with the kind of the file in `error`, otherwise.
+ * Whether a path is a regular file: reading a FIFO or a terminal may block for ever. If not,
+ * `error` names the kind of the file.
  */
 bool CheckRegular(const std::string& file, std::string& error);
 
 /**
- * Returns why a file of more than 64 MiB can't be what it seems: almost all of it are holes, which
- * take no room on the disk and gigabytes of memory. A file may have 1032 times the size of what is
- * stored, as one that is packed by deflate may. Empty for other files, and on a file system that
- * does not tell holes.
+ * Returns the reason why a file of more than 64 MiB must not be read: nearly all of it is holes,
+ * which take no room on the disk, but gigabytes of memory. A file is accepted up to 1032 times the
+ * size of its stored bytes, the factor by which deflate may shrink zeros. Returns an empty text for
+ * other files, and on a file system that does not report holes.
  */
 std::string DetectHoles(const std::string& file);
 

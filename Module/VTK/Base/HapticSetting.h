@@ -234,8 +234,8 @@ struct VectorAccess
     unit, text, { __VA_ARGS__ })
 
 /**
- * Limits of settings that have no limit of their own. Numbers that VTK's macros clamp to be at
- * least 0 have the upper limit VTK_DOUBLE_MAX (1e299) instead.
+ * Limits of settings that have no limit of their own. Settings whose macros clamp them to 0 or more
+ * have the upper limit VTK_DOUBLE_MAX (1e299) instead.
  */
 inline constexpr double LargestNumber = std::numeric_limits<double>::max();
 inline constexpr double LargestInteger = std::numeric_limits<int>::max();

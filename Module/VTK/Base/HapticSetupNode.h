@@ -52,7 +52,6 @@ struct SetupPass
   std::string Error; ///< the first error
 };
 
-/** The range of a number. */
 struct NumberRange
 {
   double Minimum;

@@ -49,7 +49,7 @@ bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3]
 
 /**
  * Computes the map to the world from indices that count from the beginning of an extent. Returns
- * false if there is no such map; `error` then calls the image `name`.
+ * false if there is no such map; `error` then names the image by `name`.
  */
 bool MakeIndexToWorld(
   vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error);

@@ -197,7 +197,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
 
 std::string OutsideFiller::DrainNotice()
 {
-  // Time steps of a moving volume yield texts whose values differ only slightly.
+  // The time steps of a moving volume often yield the same text, which is then reported only once.
   const std::string notice = std::exchange(this->Notice, {});
   const bool isNew = !notice.empty() && notice != this->Told;
   this->Told = notice.empty() ? this->Told : notice;

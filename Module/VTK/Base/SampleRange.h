@@ -16,8 +16,8 @@ namespace VolumeHaptics
 /**
  * Computes the smallest and the largest finite value. If there are none, the first number is the
  * larger one. vtkDataArray::GetFiniteRange would store the range in the array's information. This
- * function uses a view of the same memory instead, so that another thread may read the array
- * meanwhile. Arrays that do not store one tuple after another have no such view.
+ * function uses a view of the same memory instead, so that another thread may read the array at the
+ * same time. Arrays that do not store one tuple after another have no such view.
  */
 inline void ComputeFiniteRange(vtkDataArray* array, int component, double range[2])
 {

@@ -63,7 +63,7 @@ struct WholeFields
   std::vector<OutsideSamples> Outside; ///< empty if the samples are filled
 };
 
-/** Writes the field arrays of a region. */
+/** Writes the facts about the whole image into field arrays of a region. */
 void WriteWholeFacts(const WholeFields& facts, vtkImageData* region);
 
 } // namespace VolumeHaptics

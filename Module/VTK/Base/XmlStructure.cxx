@@ -107,7 +107,7 @@ public:
   {
     return static_cast<double>(this->Data.size()) * (this->IsBase64 ? 0.75 : 1.0);
   }
-  /** Returns what follows a header, which is encoded by itself. */
+  /** Returns the data that follow a header. The header is encoded separately. */
   Stored Behind(std::size_t bytes) const
   {
     const std::size_t letters = this->IsBase64 ? (bytes + 2) / 3 * 4 : bytes;
@@ -262,7 +262,7 @@ private:
     return at;
   }
 
-  /** Returns the end of a tag, which quotes may contain, too. */
+  /** Returns the position of the `>` that ends a tag; texts in quotes may contain `>`, too. */
   std::size_t FindClose(std::size_t at) const
   {
     char quote = 0;

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 
 /**
  * Returns why a file contradicts itself, or an empty text if it does not. VTK's readers trust what
- * a file says: they write past the end of their memory if an array has another size than its header
+ * a file says: they write past the end of their memory if an array's size is not what its header
  * says, and allocate memory for all points that are promised. This checks the types, components and
  * sizes of all arrays, the tables of their compressed blocks, and the extents of images.
  */

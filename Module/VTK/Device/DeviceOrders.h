@@ -92,7 +92,7 @@ private:
   DeviceSession& Session;
   ModelSource& Models;
   const char* Awaited = nullptr; ///< text of SetAwaited()
-  bool IsAnnouncing = false;     ///< true while observers are told that the device was disarmed
+  bool IsAnnouncing = false;     ///< true while observers of a disarming are called
 };
 
 } // namespace VolumeHaptics

@@ -18,8 +18,7 @@ namespace VolumeHaptics
 /**
  * Computes the matrix that maps touched positions to known ones by least squares, and the largest
  * distance between a known position and a mapped one. Returns the fault, with its cure, if the
- * points do not tell the placement; empty on success. See
- * vtkHapticDevice::FitDeviceToWorld.
+ * points do not determine the placement; empty on success. See vtkHapticDevice::FitDeviceToWorld.
  */
 std::string ComputePlacement(vtkPoints* touched, vtkPoints* known, double scale,
   vtkMatrix4x4* deviceToWorld, double& largestDistance);

@@ -206,7 +206,8 @@ void DeviceSession::Stop()
 {
   if (this->Servo)
   {
-    // The servo stays guarded here: if the process ends meanwhile, the force still ends.
+    // The servo stays guarded until it has ended: if the process ends before that, the force ends,
+    // too.
     this->Servo->End();
     ReleaseServo(this->Servo.get());
     this->Servo.reset();

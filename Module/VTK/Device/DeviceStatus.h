@@ -58,7 +58,10 @@ private:
   std::string NameDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;
-  /** Returns what a driver tells of a device that is ready, after a space, or nothing. */
+  /**
+   * Returns the driver's text about a device that is ready, with a space before it; empty if there
+   * is none.
+   */
   std::string DescribeWarning() const;
 };
 

@@ -45,7 +45,8 @@ public:
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
    * Restores the next earlier handler, if `count` of them are still left, and if no other handler
-   * was put in front meanwhile. Signal handlers may call it, on several threads at once.
+   * was put in front since this one was installed. Signal handlers may call it, on several threads
+   * at once.
    */
   void PutBack(int count) noexcept;
 

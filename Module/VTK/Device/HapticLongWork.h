@@ -3,7 +3,7 @@
 /**
  * @file
  * Announces long work to a device for the time of a C++ scope, because the device may have to turn
- * its force off meanwhile.
+ * its force off during that time.
  */
 #ifndef HapticLongWork_h
 #define HapticLongWork_h

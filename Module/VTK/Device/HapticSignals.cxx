@@ -184,7 +184,7 @@ void Uninstall()
   }
   IsInstalled = false;
   SetConsoleCtrlHandler(OnConsole, FALSE);
-  // Handlers that were put in front meanwhile stay there: they call this library's.
+  // Handlers that were installed later stay in front: they call the handlers of this library.
   const LPTOP_LEVEL_EXCEPTION_FILTER filter = SetUnhandledExceptionFilter(BeforeCrash);
   if (filter != OnCrash)
   {

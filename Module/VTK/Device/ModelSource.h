@@ -50,8 +50,8 @@ public:
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
    * Returns null if Make would be quick now. Otherwise prepares the slow parts in the background,
-   * and returns a text that names the work for the status. The servo keeps its model meanwhile, and
-   * Make has to be called later.
+   * and returns a text that names the work for the status. Until Make is called later, the servo
+   * keeps its model.
    * @param rate rate of the model, as for Make
    */
   const char* Prepare(double rate);

@@ -38,8 +38,8 @@
  * and to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every
  * gap it rises from zero over half a second, and the proxy begins at the tip. Stiffness and
  * ForceFieldDamping are capped at what the device can hold. None of this gives the hand more energy
- * than the hand put in: a wall that is pressed meanwhile, or struck too fast for MaximumForceRate,
- * stays soft until the tip leaves it or presses deeper.
+ * than the hand put in: a wall that is pressed while the force rises, or struck too fast for
+ * MaximumForceRate, stays soft until the tip leaves it or presses deeper.
  *
  * The force is cut, and a fault is latched until Arm is called again, if the tip is not finite, if
  * it moves faster than a hand can hold the device, or if the device is lost. Without fresh samples
@@ -153,6 +153,8 @@ public:
    *                      force. Sticks of two axes are refused unless their firmware is known (an
    *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
    *                      firmwares disagree on the direction of the force along the second axis.
+   *   wheel[:N]          wheels that are not of this usage page, such as Logitech's, through their
+   *                      drivers in Linux. 1 in and out. Set NewtonsPerFullScale to their force.
    *   haply[:ID]         Haply's Inverse3, Inverse3x and Minverse, through Haply's Inverse service,
    *                      which has to run. 3 in and out, 2 N; a VerseGrip adds orientation and
    *                      buttons. ID is the service's name of the device, such as 049D. The
@@ -208,12 +210,13 @@ public:
    * Returns false and reports an error if the input can't be touched; the servo then keeps the last
    * snapshot.
    *
-   * Three kinds of work are done in the background first: measuring the distances to forbidden
-   * labels of a large label image, meshing a large surface of SURFACE_PROXY, and sampling the
-   * points of a vtkHapticPointShell. Publish and Start then return true at once, and UpdateState
-   * publishes when the work is done; see IsPublished. While a mesh is made, UpdateState publishes
-   * the isosurface around the tip, whose force fades where the tip leaves it before the next part
-   * is there (vtkHapticState::GetResidency). It does not do so while a recording is under way.
+   * Four kinds of work are done in the background first: measuring the distances to forbidden
+   * labels of a large label image, refining a label image with thick slices, meshing a large
+   * surface of SURFACE_PROXY, and spreading the points of a vtkHapticPointShell. Publish and Start
+   * then return true at once, and UpdateState publishes when the work is done; see IsPublished.
+   * While a mesh is made, UpdateState publishes the isosurface around the tip, whose force fades
+   * where the tip leaves it before the next part is there (vtkHapticState::GetResidency). It does
+   * not do so while a recording is under way.
    */
   bool Publish();
   /**
@@ -250,7 +253,7 @@ public:
    *
    * Returns the largest distance (world units) between a known position and a touched one; if it is
    * large, a point was touched badly. Returns -1, with an error and no change, for points that do
-   * not tell the placement.
+   * not determine the placement.
    */
   double FitDeviceToWorld(vtkPoints* touched, vtkPoints* known, double scale = 0.0);
 
@@ -292,12 +295,12 @@ public:
   /**
    * Call these before and after work that keeps the owner's thread busy, such as computing a mesh.
    * BeginLongWork fades the force out within 50 ms, waits for that, and invokes
-   * vtkCommand::StartEvent. Meanwhile GetStatusText says "Force is off while" and the given words,
-   * such as "the surface is meshed" (nullptr: "the program works"), and AttentionTime does not
-   * count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a second, with
-   * the proxy on the tip at first, unless the device was disarmed meanwhile or has a fault. Arm
-   * during the work takes effect after it. Pairs nest: the force comes back with the last
-   * EndLongWork, and stays off if that call is missing.
+   * vtkCommand::StartEvent. Until EndLongWork, GetStatusText says "Force is off while" and the
+   * given words, such as "the surface is meshed" (nullptr: "the program works"), and AttentionTime
+   * does not count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a
+   * second, with the proxy on the tip at first, unless the device was disarmed during the work or
+   * has a fault. Arm during the work takes effect after it. Pairs nest: the force comes back with
+   * the last EndLongWork, and stays off if that call is missing.
    *
    * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
    * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
@@ -338,10 +341,10 @@ public:
    * that gives force may push the wrong way, if its wiring or a setting differs from what was
    * assumed. So its first Arm pushes the hand gently along each of its axes, for about ten seconds,
    * and the tip has to move with the force: hold the device loosely in the middle of its workspace
-   * and keep the hand still. Nothing else is felt meanwhile. A wrong sign is a fault (GetStatusText
-   * names the axis). If the signs are right, the user's file of devices remembers them by the
-   * device's serial number or port: volumehaptics/devices.txt in $XDG_CONFIG_HOME, ~/.config or
-   * %APPDATA%, or the file that the environment variable VOLUMEHAPTICS_DEVICES names.
+   * and keep the hand still. Nothing else is felt during these pushes. A wrong sign is a fault
+   * (GetStatusText names the axis). If the signs are right, the user's file of devices remembers
+   * them by the device's serial number or port: volumehaptics/devices.txt in $XDG_CONFIG_HOME,
+   * ~/.config or %APPDATA%, or the file that the environment variable VOLUMEHAPTICS_DEVICES names.
    * ForgetConfirmation, before Start, makes the next Arm confirm the signs again.
    */
   bool GetSignsConfirmed();
@@ -349,10 +352,10 @@ public:
   ///@}
 
   /**
-   * Get whether that file remembers the open device. Returns false for a device that reports
-   * neither a serial number nor its port, because it can't be distinguished from others: its
-   * confirmation and its calibration then hold until Close. Also false for a device that gives no
-   * force.
+   * Get whether the user's file of devices remembers the open device. Returns false for a device
+   * that reports neither a serial number nor its port, because it can't be distinguished from
+   * others: its confirmation and its calibration then hold until Close. Also false for a device
+   * that gives no force.
    */
   bool IsRemembered();
 

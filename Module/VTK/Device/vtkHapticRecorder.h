@@ -50,10 +50,10 @@ public:
    * image could replay it.
    *
    * The recording begins at once, however large the volume is. The hashes of volume and labels are
-   * computed meanwhile, from the values at that time; vtkHapticDevice::UpdateState hands them to
-   * the recording, and its GetStatusText reports their progress. Stop waits up to 10 s for them,
-   * but not while the device is armed: if they are not known then, VolumeHash is empty, a replay is
-   * not refused for its labels, and a warning says so.
+   * computed during the recording, from the values at that time; vtkHapticDevice::UpdateState hands
+   * them to the recording, and its GetStatusText reports their progress. Stop waits up to 10 s for
+   * them, but not while the device is armed. If they are still not known, VolumeHash is empty, a
+   * replay is not refused for its labels, and a warning says so.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
    * Torque (N m, of tools; computed) and TorqueCommand (N m, sent), Orientation (world) and

@@ -49,9 +49,9 @@ class FastMotionWarning
 {
 public:
   /**
-   * Returns the text of DescribeFastMotion() for new time steps; it examines eight pairs of them at
-   * most. Returns an empty text after the first warning of a series, and if displacements describe
-   * the motion.
+   * Returns the text of DescribeFastMotion() for new time steps. Each call examines at most eight
+   * pairs of time steps. Returns an empty text after the first warning of a series, and if
+   * displacements describe the motion.
    * @param isLoop whether the first time step follows the last one
    */
   std::string Describe(vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop);

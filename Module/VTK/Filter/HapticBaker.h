@@ -107,8 +107,9 @@ public:
 
   /**
    * Returns null if HapticBaker::Bake() needs no slow work that can be done in the background: the
-   * distances to forbidden labels, a large mesh, and the points of a tool with a shape. Otherwise
-   * begins this work, and returns a text for the status, such as MeshingWork.
+   * distances to forbidden labels, the finer grid of labels with thick slices, a large mesh, and
+   * the points of a tool with a shape. Otherwise begins this work, and returns a text for the
+   * status, such as MeshingWork.
    * @param isMoving whether BakeTimeSteps() follows, whose time steps may have meshes of their own
    */
   const char* Prepare(bool isMoving = false);

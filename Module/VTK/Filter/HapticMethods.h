@@ -32,7 +32,6 @@ const std::vector<MethodChoice>& MethodChoices();
 /** Finds the index of a method and a solver in MethodChoices(). */
 std::size_t FindMethodChoice(int method, int solver);
 
-/** Returns the choice for a method and a solver. */
 inline const MethodChoice& GetMethodChoice(int method, int solver)
 {
   return MethodChoices()[FindMethodChoice(method, solver)];

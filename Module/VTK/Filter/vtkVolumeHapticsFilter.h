@@ -304,10 +304,9 @@ public:
 
   ///@{
   /**
-   * The modes of the method PRIMITIVES, at most eight, which are felt together. A mode that is
-   * there already is not added again. All active modes have eight primitives at most: shear, ridge
-   * and one-sided front one each; follow, two-sided front and guide two; vortex, tensor and surface
-   * three.
+   * The modes of the method PRIMITIVES, at most eight, which are felt together. A mode is not added
+   * twice. All active modes have eight primitives at most: shear, ridge and one-sided front one
+   * each; follow, two-sided front and guide two; vortex, tensor and surface three.
    */
   void AddMode(vtkHapticMode* mode);
   void RemoveMode(vtkHapticMode* mode);
@@ -648,8 +647,8 @@ public:
    * The shape that the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that
    * also bends as the normal does over KernelRadius voxels to either side. A plane stays where the
    * slow loop last fitted it: sliding over a convex surface costs work, and sliding over a concave
-   * one returns some. Both are fitted to the isosurface at IsoValue; only with CUBIC_BSPLINE is the
-   * gradient exactly normal to it.
+   * one returns some. Both are fitted to the isosurface at IsoValue; the gradient is exactly normal
+   * to it only with CUBIC_BSPLINE.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -670,8 +669,8 @@ public:
   ///@{
   /**
    * Time constant (s) with which the force changes when the proxy leaps, for example where a
-   * surface gives way, 0 to 1. The force changes by at most 150 N a second meanwhile. 0: at once.
-   * Default 0.005. For the solver PRECISE with materials of the FAR_SIDE.
+   * surface gives way, 0 to 1. During this time, the force changes by at most 150 N/s. 0: it
+   * changes at once. Default 0.005. For the solver PRECISE with materials of the FAR_SIDE.
    */
   vtkSetClampMacro(ReleaseTime, double, 0.0, 1.0);
   vtkGetMacro(ReleaseTime, double);

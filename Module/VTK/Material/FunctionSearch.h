@@ -70,8 +70,8 @@ struct FoundFunctions
 };
 
 /**
- * Searches on a worker. Call it from the owner's thread. Data that change meanwhile are searched
- * again.
+ * Searches on a worker thread. The owner's thread calls its functions. If the data change during a
+ * search, they are searched again.
  */
 class FunctionSearch
 {

@@ -252,7 +252,7 @@ bool ComputePresetScale(const char* name, vtkImageData* image, vtkHapticProperty
   if (level.IsThere && brightness > 0.0)
   {
     const double noise = NoiseEnd * valueOf(level.Dark);
-    // A background that is nearly as bright as the body is not taken for noise.
+    // A background that is nearly as bright as the body does not count as noise.
     scale.Values = noise < brightness * preset->Tissues[1].Low
       ? std::max(brightness, noise / preset->Tissues[0].High)
       : brightness;
@@ -311,9 +311,9 @@ bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
   {
     return false;
   }
-  // Forces of a lumbar puncture: see Documentation/method.md#the-needle. Fluid has no dip of its
-  // own: its values also occur between fat and muscle, where a dip would be a false loss of
-  // resistance.
+  // Forces of a lumbar puncture: see Documentation/method.md#the-needle. The force does not dip at
+  // the values of fluid, because these also occur between fat and muscle, where a dip would feel
+  // like a loss of resistance.
   constexpr double cutting[][2] = { { -955.0, 0.0 }, { -900.0, 0.04 }, { -300.0, 0.04 },
     { -150.0, 0.1 }, { -80.0, 0.1 }, { 20.0, 0.3 } }; // HU, N
   Empty(force);

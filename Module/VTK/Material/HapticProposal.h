@@ -29,8 +29,8 @@ namespace VolumeHaptics
 {
 
 /**
- * One part of a search through many voxels. Without a monitor, the caller waits for it, and it uses
- * all cores. With a monitor, it runs in the background.
+ * One part of a search through many voxels. Without a monitor, the caller waits for the search,
+ * which uses all cores. With a monitor, the search runs in the background.
  */
 struct SearchPart
 {

@@ -63,7 +63,7 @@ const char* GetKindName(MeasuredKind kind);
 bool FindKind(std::string_view name, MeasuredKind& kind);
 
 /**
- * Returns what is wrong with the points of a measurement, and the cure; empty if nothing is.
+ * Returns the fault in the points of a measurement, and the cure; empty if there is none.
  * Coordinates have to be finite, and triangles must refer to existing points.
  */
 std::string DetectFault(const Measurement& measurement);

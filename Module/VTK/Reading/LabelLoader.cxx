@@ -49,8 +49,9 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
-/// Rounds labels that a NIfTI header scales by very little, such as by 1.00002, if all of them are
-/// within 0.001 of whole numbers. Returns the first value that is not; 0 if all are.
+/// Replaces labels that are floating-point numbers by whole numbers, if all of them are within
+/// 0.001 of whole numbers: a NIfTI header may scale labels by 1.00002, for example. Returns the
+/// first value that is not; 0 if all are.
 double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
 {
   constexpr double most = 0.001;

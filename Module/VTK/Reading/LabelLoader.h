@@ -10,15 +10,15 @@
 
 namespace Explore
 {
-/// Reads a segmentation (.seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm). The table gets the
-/// names that the file has. The voxels stay in the order of the file. Numbers within 0.001 of whole
-/// numbers are rounded. `series` chooses one of several volumes or segments. Throws InputError,
-/// with the fault and the cure.
+/// Reads a segmentation: a DICOM SEG, a NRRD file with segments, a folder of masks, or any image
+/// that ReadVolume() reads. The table gets the names that the file has. The voxels stay in the
+/// order of the file. Numbers within 0.001 of whole numbers are rounded. `series` chooses one of
+/// several volumes or segments. Throws InputError, with the fault and the cure.
 Volume ReadLabels(const std::string& path, int series = 0);
 
-/// Adds to a volume the labels of a segmentation (.seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm)
-/// with the file's names, and the contents of label tables, which add up: see
-/// vtkHapticLabelTable::ReadFile. Throws InputError, with the fault and the cure.
+/// Adds to a volume the labels of a segmentation (see ReadLabels()) with the file's names, and the
+/// contents of label tables, each added to those before it: see vtkHapticLabelTable::ReadFile.
+/// Throws InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 

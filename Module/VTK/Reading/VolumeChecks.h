@@ -17,9 +17,10 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 /// Whether the values of a DICOM modality may be Hounsfield units. True for an unknown modality.
 bool MayBeHounsfield(const std::string& modality);
 
-/// Reduces the scalars to one component, and lists all of them to choose from, unless there are
-/// series to choose from. `chosen` is the number of the component, which begins at 1; 0 stands for
-/// the first one. Throws InputError if there is no such component.
+/// Reduces the scalars to one component: colours to their brightness, other scalars to the
+/// component with the number `chosen`, which begins at 1; 0 stands for the first one. Lists the
+/// components to choose from. If there are series to choose from, `chosen` is the number of the
+/// series, and the first component is used. Throws InputError if there is no such component.
 void UseComponent(const std::string& path, Volume& volume, int chosen);
 
 /// Throws InputError unless the volume can be touched. If there are no active scalars, activates

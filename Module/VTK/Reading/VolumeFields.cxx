@@ -42,7 +42,7 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* field)
 }
 
 constexpr std::size_t MOST_LABELS = 512;
-constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer's labels are above 10000
+constexpr double HIGHEST_LABEL = 65535.0; // FreeSurfer has labels above 10000
 // smallest fraction of the neighbours along rows that must be equal
 constexpr double LEAST_ALIKE = 0.75;
 // largest fraction of the voxels at a step whose values may be within the step

@@ -106,8 +106,8 @@ bool IsNifti(const std::string& lower)
   return false;
 }
 
-/// Returns the file that exists beside one of NIfTI's two, with one of these endings; empty if
-/// there is none.
+/// Returns the other file of a NIfTI volume in two files: the first one that exists with one of
+/// these endings; empty if there is none.
 std::string FindBeside(const std::string& path, std::initializer_list<const char*> endings)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -141,8 +141,8 @@ bool IsPacked(const std::string& path)
   return file.get() == 0x1f && file.get() == 0x8b;
 }
 
-/// Returns the file with the samples of a header, or the file itself; empty if they are in several
-/// files.
+/// Returns the file that has the samples: the one that the header names, or the header's own file.
+/// Returns an empty text if several files have them.
 std::string FindSamples(const std::string& path)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -189,7 +189,7 @@ double CountHeld(const std::string& path, const std::string& samples)
   {
     return Explore::CountUnpacked(samples, isHere ? head : 0);
   }
-  // Deflate shrinks zeros at most by 1032, LZMA by 7000.
+  // A factor above the largest compression: deflate shrinks zeros by at most 1032, LZMA by 7000.
   constexpr double smallest = 10000.0;
   return isRaw && !isPacked ? length : smallest * length;
 }
@@ -355,8 +355,8 @@ Volume ReadMetaImage(const std::string& path, int series)
   return volume;
 }
 
-/// Reads a NRRD file without VTK's reader, which takes text for samples, and the sizes of four axes
-/// from the wrong end. The segments of a segmentation are labels.
+/// Reads a NRRD file without VTK's reader, which misreads samples that are written as text, and the
+/// sizes of four axes. The segments of a segmentation are labels.
 Volume ReadNrrd(const std::string& path, int series)
 {
   const VolumeHaptics::NrrdHeader header = VolumeHaptics::ReadNrrdHeader(path);

@@ -52,19 +52,19 @@ struct Volume
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   // What there is to choose from: the series of a DICOM folder, as `1 "Thorax", CT, 133 slices of
   // 512 x 512`, the segments of a segmentation, or the volumes of a file with more than three axes.
-  // Each begins with its number, and the numbers follow each other. And which one this is.
+  // Each begins with its number, from 1 on. SeriesNumber is the number of the one that was read.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // whether the values look like label numbers
   bool AreLabels = false;   // whether its values are used as labels
   std::string Flow = {};    // name of the vectors of a grid, which the hand follows by default
-  std::string Padding = {}; // describes what was taken for outside; empty if nothing was
+  std::string Padding = {}; // describes the values that count as outside; empty if none does
 };
 
-/// Reads a file or a folder like LoadVolume, but does not change the voxels: they may have any
-/// type, and axes of any direction. If timesAreComponents, the times of a NIfTI file become
-/// components; otherwise the first time is read. For `series`, see
-/// vtkHapticVolumeReader::SetSeries().
+/// Reads a file or a folder like LoadVolume, but keeps the positions and values of the voxels: axes
+/// may have any direction. 64-bit integers that fit into 32 bits are stored in a smaller type. If
+/// timesAreComponents, the times of a NIfTI file become components; otherwise the first time is
+/// read. For `series`, see vtkHapticVolumeReader::SetSeries().
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
 /// The volumes along the fourth axis of a NIfTI file.
@@ -82,9 +82,9 @@ NiftiTimes ReadNiftiTimes(const std::string& path, double unknown);
 /// a note.
 void AlignVolume(Volume& volume);
 
-/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or a
-/// single slice. If an array is named, its values, or the magnitude of its vectors, are shown and
-/// felt. For anything else, throws InputError, with the fault and the cure.
+/// Reads a volume from a file or a folder of any format that vtkHapticVolumeReader reads. If an
+/// array is named, its values, or the magnitude of its vectors, are shown and felt. If the volume
+/// can't be read or touched, throws InputError, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
 /// Reads all samples of a volume that can be read in boxes. Returns null, with the reason in

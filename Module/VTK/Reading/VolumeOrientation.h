@@ -21,12 +21,12 @@ enum class WorldAxes
   Other
 };
 
-/// Return the axes that the `space` of a NRRD header, and the `AnatomicalOrientation` of a
-/// MetaImage, tell.
+/// Return the axes that the `space` of a NRRD header names, or the `AnatomicalOrientation` of a
+/// MetaImage.
 WorldAxes FindNrrdAxes(const VolumeHaptics::NrrdHeader& header);
 WorldAxes ReadMetaImageAxes(const std::string& path);
 
-/// Returns the axes of all files of a format.
+/// Returns the axes that all files of a format have; Unknown if they differ from file to file.
 WorldAxes FindFormatAxes(const std::string& format);
 
 /// Sets the axes of an image. Column c of `axes` (row-major 3x3, columns of any length) is the

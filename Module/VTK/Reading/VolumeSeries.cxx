@@ -67,8 +67,8 @@ std::vector<TimeStepPath> MakeTimeSteps(const std::vector<std::string>& paths)
   return timeSteps;
 }
 
-/// Lists the volumes in a folder. If it has no files, lists its folders, if they contain the slices
-/// of phases and no series is chosen. Returns none if there are fewer than two.
+/// Lists the volumes in a folder: its files; or, if it has no files, its folders, if they contain
+/// the slices of phases and no series is chosen. Returns none if there are fewer than two.
 std::vector<TimeStepPath> ListFolder(const std::string& folder, int series)
 {
   vtksys::Directory directory;

@@ -14,9 +14,9 @@ namespace Explore
 /// folders of DICOM slices, ordered by their names and the numbers in them; a .pvd file; or a NIfTI
 /// file with several times. All time steps are then in memory, and the image is the first one. A
 /// volume that is large, or requested as large, is read as by LoadLargeVolume. If a series is
-/// chosen, it is read of each of several files, and folders of slices are not taken for time steps.
-/// For `series`, see vtkHapticVolumeReader::SetSeries(); for `array`, see LoadVolume. Throws
-/// InputError.
+/// chosen, the series with this number is read from each of several files, and folders of slices
+/// are not treated as time steps. For `series`, see vtkHapticVolumeReader::SetSeries(); for
+/// `array`, see LoadVolume. Throws InputError.
 Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int series = 0,
   const std::string& array = "");
 

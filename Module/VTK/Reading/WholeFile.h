@@ -18,16 +18,17 @@ double CountUnpacked(const std::string& file, std::size_t offset);
 /// empty if it can. VTK's readers look for an unknown type in memory beyond their list of types.
 std::string DetectFalseNiftiHeader(const std::string& header);
 
-/// Returns why a name is not that of a file: a reader would wait for a pipe, and read a device
-/// without end. Empty for a file, and for a name that does not exist, which the reader reports.
+/// Returns the reason why a path must not be read as a file: it is a pipe, for which a reader would
+/// wait, or a device, which it would read without end. Returns an empty text for a file, and for a
+/// path that does not exist, because the reader reports this.
 std::string DetectDevice(const std::string& path);
 
-/// Does the same for all names in a folder, and in the folders in it, of a format whose files name
-/// others in ways that only VTK's reader knows.
+/// Calls DetectDevice() for all paths in a folder and its subfolders, and returns the first reason.
+/// It is for formats whose files name other files in ways that only VTK's reader knows.
 std::string DetectDeviceIn(const std::string& folder);
 
 /// Returns the reason why a file of VTK's XML formats, or a piece that it names, is not complete,
-/// or tells sizes that can't be true; empty if it is as it says. VTK's readers fill missing
+/// or gives sizes that can't be true; empty if there is no such fault. VTK's readers fill missing
 /// appended samples with whatever was in memory.
 std::string DetectMissingEnd(const std::string& file);
 } // namespace Explore

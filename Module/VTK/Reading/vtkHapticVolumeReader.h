@@ -53,10 +53,10 @@ public:
 
   ///@{
   /**
-   * The number, from 1 on, of what is read of a file or folder with several: a series of a DICOM
-   * folder, a segment of a segmentation, a channel, a time, or a component of the voxels. 0
-   * (default): the series with most pixels, all segments, all times of a NIfTI file as time steps,
-   * or the first one. GetSeriesName() lists what there is.
+   * What to read if a file or folder has several: the number, from 1 on, of a series of a DICOM
+   * folder, a segment of a segmentation, a mask of a folder of masks, a channel, a time, or a
+   * component of the voxels. 0 (default): the series with most pixels, all segments, all times of a
+   * NIfTI file as time steps, or the first one. GetSeriesName() lists what there is.
    */
   vtkSetClampMacro(Series, int, 0, VTK_INT_MAX);
   vtkGetMacro(Series, int);
@@ -74,8 +74,9 @@ public:
   ///@{
   /**
    * Whether the values are numbers of labels: numbers within 0.001 of whole ones are rounded,
-   * others are an error, and the table has the names and colours that the file has. The voxels stay
-   * in the order of the file. Off (default): only a DICOM SEG has labels.
+   * others are an error, and the table has the names and colours from the file. The voxels stay in
+   * the order of the file. Off (default): only a DICOM SEG, a NRRD file with segments and a folder
+   * of masks have labels.
    */
   vtkSetMacro(AsLabels, bool);
   vtkGetMacro(AsLabels, bool);

@@ -40,7 +40,8 @@ public:
    *
    * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
    * @param spacing spacing of the grid; 0 stands for ComputeSampleSpacing()
-   * @return null, with the reason and the cure in `error`, if the data have no volume or no array
+   * @return null, with the reason and the cure in `error`, on failure, such as for data without
+   * volume or arrays
    */
   static std::shared_ptr<DataSetSampler> Make(vtkDataObject* data,
     const std::vector<std::string>& wanted, double spacing, std::string& error);

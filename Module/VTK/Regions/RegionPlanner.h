@@ -46,7 +46,7 @@ public:
   bool SetWhole(vtkImageData* image, std::string& error);
   const WholeGeometry& GetWhole() const { return this->Whole; }
 
-  /** Sets the most voxels of a region, limited to 4096 to 512^3. Default 128^3. */
+  /** Sets the largest number of voxels of a region, clamped to 4096 to 512^3. Default 128^3. */
   void SetMaximumVoxels(vtkIdType voxels);
   vtkIdType GetMaximumVoxels() const { return this->MaximumVoxels; }
 

@@ -43,7 +43,7 @@ struct RegionReader::Work
   std::optional<VolumeFacts> Facts;
   std::optional<RegionSamples> Arrived;
   std::string Trouble;
-  bool IsLost = false;      ///< whether the thread has ended without being told to
+  bool IsLost = false;      ///< whether the thread has ended without an order to end
   std::int64_t Revival = 0; ///< time at which another thread may begin (ServoClock)
   ///@}
   ///@{

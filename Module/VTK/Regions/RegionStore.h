@@ -105,7 +105,10 @@ public:
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
-  /** Returns at the first call what is treated as outside, and then an empty text. */
+  /**
+   * Returns a notice on what is treated as outside, and then, until there is a new notice, an empty
+   * text.
+   */
   std::string DrainNotice() { return std::exchange(this->Notice, {}); }
 
   /** Reads a region into a new array within this call. Returns null, with an error, on failure. */

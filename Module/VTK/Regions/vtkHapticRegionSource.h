@@ -5,8 +5,8 @@
  * @brief   a volume that is too large for memory, read where the hand needs it
  *
  * Provides a volume from a file, or from anything that a function can read boxes of samples from.
- * Only regions of the volume are ever in memory. Connect it directly to port 0 of
- * vtkVolumeHapticsFilter:
+ * Only regions of the volume are in memory, unless OpenWholeFile() opened it. Connect it directly
+ * to port 0 of vtkVolumeHapticsFilter:
  *
  *   source->SetFileName("Bone.raw");              // or OpenFile; or SetReader, C++ only
  *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
@@ -26,11 +26,12 @@
  * (Documentation/method.md, "Regions of a volume"). A thread of the source reads this region, and
  * writes it into memory before the servo sees it; neither the servo nor the GUI thread ever waits
  * for the read. Where samples are late, or can't be read, the force fades within 50 ms
- * (vtkHapticState::GetResidency), and returns when the samples are there. If there is a
- * CoarseImage, it stands in meanwhile, with half of its force. A failed read gives one error, is
- * reported by GetStatusText() of source and device, and is repeated at intervals that grow from 50
- * ms to 2 s. At first nothing is felt: 512 blocks of 5^3 samples are read to estimate the noise (of
- * at most 2^26 samples, all). A source follows one device: two hands need two sources.
+ * (vtkHapticState::GetResidency), and returns when the samples are there. Until then, a
+ * CoarseImage, if there is one, stands in, with half of its force. A failed read gives one error,
+ * is reported by GetStatusText() of source and device, and is repeated at intervals that grow from
+ * 50 ms to 2 s. At first nothing is felt: 512 blocks of 5^3 samples are read to estimate the noise,
+ * or all samples of a volume of at most 2^26 samples. A source follows one device: two hands need
+ * two sources.
  *
  * The output is the region that was read last, or a region of the CoarseImage that stands in, with
  * the field arrays of vtkHapticRegionFilter. Before the first region is there, it is a few voxels
@@ -104,7 +105,7 @@ public:
   ///@{
   /**
    * A raw file of samples, x fastest and z slowest, without compression. It is opened for each
-   * region, so it may be replaced or grow meanwhile. Default: none.
+   * region, so it may be replaced or grow while it is felt. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -217,8 +218,8 @@ public:
   ///@{
   /**
    * Open a file as OpenFile() does, also one whose samples can't be read in boxes, because they are
-   * compressed or written as text: a MetaImage or NRRD file with gzip or ascii. Then all samples
-   * are in memory from the first read on.
+   * compressed, written as text or in several files: a MetaImage or NRRD file, or a packed volume
+   * of FreeSurfer (.mgz). All samples of such a file are in memory from the first read on.
    */
   bool OpenWholeFile(const char* fileName, int series = 0);
 #ifndef __VTK_WRAP__

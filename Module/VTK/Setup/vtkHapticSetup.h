@@ -21,9 +21,9 @@
  *
  *   Haptics        all settings of vtkVolumeHapticsFilter and of its vtkHapticProperty: the five
  *                  functions with midpoints and sharpness, the component, the surface side, and
- *                  whether voxels that the VolumeProperty hides are not felt (HideInvisible); if
- *                  the filter has a label table, Labels: the table with names, colours, materials
- *                  and stand-off
+ *                  whether voxels that the VolumeProperty hides are not felt (HideInvisible); the
+ *                  modes of PRIMITIVES and the tool with its settings; if the filter has a label
+ *                  table, Labels: the table with names, colours, materials and stand-off
  *   Volume         interpolation, and for each of the four components opacity, gradient opacity and
  *                  colour functions, unit distance, shading and lighting
  *   Camera         position, focal point, view up, view angle, parallel projection and scale

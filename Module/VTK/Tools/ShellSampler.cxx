@@ -230,7 +230,7 @@ namespace
 constexpr std::size_t CandidatesOfFew = 40;
 constexpr std::size_t CandidatesOfMany = 15;
 constexpr std::size_t Many = 20000;
-/** One in this number of candidates may be chosen at first. */
+/** The first choice is made among every n-th candidate, with this n. */
 constexpr std::size_t CandidatesOfChoice = 5;
 /**
  * Smallest length of a mean of unit normals at which the positions face nearly the same way, so

@@ -197,7 +197,7 @@ bool EndsWithLine(const std::string& file)
   return stream.get() == '\n';
 }
 
-/** Returns what is wrong with the contents; empty if nothing is. */
+/** Returns the first fault of the contents; empty if there is none. */
 std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& times)
 {
   if (tips.empty())
@@ -224,7 +224,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
-/** Reads the tips. Returns what is wrong with the file; empty if nothing is. */
+/** Reads the tips. Returns the fault of the file; empty if there is none. */
 std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 {
   const std::string ending = GetTraceEnding(file);

@@ -16,8 +16,8 @@ namespace VolumeHaptics
 
 /**
  * Reads the text Settings of the field arrays in .csv.json, beside a recording .csv. The text is
- * empty if there is no such file. Returns false and writes what is wrong, and the cure, if the file
- * is not JSON.
+ * empty if there is no such file. Returns false, with the fault and the cure in `error`, if the
+ * file is not JSON.
  */
 bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error);
 

@@ -47,7 +47,9 @@ struct TraceRow
   unsigned char Renewed;
 };
 
-/** The most numbers that recordings have of all ToolColumns together. */
+/**
+ * The largest number of values that the ToolColumns of all tools together may have in a recording.
+ */
 constexpr int MostToolNumbers = 7;
 
 /** One tick of a recording. */

@@ -20,6 +20,8 @@
  * | friction | | 0 or more |
  * | viscosity | | N |
  * | strength | surfacestrength | N |
+ * | shaft | shaftfriction | N per metre of a needle's shaft |
+ * | energy | specificenergy | J/mm^3, to remove the tissue |
  * | felt, forbidden | | 1 or 0, true or false, yes or no |
  * | color | colour | #rrggbb; or three numbers, from 0 to 1 or from 0 to 255, with blanks between |
  * | red, green, blue | r, g, b | the same numbers |

@@ -64,7 +64,7 @@ std::optional<std::array<double, 3>> MakeColor(double red, double green, double 
 
 /**
  * Converts a text to UTF-8 without control characters, which become blanks. A text that is not
- * UTF-8 is taken for ISO 8859-1, which old programs write.
+ * UTF-8 is read as ISO 8859-1, which old programs write.
  */
 std::string MakeLabelName(std::string_view text);
 

@@ -20,11 +20,11 @@ namespace VolumeHaptics
 
 /**
  * Reads one label (int) a voxel into an image, and the names and colours of the labels into a
- * table, which keeps what else it has. Overlapping segments are in layers, which vtkNrrdReader
- * does not read: where segments overlap, the last of them in the file counts, as in 3D Slicer.
- * Labels are the values of the file; if two segments of different layers share a value, segment N
- * has the label N + 1 (see vtkHapticLabelTable::ReadFile). Origin, spacing and direction are those
- * of the file, converted to left-posterior-superior.
+ * table, whose other contents stay. Overlapping segments are in layers, which vtkNrrdReader does
+ * not read: where segments overlap, the last of them in the file counts, as in 3D Slicer. Labels
+ * are the values of the file; if two segments of different layers share a value, segment N has the
+ * label N + 1 (see vtkHapticLabelTable::ReadFile). Origin, spacing and direction are those of the
+ * file, converted to left-posterior-superior.
  *
  * If `segment` is not 0, only the segment with this number is read, from 1 on in the order of the
  * labels: the image has no other label, and all voxels of this one. The table has all segments.

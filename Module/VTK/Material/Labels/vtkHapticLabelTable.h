@@ -14,9 +14,9 @@
  *   table->SetForbidden(52, true); // the aorta
  *
  * Labels are integers of any sign; 0 has no special meaning, so that air, too, can have a material.
- * What is not set for a label comes from the transfer functions of vtkHapticProperty: a label with
- * only a name and a colour feels as if there were no label image, and a label with only a stiffness
- * gets friction, viscosity and surface strength from the functions.
+ * A quantity that is not set for a label comes from the transfer functions of vtkHapticProperty: a
+ * label with only a name and a colour feels as if there were no label image, and a label with only
+ * a stiffness gets friction, viscosity and surface strength from the functions.
  *
  * ReadFile reads names and colours that other programs store with their segmentations, and
  * materials from CSV files. Files add up: one file may have the names, and another file the
@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * The name of a label, UTF-8. A text that is not UTF-8 is taken for ISO 8859-1. The getter
-   * returns an empty text if there is no name.
+   * The name of a label, UTF-8. A text that is not UTF-8 is read as ISO 8859-1. The getter returns
+   * an empty text if there is no name.
    */
   void SetLabelName(int label, const std::string& name);
   std::string GetLabelName(int label);
@@ -182,11 +182,12 @@ public:
    * - MRIcron, names (.txt) and colours (.lut);
    * - VTK, image (.vti) with the arrays of WriteFieldData;
    * - CSV whose first line names the columns: label (or index, id), name, stiffness (N/m),
-   *   friction, viscosity (N), strength (N), shaft (N/m), felt, forbidden (1 or 0), and color
-   *   (`\#rrggbb`). Only label is needed, other columns are ignored, and empty cells set nothing.
+   *   friction, viscosity (N), strength (N), shaft (N/m), energy (J/mm^3), felt, forbidden (1 or
+   *   0), and color (`\#rrggbb`). Only label is needed, other columns are ignored, and empty cells
+   *   set nothing.
    *
-   * What the file contains about a label replaces what the table has; everything else stays. Texts
-   * are UTF-8, or ISO 8859-1 if they are not. If the file can't be read, reports an error, returns
+   * Quantities of a label in the file replace those in the table; everything else stays. A text
+   * that is not UTF-8 is read as ISO 8859-1. If the file can't be read, reports an error, returns
    * false and changes nothing.
    */
   bool ReadFile(VTK_FILEPATH const char* path);

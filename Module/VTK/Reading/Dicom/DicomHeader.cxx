@@ -114,7 +114,8 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Reads decimal numbers that are separated by backslashes. Returns false if there are too few.
+/// Reads decimal numbers that are separated by backslashes. Returns false, and writes none, if
+/// there are fewer, or if one is not finite.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -344,7 +345,7 @@ void ReadValue(
   }
 }
 
-/// Reads all decimal numbers that are separated by backslashes.
+/// Reads all decimal numbers that are separated by backslashes; none if one of them can't be read.
 std::vector<double> ReadAllDecimals(const std::string& text)
 {
   std::vector<double> numbers(
@@ -482,7 +483,7 @@ private:
   std::vector<std::array<double, 6>> Orientations;
 };
 
-/// Reads everything but the pixels; false if there are none.
+/// Reads everything but the pixels. Returns false if the file can't be read or has no pixels.
 bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& places)
 {
   header = {};
@@ -623,7 +624,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
   {
     return {};
   }
-  // A few frames are enough to tell that a file is cut off.
+  // If the file is cut off, 1000 frames are enough to report this.
   const int count = std::min(header.Frames, header.IsWhole ? MOST_FRAMES : 1000);
   const auto frames = static_cast<std::size_t>(count);
   std::vector<DicomHeader> slices(frames, header);

@@ -46,7 +46,7 @@ constexpr DicomFact DICOM_FACTS[] = {
   { 0x00200013, "InstanceNumber", DicomFact::Decimal, 0.0 },
 };
 
-/// Returns the fact of a tag; null if it is none.
+/// Returns the fact with a tag; null if no fact has this tag.
 const DicomFact* FindDicomFact(std::uint32_t tag);
 
 /// The header of a DICOM slice: its series, its position, and the meaning of its samples. VTK's
@@ -88,7 +88,7 @@ struct DicomHeader
     double Intercept = 0.0;
     std::string Unit; // UCUM's code, such as "um2/s"
     int Count = 0;    // number of maps in the file
-    // first and last stored value that the map is for; equal if the file does not tell
+    // first and last stored value that the map is for; equal if the file has none
     double Range[2] = { 0.0, 0.0 };
     bool IsUsed = false;
   };
@@ -105,7 +105,7 @@ struct DicomHeader
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Along = 0.0;               // position along the normal, mm
   double Spacing[2] = { 0.0, 0.0 }; // between pixels along a row and along a column, mm; 0: unknown
-  bool IsDetectorSpacing = false;   // whether Spacing is that at the detector
+  bool IsDetectorSpacing = false;   // measured at the detector, not in the patient
   double Step = 0.0;                // distance of slices in the file, mm; 0: not known
   double Thickness = 0.0;           // mm; 0: not known
   std::optional<double> Location;   // SliceLocation, mm

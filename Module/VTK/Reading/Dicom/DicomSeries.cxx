@@ -145,8 +145,8 @@ std::vector<DicomSeries> SplitBy(const DicomSeries& series, const std::string& n
   return parts.size() > 1 ? all : std::vector<DicomSeries>();
 }
 
-/// Divides the slices into phases by a fact. Returns false if the fact does not rise at each
-/// position.
+/// Divides the slices into `count` phases: at each position, a fact such as the trigger time must
+/// rise from one slice to the next. Returns false if it does not, or if a slice lacks it.
 bool PartPhases(DicomSeries& series, std::size_t count, const Explore::DicomFact& fact)
 {
   std::vector<std::vector<DicomHeader>> phases(count);

@@ -16,7 +16,10 @@ namespace VolumeHaptics
 
 class OpenedFile;
 
-/** Largest size of an unpacked chunk (bytes), which only damaged chunks exceed. */
+/**
+ * Largest size of an unpacked chunk that is read (bytes). A header that promises more is often
+ * damaged.
+ */
 constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 
 ///@{

@@ -73,7 +73,9 @@ public:
   bool HasArray(const std::string& path) const;
   /** Returns the names of the members of a group, in alphabetical order. */
   std::vector<std::string> ListMembers(const std::string& group) const;
-  /** Returns an attribute that is a text of fixed length; empty if there is none. */
+  /**
+   * Returns an attribute that is a text of fixed length; empty if it is missing or of another type.
+   */
   std::string ReadText(const std::string& group, const std::string& attribute) const;
   /**
    * Returns the numbers of an attribute; empty if there is none, or if VTK has no such type of

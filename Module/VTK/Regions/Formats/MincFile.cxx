@@ -194,7 +194,7 @@ private:
     }
     one.Facts = this->TakeAttributes();
     one.Type = static_cast<int>(this->TakeCount());
-    this->TakeCount(); // its size, which the dimensions tell, too
+    this->TakeCount(); // skip its size, which also follows from the dimensions
     one.Place = static_cast<std::int64_t>(
       this->IsLong ? ReadBig<std::int64_t>(this->Take(8)) : ReadBig<std::int32_t>(this->Take(4)));
   }
@@ -204,7 +204,7 @@ private:
   bool IsLong = false; ///< whether places in the file have eight bytes
 };
 
-/** Returns the only, or the first, number of an attribute. */
+/** Returns the first number of an attribute; `other` if it has none. */
 double NumberOr(const Attributes& facts, const char* name, double other)
 {
   const auto found = facts.find(name);
@@ -218,7 +218,7 @@ std::string WordsOf(const Attributes& facts, const char* name)
   return found != facts.end() ? found->second.Words.c_str() : std::string();
 }
 
-/** The image of a file, whose dimensions are those of space and others. */
+/** The image of a file. Its dimensions are the axes of space and further axes, such as time. */
 struct MincImage
 {
   const Variable* Image = nullptr;

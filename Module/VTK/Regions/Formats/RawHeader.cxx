@@ -43,7 +43,7 @@ const std::map<std::string, int> MetaTypes = { { "met_char", VTK_SIGNED_CHAR },
   { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
   { "met_double", VTK_DOUBLE } };
 
-/** The fields of a header in either format. */
+/** The contents of a header, in either format. */
 struct RawHeader
 {
   std::vector<double> Size;            ///< number of samples along x, y and z
@@ -418,7 +418,7 @@ LargeFile OpenRawHeader(const std::string& name, bool mayBeWhole, int volume)
   }
   for (const std::string& samples : header.Data)
   {
-    // Only a reader of boxes never has all samples in memory.
+    // Holes matter only if all samples are read into memory.
     const std::string holes = mayBeWhole ? DetectHoles(samples) : std::string();
     if (!holes.empty())
     {

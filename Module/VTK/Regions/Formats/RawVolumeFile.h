@@ -40,7 +40,7 @@ struct RawVolumeFile
 
   /**
    * Reads a box, row by row. Opens the file for each box, so that it may be replaced or grow
-   * meanwhile, and several threads may read at once. Throws std::runtime_error.
+   * between two boxes, and several threads may read at once. Throws std::runtime_error.
    */
   void Read(const int box[6], void* samples) const;
 };

@@ -91,7 +91,7 @@ struct TiffText
   std::size_t TimeStep = 1;
   ///@}
   double PerUnit = 0.0; ///< mm for each unit of ImageJ's resolution
-  /** ImageJ shows the values Line[0] + Line[1] times those stored. */
+  /** ImageJ shows the value Line[0] + Line[1] * sample. */
   double Line[2] = { 0.0, 1.0 };
   bool IsCurved = false; ///< whether ImageJ's values follow another function
   std::size_t Whole = 0; ///< number of images after the first one that have no directory of
@@ -469,7 +469,7 @@ TiffText ReadShape(const std::string& description)
   return text;
 }
 
-/** Reads the description of a file. */
+/** Reads what ImageJ, tifffile or OME have written into the description; empty for others. */
 TiffText ReadText(const std::string& description, const std::string& file)
 {
   return description.rfind("ImageJ=", 0) == 0 ? ReadImageJ(description)

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 
 /**
  * Holds a volume of some files, which are read when the first sample is requested. Samples that do
- * not belong to the volume, such as other layers, are left out, as they may be thousands of times
- * more.
+ * not belong to the volume, such as other layers, are left out, because there may be thousands of
+ * times more of them.
  */
 class WholeSamples
 {

@@ -258,7 +258,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& attribut
 
 /**
  * Returns the folder of the image in a collection of images, as bioformats2raw writes them: folders
- * 0, 1, and so on. Throws if there are several, because they may be of different size.
+ * 0, 1, and so on. Throws unless there is exactly one image.
  */
 std::string FindOnlyImage(const std::string& folder)
 {

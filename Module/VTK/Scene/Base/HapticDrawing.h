@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells whether a window is rendering, and whether the frame will be shown.
+ * Detects whether a window is rendering, and whether the frame will be shown.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h

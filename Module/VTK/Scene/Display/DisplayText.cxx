@@ -132,8 +132,8 @@ std::string DescribeStatus(vtkHapticDevice* device)
     return status;
   }
   const int code = device->GetStatus();
-  // For requests to the hand, keep the second sentence, too. A user of the mouse is told by the
-  // hint instead.
+  // For requests to the hand, keep the second sentence, too. For a user of the mouse, the hint says
+  // this instead.
   const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
     code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
   const std::string first = status.substr(0, sentence + 1);

@@ -254,7 +254,7 @@ vtkHapticProperty* HapticProposalView::GetProposed() const
 }
 
 /**
- * Returns the data to search for edges. Shows the data's histogram first, because it tells the
+ * Returns the data to search for edges. Shows the data's histogram first, because it yields the
  * range of values.
  */
 SearchedData HapticProposalView::GetSearched()

@@ -125,7 +125,7 @@ public:
 
   ///@{
   /**
-   * Handle a proposal that was neither accepted nor dropped yet: IsThere() tells whether there is
+   * Handle a proposal that was neither accepted nor dropped yet: IsThere() returns whether there is
    * one, Apply() accepts it, Drop() drops it and ends the search.
    */
   bool IsThere() const { return this->Proposal != nullptr; }

@@ -57,8 +57,8 @@ struct vtkHapticFunctionEditor::vtkInternals
   }
 
   /**
-   * Does the editor's work between StartEvent and EndEvent. Observers may render meanwhile, which
-   * shows the chart without the work's results, and may release the editor.
+   * Does the editor's work between StartEvent and EndEvent. Observers of these events may render,
+   * which shows the chart without the work's results, and may release the editor.
    */
   template <typename WorkType>
   void DoLongWork(vtkHapticFunctionEditor* editor, const WorkType& work)

@@ -75,8 +75,8 @@ public:
 
   /**
    * Whether a motion of the mouse should draw the frame itself, because timers are late: VTK's
-   * timers on X11 wait their whole period after a frame. The previous motion has been felt
-   * meanwhile.
+   * timers on X11 wait their whole period after a frame. It is true only FeltTime after the last
+   * frame, so that the hand has felt the motion before.
    */
   bool IsLate(double now) const
   {

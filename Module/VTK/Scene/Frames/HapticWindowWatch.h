@@ -44,8 +44,8 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * Detects that the interactor has got another window, or that its loop was told to end. Call this
-   * often.
+   * Detects that the interactor was given a different window, or that its loop was told to end.
+   * Call this often.
    */
   void Look();
 

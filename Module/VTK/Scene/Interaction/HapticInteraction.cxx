@@ -393,8 +393,8 @@ bool HapticInteraction::PressKey(const std::string& pressed)
     if (scene.Device)
     {
       scene.Device->Disarm();
-      // The window gets no release of the key k if it loses the focus meanwhile, so release the
-      // clutch here, too.
+      // If the window loses the focus while the key k is held, it gets no release of the key, so
+      // release the clutch here, too.
       this->Workspace.SetClutch(false);
     }
   }

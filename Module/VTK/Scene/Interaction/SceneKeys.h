@@ -54,7 +54,7 @@ public:
 private:
   std::string ChooseHint();
   /**
-   * Returns a line that tells the key of an action, between two texts; empty if the action has no
+   * Returns a line with the name of an action's key between two texts; empty if the action has no
    * key.
    */
   std::string DescribeKey(const char* before, const char* defaultKey, const char* after) const;

@@ -175,7 +175,7 @@ public:
   {
     const std::string name = this->GetKeyName();
     this->GetInteraction().ReleaseKey(name);
-    // if Shift was released before, the release has another name than the press: p for P
+    // if Shift was released first, the names of the release and the press differ: p and P
     const bool isUnshifted = this->HeldWithShift && this->Interactor->GetShiftKey() == 0;
     if (!this->HeldKey.empty() && (this->HeldKey == name || isUnshifted))
     {

@@ -36,7 +36,7 @@
  *   c           put the device's workspace back around the camera's focal point
  *   k           clutch: while the key is held, a real device moves without the tip and without
  *               force. The force comes back when the key is released, unless the device was
- *               disarmed meanwhile
+ *               disarmed before that
  *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
@@ -82,14 +82,14 @@
  * **Pictures.** While a device is set, volumes of the scene show what is felt:
  *
  * - if the felt volume moves, the volumes of the renderer that show the felt image (by their
- *   mapper's input, or its scalars) show the time step nearest to what is felt. Meanwhile, their
- *   mappers have another input. The head-up display shows the time;
+ *   mapper's input, or its scalars) show the time step nearest to what is felt, for which the style
+ *   replaces the input of their mappers. The head-up display shows the time;
  * - volumes in the window that show the touched array show what a vtkHapticBurr has left of it.
  *   vtkGPUVolumeRayCastMapper, also in a vtkSmartVolumeMapper, gets only the parts of its texture
  *   that have changed. Other mappers, textures that are divided (SetPartitions), and images that
  *   nowhere have a value as low (or high) as the removal's AirValue are shown by a copy, which
- *   takes the memory of the array once more and is prepared as a whole after each change; the
- *   mapper has another input meanwhile. The image itself does not change.
+ *   takes the memory of the array once more and is prepared as a whole after each change; this copy
+ *   replaces the input of the mapper. The image itself does not change.
  *
  * The style sets a hint in the head-up display (vtkHapticHeadUpDisplay::SetHint) that says how to
  * begin, and then how to go on, until something was touched.

@@ -5,9 +5,9 @@
  * @brief   three slices of the touched image through the tip, beside the scene
  *
  * Shows slices along the three axes of the image in a column at the right edge of a window, each
- * with a crosshair at the tip. The first slice shows the value there, the name of its label in the
- * filter's label table, and the tissue as the head-up display names it. The other renderers of the
- * window get the rest of its width.
+ * with a crosshair at the tip. The first slice shows the value at the tip, the name of the label
+ * there in the filter's label table, and the tissue as the head-up display names it. The other
+ * renderers of the window get the rest of its width.
  *
  *   slices->SetDevice(device);
  *   slices->SetRenderWindow(window);

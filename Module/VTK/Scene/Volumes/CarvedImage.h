@@ -78,8 +78,8 @@ class CarvedImage
 {
 public:
   /**
-   * Updates the copy of an image, which may be null. Returns whether Get() returns another image
-   * than before. Does not check an image again if it is the same object with the same modification
+   * Updates the copy of an image, which may be null. Returns whether the result of Get() has
+   * changed. Does not check an image again if it is the same object with the same modification
    * time.
    */
   bool Update(

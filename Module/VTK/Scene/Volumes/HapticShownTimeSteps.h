@@ -54,7 +54,7 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     vtkWeakPointer<vtkVolumeMapper> Mapper;
     vtkWeakPointer<vtkImageData> Image; ///< the application's image
-    /** the shown time step; null if the volume does not move yet */
+    /** the shown time step; null until one is shown */
     vtkSmartPointer<vtkImageData> Picture;
     /** producer of the mapper's input; kept alive here, because a connection does not keep it */
     vtkSmartPointer<vtkAlgorithm> Before;
