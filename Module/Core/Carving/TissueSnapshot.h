@@ -27,8 +27,8 @@ struct BrickTissue
 };
 
 /**
- * Returns the bricks from which tissue was removed. From any thread. If bricks change meanwhile,
- * the copies are from different moments.
+ * Returns the bricks from which tissue was removed. From any thread. If bricks change during the
+ * call, the copies are from different moments.
  */
 std::vector<BrickTissue> CopyBricks(const CarvedBricks& bricks);
 /** Stores bricks. Returns false if there is no room for all of them. Called by the writer. */
@@ -40,7 +40,9 @@ public:
   /** Limit of the bricks that may change before the snapshot is completed (1 MiB). */
   static constexpr std::size_t MostLate = 2048;
 
-  /** Copies all bricks, which may change meanwhile, and keeps a reference to them. Allocates. */
+  /**
+   * Copies all bricks, which may change during the call, and keeps a reference to them. Allocates.
+   */
   explicit TissueSnapshot(CarvedBricks& bricks);
   ~TissueSnapshot();
   TissueSnapshot(const TissueSnapshot&) = delete;

@@ -64,7 +64,11 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
 namespace
 {
 
-/** Replaces the smoothing weights by a_i. Differentiate() computes their derivative later. */
+/**
+ * Computes the weights a_i of a value that is fitted by a line, for GaussianWeights::OwnDerivative.
+ * `slope` receives the slope's weights, which Differentiate() later replaces by the derivative of
+ * the a_i.
+ */
 void ComputeFittedValueWeights(int radius, double s, double fraction, double* value, double* slope)
 {
   const double cut = radius + 1.0;

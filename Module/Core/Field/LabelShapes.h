@@ -87,8 +87,9 @@ void MeasureShapes(
 float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i, std::int64_t j);
 
 /**
- * Limits the distances of all labels in the next slice, around the pieces of a label that the next
- * slice lacks, so that each piece ends as a ball would, with the same slope around its end.
+ * Finds the pieces of a label that end at this slice, because the next slice lacks them. Around
+ * them, limits the distances of all labels in the next slice, so that each piece ends as a ball
+ * would, with the same slope around its end.
  */
 void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape* before,
   const LabelShape* next, std::vector<float>& limits);

@@ -49,7 +49,7 @@ public:
   {
   }
 
-  /** Returns whether the bracket is narrow enough, or whether there is no root. */
+  /** Returns true if the bracket is narrow enough, or if there is no root. */
   bool IsNarrow() const noexcept
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;

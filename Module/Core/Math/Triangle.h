@@ -22,7 +22,6 @@ struct Triangle
   Vector3 Corner[3];
 };
 
-/** A point of a triangle. */
 struct TrianglePoint
 {
   Vector3 Position;

@@ -5,9 +5,9 @@
  * The interface of the tools in the hand, baked for the servo tick.
  *
  * Without a tool, the hand feels with a point. Each kind of tool is a class in a folder of
- * Core/Tools. Outside its folder it is named only in the list of states in Core/State/ToolStates.h.
- * ServoState holds the state that a tool passes from tick to tick, and ToolMemory the data whose
- * size depends on the tool.
+ * Core/Tools. Outside this folder, Core names it only in the list of states,
+ * Core/State/ToolStates.h. ServoState holds the state that a tool passes from tick to tick, and
+ * ToolMemory the data whose size depends on the tool.
  */
 #ifndef BakedTool_h
 #define BakedTool_h
@@ -40,7 +40,7 @@ struct ToolColumn
 };
 using ToolColumns = std::vector<ToolColumn>;
 
-/** One tick of a tool. */
+/** What a tool reads and writes in a tick. */
 class ToolTick
 {
 public:

@@ -52,7 +52,7 @@ int Open(const std::string& name, For what, Mode mode = 0);
 void Close(int descriptor) noexcept;
 /** Closes a file. Returns false if bytes may be lost. */
 bool CloseWritten(int descriptor) noexcept;
-/** Returns another descriptor of the same open file. */
+/** Returns a second descriptor of the same open file. */
 int Duplicate(int descriptor) noexcept;
 
 ///@{
@@ -104,7 +104,7 @@ bool CopyPermissions(int descriptor, const Status& other) noexcept;
 
 /**
  * Counts the bytes of a file that are on the disk, until there are `enough`. Returns a larger
- * number than that if the file system does not tell.
+ * number than `enough` if the file system does not report it.
  */
 std::int64_t CountStored(int descriptor, std::int64_t enough) noexcept;
 

@@ -173,7 +173,7 @@ std::int64_t CountStored(int descriptor, std::int64_t enough) noexcept
     const off_t data = lseek(descriptor, at, SEEK_DATA);
     at = data < 0 ? data : lseek(descriptor, data, SEEK_HOLE);
     hasMore = at >= 0;
-    // ENXIO: no data follow. Another error: the file system tells nothing.
+    // ENXIO: no data follow. Another error: the file system does not report holes.
     stored = hasMore ? stored + (at - data) : errno == ENXIO ? stored : enough;
   }
   return stored;

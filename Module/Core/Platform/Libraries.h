@@ -15,8 +15,8 @@ namespace Libraries
 {
 
 /**
- * Loads a library by its whole path, and those it needs, also from its own folder. Returns null and
- * writes the loader's text to `error` if this fails. It is never unloaded.
+ * Loads a library by its whole path, and the libraries that it needs, also from its own folder.
+ * Returns null and writes the loader's text to `error` if this fails. It is never unloaded.
  */
 void* Load(const std::string& path, std::string& error);
 /** Finds a function of a loaded library. Returns null if there is none of that name. */

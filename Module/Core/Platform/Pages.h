@@ -37,7 +37,7 @@ void MakeLarge(void* address, std::size_t size) noexcept;
 /** The bytes of the calling thread's stack that are not used yet, at most `size` of them. */
 struct Stack
 {
-  const char* Begin = nullptr; ///< null if the system does not tell
+  const char* Begin = nullptr; ///< null if the system does not report it
   std::size_t Size = 0;
 };
 Stack FindFreeStack(std::size_t size) noexcept;

@@ -32,7 +32,7 @@ std::size_t GetPageSize() noexcept;
 void RequestPages(const void* begin, std::size_t size) noexcept;
 /**
  * Reads the pages of a range into memory. May wait for the disk; other threads can lock and unlock
- * meanwhile. Skips pages that can't be read, such as the end of a truncated file.
+ * at the same time. Skips pages that can't be read, such as the end of a truncated file.
  */
 void FetchPages(const void* begin, std::size_t size) noexcept;
 

@@ -43,8 +43,8 @@ struct Wish
 
 /**
  * Reads the settings. Must be called from a thread that may read the environment: on many systems
- * the process crashes if another thread changes a variable meanwhile, as a script may do when the
- * servo runs already.
+ * the process crashes if another thread changes a variable at the same time, as a script may do
+ * once the servo runs.
  */
 Wish ReadEnvironment();
 

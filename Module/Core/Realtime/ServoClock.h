@@ -27,7 +27,10 @@ inline double SecondsSince(std::int64_t time) noexcept
 }
 /** Sleeps until a time of Now(). Returns at once if the time has passed. */
 void SleepUntil(std::int64_t time) noexcept;
-/** Returns how long (ns) the computer has been asleep since its start; 0 if it does not tell. */
+/**
+ * Returns how long (ns) the computer has been asleep since its start; 0 if the system does not
+ * report it.
+ */
 std::int64_t GetTimeAsleep() noexcept;
 /**
  * Blocks the process's signals in the calling thread, so that other threads handle them. Does not

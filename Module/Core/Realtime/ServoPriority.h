@@ -6,7 +6,7 @@
  *
  *   ServoPriority priority;
  *   priority.Raise();          // on the servo's thread, before its first tick
- *   priority.AskRealtimeKit(); // meanwhile on another thread: it may take seconds
+ *   priority.AskRealtimeKit(); // on another thread, because it may take seconds
  *
  * 1. The kernel: a real-time class (SCHED_FIFO), if a privilege or the limit RLIMIT_RTPRIO allows
  *    it.

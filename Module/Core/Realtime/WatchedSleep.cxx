@@ -168,7 +168,7 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
   CPU_SET(here, &this->Here);
   if (this->Planned.load(std::memory_order_acquire) != planned)
   {
-    return false; // the sleeper has woken up meanwhile
+    return false; // the sleeper has woken up by itself
   }
   this->State.store(Binding::Bound, std::memory_order_release);
   const bool isBound = SetProcessors(sleeper, this->Here);

@@ -13,7 +13,7 @@
  *
  *   WatchedSleep sleep(period);
  *   sleep.SleepUntil(time); // always the same thread
- *   sleep.Watch();          // meanwhile on another thread, until RequestStop
+ *   sleep.Watch();          // on another thread, until RequestStop
  *
  * The pause is a plain ServoClock::SleepUntil if
  *

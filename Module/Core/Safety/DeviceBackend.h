@@ -28,7 +28,7 @@
 namespace VolumeHaptics
 {
 
-/** The limits of a device. */
+/** What a device can do, and what it can take. */
 struct DeviceLimits
 {
   double MaximumForce = 0.0;     ///< largest force (N)
@@ -71,8 +71,8 @@ inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
 /** A force that the device has received. Times are in ns of ServoClock. */
 struct TakenForce
 {
-  /// DeviceSample::Time of the measurement from which the force was computed. 0 if the device can't
-  /// tell; -1 if there was no force yet.
+  /// DeviceSample::Time of the measurement from which the force was computed. 0 if the device does
+  /// not report it; -1 if there was no force yet.
   std::int64_t Of = 0;
   std::int64_t At = 0;
 };
@@ -93,7 +93,9 @@ struct DeviceSample
   /// Time at which Tip was measured or, if that is not known, received by the computer, in ns of
   /// std::chrono::steady_clock, which is ServoClock. 0 means the time of Read.
   std::int64_t Time = 0;
-  /** The last force received; if the device can't tell, the time of Write's return is used. */
+  /**
+   * The last force received. If the device does not report it, the time of Write's return is used.
+   */
   TakenForce Taken;
   /// Orientation of the stylus (see above): a unit quaternion, w first. The servo divides it by its
   /// norm. It treats it as invalid if a number is not finite or if the norm differs from 1 by more

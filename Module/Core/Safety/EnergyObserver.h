@@ -15,8 +15,7 @@
  * may rightly reach the hand, and is not counted in E. The observer needs every force that was sent
  * and every measurement.
  *
- * Cycles
- * ------
+ * Cycles ------
  *
  * On a mass m with damping b, a tip that swings by A at w = sqrt(k / m) puts S = k A^2 / 2 into the
  * spring, gets it back, and gets in addition, in each cycle,
@@ -27,12 +26,12 @@
  *
  *   r = exp(2 pi (w (d + T / 2) - b / (m w))),                                                 (1)
  *
- * and grows if b < k (d + T / 2), which is k > 2 b / T without a delay. If the tip is pressed by F
- * meanwhile, E swings by 2 F A, and changes by the root of r. A free swing of a stable loop decays,
- * even faster if a hand holds the device. A hand can sustain a swing, but no hand moves to and fro
- * faster than 12 Hz: voluntary motions end near 8 Hz, and tremor is at 8 to 12 Hz.
- * So the observer looks for the cycles of E, from one maximum to the next, and counts those in a
- * row that
+ * and grows if b < k (d + T / 2), which is k > 2 b / T without a delay. If a hand presses the tip
+ * with F at the same time, E swings by 2 F A, and changes by the root of r. A free swing of a
+ * stable loop decays, even faster if a hand holds the device. A hand can sustain a swing, but no
+ * hand moves to and fro faster than 12 Hz: voluntary motions end near 8 Hz, and tremor is at 8 to
+ * 12 Hz. So the observer looks for the cycles of E, from one maximum to the next, and counts those
+ * in a row that
  *
  * - take at most LongestCycle: no hand makes them;
  * - end near the place at which they began, by less than half of their path: a tip that is drawn
@@ -60,8 +59,7 @@
  * share), the change may rightly add energy. Excuse() then begins a new row. A gap in the
  * measurements or a leap of the tip begins a new row, too. A swing below LeastSwing counts as rest.
  *
- * Limits
- * ------
+ * Limits ------
  *
  * The observer can't tell a loop that swings more slowly than LongestCycle from a hand, and does
  * not observe a wall that is published anew every few ticks. A device with a wrong sign does not

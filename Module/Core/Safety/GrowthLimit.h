@@ -43,10 +43,10 @@
  * the gate's share was small stays soft until the tip leaves it or presses deeper.
  *
  * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
- * and leaps, although the hand moved all the time, and s has changed meanwhile. So dPaid takes the
- * least s since the tip was last measured if the hand did work, and the largest s if it got work
- * back, so that the account never counts more than the hand really put in. The s of the previous
- * tick is among them, because a force may take a tick to reach the hand.
+ * and leaps, although the hand moved all the time, and s has changed in these ticks. So dPaid takes
+ * the least s since the tip was last measured if the hand did work, and the largest s if it got
+ * work back, so that the account never counts more than the hand really put in. The s of the
+ * previous tick is among them, because a force may take a tick to reach the hand.
  *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide
  * the debt to a spring that the tip meets later in the same contact. So a source that knows how

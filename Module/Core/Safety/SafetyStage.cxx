@@ -67,8 +67,8 @@ Vector3 SafetyStage::Retreat(
   const double most = std::max(0.0, Norm(last) - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
-    // The hand's position is known again, so the force may push the hand only if the wanted force
-    // does.
+    // The hand's position is known, so limit the last force as in any other tick: it may push the
+    // hand only if the wanted force does.
     GrowthInput growth = this->ComputeGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);

@@ -60,7 +60,7 @@ struct SafetyLimits
   double MaximumTorqueRate = 20.0; ///< fastest growth of the torque (N m/s)
 };
 
-/** The input of the stage in a tick. */
+/** What the stage reads in a tick. */
 struct SafetyInput
 {
   Vector3 Force; ///< computed force (N)

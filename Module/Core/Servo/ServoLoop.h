@@ -160,8 +160,8 @@ public:
     return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
   }
   /**
-   * Returns the number of these orders, modulo 2^32. ServoSnapshot::Orders tells which orders a
-   * tick has seen.
+   * Returns the number of these orders, modulo 2^32. ServoSnapshot::Orders is the number of orders
+   * that a tick has seen.
    */
   std::uint32_t GetOrders() const noexcept
   {

@@ -47,7 +47,6 @@ public:
   void Append(double depth, double shaft, std::int64_t label) noexcept;
   /** Returns the friction (N) between the entry and a depth in the last stretch. */
   double Sum(double depth) const noexcept;
-  /** Returns the last stretch. */
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
   /**
    * Returns whether depths ascend and frictions are possible. Checks states that were read from

@@ -20,7 +20,7 @@
  * ## Steps
  *
  * Until e has faded, a tick changes g by at most max(FastestChange dt, k |dx|), where k is the
- * spring's stiffness and dx the hand's step, whatever the law does meanwhile.
+ * spring's stiffness and dx the hand's step, whatever the law does.
  *
  * ## Energy
  *

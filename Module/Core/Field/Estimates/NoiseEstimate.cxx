@@ -92,7 +92,7 @@ constexpr TermTable TermValues;
 /** Returns the sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
 {
-  // Values relative to the middle sample keep their digits.
+  // Subtract the middle sample, so that large values do not lose digits in the sums.
   const double middle = block[BlockSamples / 2];
   double left = 0.0;
   double sums[Quadratic] = {};

@@ -53,7 +53,7 @@ protected:
   static void WriteRecord(const ToolTick& tick, const ShellRecord& felt) noexcept;
 };
 
-/** The memory of a tool with a shape. */
+/** What a tool with a shape keeps between ticks: its points, and where they touch. */
 class ShapedMemory : public ToolMemory
 {
 public:

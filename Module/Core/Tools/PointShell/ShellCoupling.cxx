@@ -33,8 +33,8 @@ constexpr double ForceTolerance = 5e-4;
  */
 constexpr double EnergyTolerance = 0.02;
 /**
- * Fraction of the stored energy up to which the energy that a contact has lost pays for later
- * rises.
+ * Largest reserve, as a fraction of the stored energy. A contact that loses energy adds to the
+ * reserve, and later rises of the energy use it up.
  */
 constexpr double MostReserve = 0.1;
 
