@@ -18,7 +18,10 @@ namespace
 
 constexpr std::int64_t LookPeriod = 500 * ServoClock::Millisecond;
 constexpr std::int64_t LookPause = 10 * ServoClock::Millisecond;
-/** Number of attempts before a fault is told, because the system permits a new device late. */
+/**
+ * Number of attempts before a fault is reported. The first ones may fail because the system grants
+ * access to a new device late.
+ */
 constexpr int SilentAttempts = 10;
 
 bool AreSame(const DeviceLimits& a, const DeviceLimits& b)

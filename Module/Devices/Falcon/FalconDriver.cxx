@@ -442,7 +442,7 @@ bool FalconDriver::Take(int number, const std::string* wanted, std::string& erro
   const std::string identity = UsbIdentityOf(libusb_get_device(this->Usb.GetHandle()), "falcon");
   if (wanted != nullptr && identity != *wanted)
   {
-    // The numbers have changed meanwhile. Nothing was sent to this one.
+    // The numbers have changed since the devices were listed. Nothing was sent to this device.
     this->Usb.Close();
     error.clear();
     return false;

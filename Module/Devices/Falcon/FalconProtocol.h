@@ -47,7 +47,7 @@ constexpr std::uint8_t FalconCenter = 0x04;
 constexpr std::uint8_t FalconMinus = 0x08;
 ///@}
 
-/** FalconReport::Homed if all encoders are homed. */
+/** The value of FalconReport::Homed when all encoders are homed. */
 constexpr std::uint8_t FalconAllHomed = 0x07;
 
 /** The contents of a packet to the device. */

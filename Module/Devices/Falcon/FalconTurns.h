@@ -6,7 +6,7 @@
  *
  * The device answers every packet with one report, and the host sends the next packet after that.
  * If an answer is late, the host has to send again without it, and then two answers are on their
- * way. If the host took the first one for the answer to its latest packet, it would be one round
+ * way. If the host treated the first one as the answer to its latest packet, it would be one round
  * behind from then on, and would read each position a round late. So after a missed answer the host
  * drains the line: once an answer comes, it sends nothing until the line has been silent for
  * SilentTime. It does so until as many answers have come as packets were sent, or for MostDoubts

@@ -83,8 +83,8 @@ public:
   static bool ComputeJacobian(
     const HfabGeometry& geometry, const Angles& angles, Matrix3& jacobian) noexcept;
   /**
-   * Returns the handle's orientation along the axes of all devices (DeviceBackend.h), if the handle
-   * has encoders.
+   * Returns the handle's orientation along the axes of all devices (DeviceBackend.h). Must only be
+   * called if the handle has encoders.
    */
   static Quaternion ComputeOrientation(const HfabGeometry& geometry, const Counts& counts) noexcept;
 

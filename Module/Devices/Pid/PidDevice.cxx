@@ -96,7 +96,8 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   mapper.Need(PidUsage::Magnitude, "Magnitude", this->Magnitude);
   const HidField& magnitude = this->Magnitude.Field;
   this->IsSigned = !this->Magnitude.Known || magnitude.LogicalMinimum < 0;
-  // Without a sign, the direction tells where a force acts, as in hid-pidff's pidff_set_signed().
+  // If the magnitude has no sign, a force is reversed by its direction, as in hid-pidff's
+  // pidff_set_signed().
   const bool canReverse = this->IsSigned || (magnitude.LogicalMinimum == 0 && hasPolar);
   if (this->Magnitude.Known && (magnitude.LogicalMaximum <= 0 || !canReverse))
   {

@@ -90,7 +90,7 @@ public:
   /** Returns the least number of an effect's block. */
   std::int64_t GetFirstBlock() const noexcept { return this->LoadBlock.Field.LogicalMinimum; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
-  /** Returns 2 if the second axis can be told from the first one, otherwise 1. */
+  /** Returns 2 if a force can be given along a second axis, otherwise 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
   /** Largest number of effects. */
   static constexpr int MostEffects = 4;

@@ -381,8 +381,9 @@ double VendorDriver::ComputeMostForce(double wanted) noexcept
   }
   const double elapsed = std::min(LongestStep, ServoClock::SecondsSince(this->WrittenAt));
   this->WrittenAt = ServoClock::Now();
-  // The wanted force counts: one that is held down to the continuous force goes on to be. So the
-  // limit only falls while it acts, and the hand never gets back more than it gave.
+  // Use the wanted force, not the limited one: a force that the limit holds down still counts as
+  // too strong. So the limit only falls while it acts, and the hand never gets back more than it
+  // gave.
   const double time = wanted > continuous ? elapsed : -elapsed;
   this->Spent = std::clamp(this->Spent + time, 0.0, this->PeakTime + PeakFade);
   const double faded = std::max(0.0, (this->Spent - this->PeakTime) / PeakFade);

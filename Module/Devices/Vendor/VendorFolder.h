@@ -31,10 +31,9 @@ public:
   static constexpr const char* Variable = "VOLUMEHAPTICS_VENDOR_PATH";
 
   /**
-   * Returns the folders of a search path, which are separated by colons, and by semicolons on
-   * Windows. If the path is empty,
-   * returns the folders in the environment variable; a program that has more rights than its user
-   * ignores this variable.
+   * Splits a search path at colons, or at semicolons on Windows, and returns its folders. If the
+   * path is empty, returns the folders in the environment variable; a program that has more rights
+   * than its user ignores this variable.
    */
   static std::vector<std::string> Split(const std::string& path);
 

@@ -4,11 +4,11 @@
  * @file
  * The C interface of a plug-in for a vendor's library: the devices vendor:PLUGIN:N.
  *
- * A plug-in is a shared library, libvolumehaptics-PLUGIN.so, that you build against the vendor's
- * SDK. It exports one function, VolumeHapticsVendorGetPlugin, which returns a table of functions.
- * It needs this header only, and works with every VTK Volume Haptics that has the same or a later
- * VOLUME_HAPTICS_VENDOR_VERSION. Examples/Cxx/VendorDevice.cxx is a template; Examples/Vendor has
- * plug-ins for Force Dimension's and 3D Systems' libraries.
+ * A plug-in is a shared library, libvolumehaptics-PLUGIN.so (.dll on Windows), that you build
+ * against the vendor's SDK. It exports one function, VolumeHapticsVendorGetPlugin, which returns a
+ * table of functions. It needs this header only, and works with every VTK Volume Haptics that has
+ * the same or a later VOLUME_HAPTICS_VENDOR_VERSION. Examples/Cxx/VendorDevice.cxx is a template;
+ * Examples/Vendor has plug-ins for Force Dimension's and 3D Systems' libraries.
  *
  * Units are metres, newtons, newton metres, seconds. Axes point right, up and towards the user. A
  * stylus points along its own -z, so that its handle is on the side of +z, and has its button on
@@ -22,9 +22,9 @@
  * than half a second, the device is lost. No exception may leave a function.
  *
  * Safety: the forces passed to Write are finite and within the limits; one that stays above
- * ContinuousForce fades to it. Only Write may give force,
- * and Home of a device that moves by itself; the last call before Close is a Write of zero. If the
- * program is killed, only the vendor's own watchdog ends the force: keep it on.
+ * ContinuousForce fades to it. Only Write may give force, as well as Home for a device that moves
+ * by itself; the last call before Close is a Write of zero. If the program is killed, only the
+ * vendor's own watchdog ends the force: keep it on.
  */
 #ifndef VolumeHapticsVendorPlugin_h
 #define VolumeHapticsVendorPlugin_h

@@ -268,7 +268,8 @@ void WheelDriver::Round(HardwareExchange& exchange)
   }
   if (!this->HasNews)
   {
-    // The driver has just taken a force, so the wheel is connected, and would have told a motion.
+    // The driver has just taken a force, so the wheel is connected, and would have reported a
+    // motion.
     exchange.Confirm();
     return;
   }

@@ -61,8 +61,9 @@ public:
 private:
   bool Take(const EvdevNode& node, std::string& error);
   /**
-   * Returns what is said of the unplugged wheel. It comes back by itself if no other wheel has its
-   * serial number, which this looks for.
+   * Returns the message for an unplugged wheel: whether it comes back by itself or has to be opened
+   * again. For that, looks for other wheels with its serial number; if there is one, the wheel does
+   * not come back by itself.
    */
   const char* FindUnpluggedText();
   void Begin(HardwareExchange& exchange);

@@ -31,7 +31,7 @@ struct EvdevNode
   std::string Name; ///< the product's name
   std::uint16_t Vendor = 0;
   std::uint16_t Product = 0;
-  std::string Serial; ///< serial number; empty if the driver tells none
+  std::string Serial; ///< serial number; empty if the driver reports none
 
   /**
    * Returns whether the driver offers an event. `kind` is "abs" for axes, "key" for buttons, or

@@ -45,7 +45,7 @@ struct HidDeviceInfo
       this->UsagePage == other.UsagePage && this->Serial == other.Serial &&
       this->Product == other.Product;
   }
-  /** Returns the cure if this user may not open the device. */
+  /** Returns what a user who may not open the device can do about it. */
   std::string GetPermissionCure() const;
   /** Returns "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;

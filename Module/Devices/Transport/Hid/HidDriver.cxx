@@ -126,7 +126,7 @@ void HidDriver::Serve(HardwareExchange& exchange)
   {
     if (this->Gone && wasSeen)
     {
-      // A twin that is there now could later be taken for this device.
+      // A twin that is plugged in now could later be mistaken for this device.
       wasSeen = false;
       this->LookForTwin();
       this->Report(exchange, DeviceStage::Lost, this->GetUnpluggedText());

@@ -111,7 +111,7 @@ private:
   const char* GetUnpluggedText() const { return this->CanReturn() ? UnpluggedText : OpenAgainText; }
   /** Lists the devices that may be the one of before, or its twins. */
   std::vector<HidDeviceInfo> ListLike(const HidDeviceInfo& before) const;
-  /** Notes whether a device with the same names and serial number is plugged in, too. */
+  /** Remembers whether another device with the same names and serial number is plugged in. */
   void LookForTwin();
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;

@@ -28,7 +28,7 @@ public:
 
   /**
    * Waits until a transfer has ended (its owner is called), until the exchange wakes up, or at most
-   * for `time` (ns). Returns whether the exchange woke up. If the system can't tell whether it did,
+   * for `time` (ns). Returns whether the exchange woke up. If the system does not report wake-ups,
    * waits at most a millisecond and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
