@@ -164,7 +164,7 @@ void Calibrate(Device& device, Report& report)
   report.Calibration = state;
 }
 
-// Stores the faults of libHD's stack, each with its device; one of an unknown device with all.
+// Stores each fault of libHD's stack with its device, or with all devices if its device is unknown.
 void TakeFaults()
 {
   for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
@@ -232,8 +232,8 @@ HDCallbackCode HDCALLBACK OnTick(void* /*data*/)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Waits for a call of the callback that has begun after this one, but at most LongestSilence for
-// each of two.
+// Waits until the callback has run from beginning to end: for the end of two calls, because the
+// first one may have begun before. Waits at most LongestSilence for each.
 void WaitForRound()
 {
   for (int i = 0; i < 2; ++i)

@@ -73,7 +73,9 @@ public:
   static void SetPointerQuery(PointerQuery query);
 
 private:
-  /** A volume that is not drawn by the ray caster of ParaView's choice. */
+  /**
+   * A volume that this draws with the ray caster on the processor, instead of ParaView's choice.
+   */
   struct Volume
   {
     vtkWeakPointer<vtkSMProxy> Representation;
@@ -116,7 +118,7 @@ private:
   std::optional<bool> OnProcessor;
   std::optional<bool> WindowOnProcessor;
   ///@}
-  /** whether a volume is drawn by another ray caster than ParaView's choice */
+  /** whether a volume is drawn by the ray caster that runs on the processor */
   bool CastsOnProcessor = false;
   bool IsDrawing = false;
   bool IsQuick = false;

@@ -143,7 +143,7 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams strea
 }
 
 /// Shows the live state for some seconds (0: until interrupted). Returns false if the device is
-/// lost meanwhile.
+/// lost before then.
 bool Watch(ToolDevice& device, double seconds, ToolStreams streams)
 {
   using Clock = std::chrono::steady_clock;

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// Returns the text of --help.
+/// Returns what --help prints: the usage and all options.
 std::string HelpText();
 } // namespace Explore
 

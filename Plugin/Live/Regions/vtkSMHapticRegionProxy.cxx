@@ -84,8 +84,8 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(const std::string& 
   }
   catch (const std::bad_alloc&)
   {
-    // after an unread answer, the connection can't be used: the answer would be taken for the next
-    // one
+    // after an unread answer, the connection can't be used: a later request would receive this
+    // answer
     return LOST;
   }
   try

@@ -6,7 +6,7 @@
  *
  * A fetch sends one message and gets one answer, so it takes one round trip plus the time to cut
  * out and send the region. The client waits, because ParaView's connection can't do anything else
- * meanwhile.
+ * during a fetch.
  */
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h

@@ -394,7 +394,7 @@ std::string Inspection::ListFacts() const
     text << "felt\tsteps of " << Round(this->SmallestStep) << this->Unit << "\n";
   }
   text << "preset\t" << this->Preset << "\n";
-  // The sheet has no room for more; --inspect tells all.
+  // The sheet has no room for more notes; --inspect lists all of them.
   constexpr std::size_t most = 3;
   text << (this->Notes.empty() ? "" : "Told of the volume\n");
   for (std::size_t i = 0; i < std::min(most, this->Notes.size()); ++i)

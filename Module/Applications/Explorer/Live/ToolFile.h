@@ -13,7 +13,7 @@ namespace Explore
 /// Whether a file name has the ending of a surface: .stl, .ply, .obj or .vtp.
 bool IsToolFile(const std::string& name);
 
-/// Reads the surface of a tool. The file's units are taken to be those of the volume. If the
+/// Reads the surface of a tool. Lengths in the file are assumed to be in the volume's unit. If the
 /// surface's bounding box does not contain the origin, moves the surface so that the middle of the
 /// box is at the origin. Turns triangles that face inwards. Throws InputError, also for an open
 /// surface.

@@ -24,7 +24,7 @@ namespace Explore
 {
 /// Shows a recording of a touch in the window: the path of the proxy, and the tip, the proxy and
 /// the force at a time that a slider sets. F5 plays and pauses it in real time, F6 and F7 step back
-/// and forward. A replay gives no force; a device can touch meanwhile.
+/// and forward. A replay gives no force; a device can touch at the same time.
 class TouchReplay
 {
 public:

@@ -54,7 +54,7 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// The file that a window shows.
+/// A file that a window shows, or the one that the user has chosen to open next.
 struct FileChoice
 {
   std::string Path;

@@ -17,8 +17,8 @@
 namespace Explore
 {
 /// Lets the user choose in the window what to touch next: F2 chooses a file or folder, F3 another
-/// series of the same DICOM folder or another volume of the same NIfTI file, F4 whether the volume
-/// is a label map. A file can also be dropped on the window. The window then closes, and the
+/// series of the same DICOM folder, or another volume or segment of the same file, F4 whether the
+/// volume is a label map. A file can also be dropped on the window. The window then closes, and the
 /// program opens the next one.
 class WindowFiles
 {

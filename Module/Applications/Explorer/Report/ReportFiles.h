@@ -28,7 +28,6 @@ void WriteImage(vtkImageData* image, const std::string& file);
 /// Renders the window into a PNG file.
 void WritePicture(vtkRenderWindow* window, const std::string& file);
 
-/// Writes a text to a file.
 void WriteText(const std::string& text, const std::string& file);
 } // namespace Explore
 

@@ -14,7 +14,7 @@ namespace Explore
 /// ContactSound.
 std::vector<float> MakeSound(const Exploration& exploration);
 
-/// Writes this sound as a WAV file. Throws InputError if it can't be written.
+/// Writes the sound that MakeSound() makes as a WAV file. Throws InputError if it can't be written.
 void WriteSound(const Exploration& exploration, const std::string& file);
 } // namespace Explore
 

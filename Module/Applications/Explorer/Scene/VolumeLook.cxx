@@ -47,8 +47,8 @@ const Colour COLOURS[2][5] = {
     { 0.98, 0.91, 0.36 } },
 };
 
-/// Sets the opacities of the body's outer part, and of its dense parts. For a dark body, all values
-/// are taken with the other sign.
+/// Sets the opacities of the body's outer part, and of its dense parts. For a dark body, calculates
+/// with the negative of all values.
 void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {

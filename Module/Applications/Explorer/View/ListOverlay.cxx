@@ -17,7 +17,7 @@ constexpr int LINES_BEFORE = 2;         // the title, and an empty line
 constexpr int LINES_AFTER = 2;          // an empty line, and the keys
 constexpr double LIST_OPACITY = 0.85;   // opacity of the background behind the text
 
-/// Shortens a long line by leaving out its middle, which tells less than its beginning and its end.
+/// Shortens a long line by leaving out its middle, which says less than its beginning and its end.
 std::string Shorten(const std::string& line)
 {
   if (line.size() <= WIDEST_LINE)
