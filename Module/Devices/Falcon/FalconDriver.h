@@ -53,7 +53,10 @@ private:
     Failed, ///< the part may be tried again by Home()
     Gone
   };
-  /** Connects to the device of this number in ListUsbDevices, if it has this or any identity. */
+  /**
+   * Connects to the device of this number in ListUsbDevices. If `identity` is not null and the
+   * device has a different one, returns false without an error.
+   */
   bool Take(int number, const std::string* identity, std::string& error);
   End Load(HardwareExchange& exchange);
   End Talk(HardwareExchange& exchange);

@@ -121,7 +121,8 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  // Other volumes are shown by nearest samples only because that is VTK's default.
+  // Nearest samples are VTK's default, so for scalars that are no labels they are not what the
+  // user chose.
   material.IsSeenByNearest =
     property->GetScalarsAreLabels() && volume->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   // Don't get a missing function: this would create one, and mappers would then draw with it.

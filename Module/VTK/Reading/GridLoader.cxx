@@ -270,7 +270,8 @@ vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
   return image;
 }
 
-/// Sets values outside all cells: scalars to the least value inside, vectors and tensors to 0.
+/// Outside all cells, sets arrays of one component to the least value inside; other arrays stay 0
+/// there. Then removes the mask and the ghost array.
 void FillOutside(vtkImageData* image)
 {
   constexpr const char* maskName = "vtkValidPointMask";

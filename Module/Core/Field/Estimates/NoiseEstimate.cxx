@@ -14,7 +14,7 @@ namespace
 constexpr int BlockSide = NoiseBlockSide;
 constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
 constexpr int Quadratic = 10; // number of coefficients of a quadratic
-/** Limits of the blocks along an axis. Their third power limits the number of blocks. */
+/** Largest number of blocks along an axis. At most its third power of blocks are examined. */
 constexpr int MostBlocksAlongAnAxis = 16;
 constexpr int MostBlocksAlongAnAxisIfLarge = 8;
 /** Fraction of the blocks that counts as flat: those with the smallest remainders. */

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Distance (voxels) from its anchor within which a place is on the line. */
+/** A place at most this far (voxels) from its anchor is on the line. */
 constexpr double OnLine = 1e-4;
 
 } // namespace

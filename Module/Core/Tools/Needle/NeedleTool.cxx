@@ -19,7 +19,7 @@ namespace
  */
 constexpr int MostNeedleSteps = 64;
 /**
- * Limit of the further steps in a tick, about a thousand voxels. The next tick continues from
+ * Limit of the steps of Skip() in a tick, about a thousand voxels. The next tick continues from
  * there.
  */
 constexpr int MostSkippedSteps = 4096;

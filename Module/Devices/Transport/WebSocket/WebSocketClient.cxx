@@ -175,7 +175,10 @@ public:
     }
   }
 
-  /** Writes the last word unless a frame is half written. */
+  /**
+   * Writes the last message, unless a frame is half written and the message would become a part of
+   * it.
+   */
   void EndFrames() noexcept
   {
     if (this->FrameLeft == 0)

@@ -47,7 +47,7 @@ Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
   return number;
 }
 
-/** Returns the version of a file, or nullptr. */
+/** Returns the version of a NIfTI file, and whether its bytes are swapped; null for other files. */
 const Version* ReadVersion(std::string_view bytes, bool& isSwapped)
 {
   for (const Version& version : Versions)

@@ -86,7 +86,8 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 
 /**
  * Calls visit(begin, end) for pieces of an array until all tuples are visited; `end` is excluded.
- * The reported fraction grows from `from` by a half. Returns false if `progress` ended the work.
+ * This is half of the whole work: the fraction that `progress` gets grows from `from` by 0.5.
+ * Returns false if `progress` ended the work.
  */
 template <typename Function>
 bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)

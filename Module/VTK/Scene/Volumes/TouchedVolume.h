@@ -187,7 +187,7 @@ vtkDataArray* GetDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data
 /** Whether a filter touches an isosurface, at its IsoValue. */
 bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
 
-/** Whether a filter feels this array of its image, or the array that this array is shown for. */
+/** Whether a filter feels this array, or the array of which this one is a copy for the picture. */
 bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array);
 
 /** Whether a component of an array has opacity for any value. */

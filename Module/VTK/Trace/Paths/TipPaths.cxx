@@ -275,7 +275,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
 std::size_t TipPathLines::CountStrokes() const
 {
   vtkPolyData* const path = this->Path;
-  // Cell i begins at Ends[2 i] and ends at Ends[2 i + 1].
+  // Line i begins at ends[2 i] and ends at ends[2 i + 1].
   std::vector<std::array<double, 3>> ends;
   ForEachLine(path,
     [&](vtkIdType size, const vtkIdType* points)
