@@ -41,6 +41,10 @@ vtkSmartPointer<vtkImageData> MakeRelief(const Wave& wave)
     28.0);
 }
 
+/**
+ * Slides over the relief, and back: an edge gives way a little where the hand presses it most for
+ * the first time, so that only the way back is felt with one level.
+ */
 Stroke SlideAcross(const Wave& wave, double depth, double extent)
 {
   const double first = -0.5 * extent - RunIn;
@@ -49,9 +53,9 @@ Stroke SlideAcross(const Wave& wave, double depth, double extent)
   Stroke stroke{ start, -1.0 * OddNormal, { start }, 0 };
   const Vector3 deep = under + depth * OddNormal;
   MoveTo(stroke.Tips, deep, 0.02);
-  MoveTo(stroke.Tips, deep + RunIn * OddAside, Step);
-  stroke.Pressed = stroke.Tips.size();
   MoveTo(stroke.Tips, deep + (RunIn + extent) * OddAside, Step);
+  stroke.Pressed = stroke.Tips.size();
+  MoveTo(stroke.Tips, deep + RunIn * OddAside, Step);
   return stroke;
 }
 
