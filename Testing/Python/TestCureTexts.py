@@ -124,7 +124,9 @@ TRIED = {
     },
     "VTK/Material/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
     "VTK/Regions/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
-    "Devices/Common/DeviceMemoryTest.cxx": {"Remove the line, then confirm and calibrate": "of the file of devices"},
+    "Devices/Common/DeviceMemoryTest.cxx": {
+        "Remove the line, then confirm and calibrate": "of the file of devices", "Check that it is a text file of at most 1 MiB": "at most 1 MiB",
+    },
     "Devices/Kinds/DeviceRegistryTest.cxx": {
         "already. Choose another name": "Choose another name", "Use letters only": "Use letters only",
     },

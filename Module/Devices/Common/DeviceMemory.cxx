@@ -4,6 +4,7 @@
 
 #include "Core/Math/NumberText.h"
 #include "Core/Platform/Files.h"
+#include "Core/Platform/SmallFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <locale>
 #include <optional>
 #include <sstream>
@@ -123,20 +123,20 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
  */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
-  std::error_code trouble;
-  if (file.empty() || !std::filesystem::exists(Files::ToPath(file), trouble))
-  {
-    return true;
-  }
-  std::ifstream in(Files::ToPath(file));
+  constexpr std::size_t most = 1 << 20; // bytes: some thousand devices
+  std::string text;
+  const std::string fault = file.empty() ? NoSuchFile : ReadSmallFile(file, most, text);
+  std::istringstream in(text);
   std::string line;
   while (std::getline(in, line))
   {
     lines.push_back(line);
   }
-  if (!in.eof() || std::filesystem::is_directory(Files::ToPath(file), trouble))
+  if (!fault.empty() && fault != NoSuchFile)
   {
-    error = "The file of devices \"" + file + "\" can't be read. Check its permissions.";
+    error = "The file of devices \"" + file + "\" " + fault +
+      ". Check that it is a text file of at most 1 MiB that you may read, or set "
+      "VOLUMEHAPTICS_DEVICES to the name of another file.";
     return false;
   }
   return true;

@@ -3,11 +3,11 @@
 #include "Devices/Falcon/FalconDriver.h"
 
 #include "Core/Math/NumberText.h"
-#include "Core/Platform/Files.h"
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconController.h"
+#include "Devices/Falcon/FalconFirmware.h"
 #include "Devices/Falcon/FalconSerial.h"
 #include "Devices/Falcon/FalconStream.h"
 #include "Devices/Falcon/FalconTurns.h"
@@ -15,14 +15,10 @@
 #include "Devices/Transport/Usb/UsbTransfer.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,79 +27,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-///@{
-/** Smallest and largest size of an image (bytes). The device has room for about 30 KiB. */
-constexpr std::size_t FalconSmallestFirmware = 1024;
-constexpr std::size_t FalconLargestFirmware = 128 * 1024;
-///@}
-
-constexpr const char* Cure =
-  " Set the path of the image that came with the device's own software, with "
-  "vtkHapticDevice::SetFirmwareFile() or --firmware of volumehaptics-device.";
-
-std::string SizeText(std::uintmax_t size)
-{
-  return "has " + std::to_string(size) + " bytes; an image has " +
-    std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
-}
-
-/** Reads an image. Returns the fault, or an empty text if there is none. */
-std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
-{
-  std::error_code trouble;
-  const std::filesystem::path path = Files::ToPath(file);
-  const std::filesystem::file_status status = std::filesystem::status(path, trouble);
-  if (!std::filesystem::exists(status))
-  {
-    return "does not exist";
-  }
-  if (!std::filesystem::is_regular_file(status))
-  {
-    return std::filesystem::is_directory(status) ? "is a folder" : "is no regular file";
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, trouble);
-  if (!trouble && (size < FalconSmallestFirmware || size > FalconLargestFirmware))
-  {
-    return SizeText(size);
-  }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  image.resize(trouble ? 0 : static_cast<std::size_t>(size));
-  stream.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
-  if (trouble || !stream || image.empty())
-  {
-    return std::string("can't be read (") + std::strerror(errno) + ")";
-  }
-  return "";
-}
-
-/**
- * Reads an image. An empty name means that there is no file. Returns false and writes file, fault
- * and cure to `error` if there is no such file, if it can't be read, or if its size can't be that
- * of an image.
- */
-bool ReadFalconFirmware(
-  const std::string& file, std::vector<std::uint8_t>& image, std::string& error)
-{
-  image.clear();
-  if (file.empty())
-  {
-    error =
-      std::string("The Falcon's firmware does not run yet. It may not be distributed, for legal "
-                  "reasons, so that it is not a part of this software.") +
-      Cure;
-    return false;
-  }
-  const std::string trouble = Read(file, image);
-  if (!trouble.empty())
-  {
-    image.clear();
-    error = "The Falcon's firmware \"" + file + "\" " + trouble + "." + Cure;
-    return false;
-  }
-  return true;
-}
 
 /**
  * Exchanges run packets with a Novint Falcon at the servo's pace.

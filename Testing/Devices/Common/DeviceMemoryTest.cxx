@@ -13,6 +13,10 @@
 #include <fstream>
 #include <sstream>
 
+#if !defined(_WIN32)
+#include <sys/stat.h>
+#endif
+
 using VolumeHaptics::DeviceFacts;
 using VolumeHaptics::DeviceMemory;
 
@@ -128,6 +132,28 @@ TEST_F(Memory, AFileThatCannotBeWrittenIsTold)
   EXPECT_NE(this->Error.find(this->File), std::string::npos) << this->Error;
   std::filesystem::remove_all(this->File);
 }
+
+/// Each of them was read without end, or for ever waited for.
+#if !defined(_WIN32)
+TEST_F(Memory, WaitsForNoPipeAndReadsNoDevice)
+{
+  std::filesystem::create_directories(std::filesystem::path(this->File).parent_path());
+  ASSERT_EQ(mkfifo(this->File.c_str(), 0600), 0);
+  const std::string large = TemporaryPath("large");
+  std::ofstream(large) << "falcon confirmed=2026-11-22\n";
+  std::filesystem::resize_file(large, (1 << 20) + 1);
+  for (const std::string& file : { this->File, std::string("/dev/zero"), large })
+  {
+    setenv("VOLUMEHAPTICS_DEVICES", file.c_str(), 1);
+    EXPECT_EQ(this->Read("falcon").Confirmed, "");
+    EXPECT_NE(this->Error.find("\"" + file + "\""), std::string::npos) << this->Error;
+    EXPECT_NE(this->Error.find("at most 1 MiB"), std::string::npos) << this->Error;
+    EXPECT_FALSE(DeviceMemory::Write("falcon", {}, this->Error)) << file;
+    EXPECT_NE(this->Error.find("at most 1 MiB"), std::string::npos) << this->Error;
+  }
+  std::filesystem::remove(large);
+}
+#endif
 
 TEST_F(Memory, IsInTheFolderForSettingsOfTheUser)
 {

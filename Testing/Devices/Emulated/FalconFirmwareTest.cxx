@@ -89,6 +89,10 @@ TEST_F(FalconFirmware, HasToBeGiven)
   const std::string folder = TemporaryPath("");
   this->ExpectRefusal(folder, { folder, "is a folder" });
   this->ExpectRefusal("/dev/null", { "no regular file" });
+  const std::string pipe = TemporaryPath("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  this->ExpectRefusal(pipe, { pipe, "no regular file" });
+  std::filesystem::remove(pipe);
 }
 
 TEST_F(FalconFirmware, HasToBeOfAPossibleSize)

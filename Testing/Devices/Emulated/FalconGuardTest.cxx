@@ -10,8 +10,12 @@
 #include "GuardProcesses.h"
 #include "Rigs/FalconRig.h"
 
+#include <algorithm>
 #include <csignal>
+#include <functional>
 #include <iostream>
+#include <random>
+#include <utility>
 
 using namespace emulated;
 
@@ -27,8 +31,12 @@ protected:
   void BringToPress()
   {
     ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > 10; }));
-    this->LeadTo({ 0.0, 0.0, 0.1735 });
-    this->LeadTo({ 0.0, 0.0, 0.08 });
+    if (!this->IsHomed) // else it presses as soon as it is out
+    {
+      this->LeadTo({ 0.0, 0.0, 0.1735 });
+      this->LeadTo({ 0.0, 0.0, 0.08 });
+      this->IsHomed = true;
+    }
     // It presses as soon as it is out far enough, which may keep it from arriving.
     this->Falcon.SetAim(Rest);
     ASSERT_TRUE(this->Presses());
@@ -58,6 +66,7 @@ protected:
   {
     return Eventually([&] { return !this->Usb.IsClaimed(); });
   }
+  bool IsHomed = false;
   long End = 0; ///< packets at the end of the application
   std::chrono::steady_clock::time_point EndTime;
 };
@@ -93,6 +102,58 @@ TEST_F(FalconGuard, OutlivesAnApplicationThatIsKilled)
   EXPECT_TRUE(this->LetsGo());
   this->ExpectZeroSoon("SIGKILL");
 }
+
+/**
+ * Applications are killed one after the other, each at any time: before the guard begins, while the
+ * device is homing, or under force, which half of them have.
+ */
+class FalconGuardKills
+  : public FalconGuard
+  , public testing::WithParamInterface<std::pair<const char*, int>>
+{
+};
+
+TEST_P(FalconGuardKills, EndInZeroEachTime)
+{
+  std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(this->GetParam().first)));
+  long most = 0;
+  for (int i = 0; i < this->GetParam().second; ++i)
+  {
+    SCOPED_TRACE(i);
+    const bool mustPress = random() % 2 == 0;
+    const long start = this->Falcon.GetPackets();
+    const long rounds = static_cast<long>(random() % 60);
+    GuardedProgram application("");
+    if (mustPress)
+    {
+      ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > start; }));
+      ASSERT_NO_FATAL_FAILURE(this->BringToPress());
+      const long pressed = this->Falcon.GetPackets();
+      ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= pressed + rounds; }));
+    }
+    else if (rounds > 5) // else before it has begun, or nearly so
+    {
+      ASSERT_TRUE(Eventually([&] { return this->Falcon.GetPackets() >= start + rounds; }));
+    }
+    application.Signal(SIGKILL);
+    ASSERT_EQ(application.Wait(), -SIGKILL);
+    this->MarkEnd();
+    ASSERT_TRUE(Eventually([] { return FindGuard() == 0; })) << "the guard ends, too";
+    ASSERT_TRUE(this->LetsGo());
+    ASSERT_EQ(this->Falcon.GetCommands(), Numbers{});
+    const long late = this->Falcon.GetLastPush().first - this->End;
+    most = mustPress ? std::max(most, late) : most;
+    ASSERT_LE(late, MostRounds);
+  }
+  std::cout << this->GetParam().second << " killed; the last force came at most " << most
+            << " rounds after the end\n";
+}
+INSTANTIATE_TEST_SUITE_P(, FalconGuardKills,
+  testing::Values(std::pair("Few", 20), std::pair("Many0", 100), std::pair("Many1", 100),
+    std::pair("Many2", 100), std::pair("Many3", 100), std::pair("Many4", 100),
+    std::pair("Many5", 100), std::pair("Many6", 100), std::pair("Many7", 100),
+    std::pair("Many8", 100), std::pair("Many9", 100)),
+  [](const auto& info) { return std::string(info.param.first); });
 
 TEST_F(FalconGuard, OutlivesAnApplicationThatBecomesAnotherProgram)
 {

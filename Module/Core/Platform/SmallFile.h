@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads a small file as a whole. Waits neither for a pipe nor for a device, and takes no more
+ * memory than a file of this kind can need.
+ */
+#ifndef SmallFile_h
+#define SmallFile_h
+
+#include <cstddef>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Reads a regular file of at most `most` bytes. Returns an empty text; or the fault, such as "does
+ * not exist", and `bytes` is then empty.
+ */
+std::string ReadSmallFile(const std::string& file, std::size_t most, std::string& bytes);
+
+/** The fault of a file that does not exist. */
+constexpr const char* NoSuchFile = "does not exist";
+
+} // namespace VolumeHaptics
+
+#endif
