@@ -4,8 +4,8 @@
 /**
  * Two roads to the same force-feedback device on a real kernel: reports through hidraw, and effects
  * through the kernel's own driver (hid-pidff, evdev's force feedback). Prints how fast each is and
- * what is left of the force when its process dies. Documentation/devices/wheels.md has the figures and
- * what follows from them.
+ * what is left of the force when its process dies. Documentation/devices/wheels.md has the figures
+ * and what follows from them.
  */
 
 #include "Emulators/EmulatedHid.h"
