@@ -468,8 +468,8 @@ HapticController::Figures HapticController::look()
   figures.Recording = vtkSMPropertyHelper(this->Device, "Recording").GetAsInt() != 0;
   this->followRecording(figures.Recording);
   figures.Recorded = this->Recorded;
-  figures.IsVirtual = device->GetDeviceId() == "virtual";
-  figures.CanHome = device->IsRunning() && !figures.IsVirtual;
+  figures.IsVirtual = device->GetVirtualHand()->MayMouseLead();
+  figures.CanHome = device->IsRunning() && device->GetDeviceId() != "virtual";
   figures.Status = vtkSMPropertyHelper(this->Device, "StatusText").GetAsString();
   figures.Force = vtkMath::Norm(device->GetState()->GetForce());
   figures.MaximumForce = device->GetMaximumForce();

@@ -71,7 +71,7 @@ void HapticOrderLink::ApplyTip()
 {
   std::array<double, 3> tip;
   vtkSMPropertyHelper(this->Proxy, "VirtualTip").Get(tip.data(), 3);
-  if (tip != this->Tip && this->Device->GetDeviceId() == "virtual")
+  if (tip != this->Tip && this->Device->GetVirtualHand()->MayMouseLead())
   {
     this->Tip = tip;
     this->Device->GetVirtualHand()->SetPosition(tip.data());

@@ -171,6 +171,18 @@ TRIED = {
         "in use by another program or device. Close it there": "in use by another program",
         "Give the board's port, such as /dev/ttyACM0": "not a serial port",
     },
+    "Devices/Vibration/VibrationSessionTest.cxx": {
+        "Give the port of bHaptics' Player": "Give the port of bHaptics' Player",
+        "Give the port of WEART's middleware": "Give the port of WEART's middleware",
+        "Switch it on and pair it in the Player": "is connected to bHaptics' Player",
+        "has ended. Start it: the device is then opened by itself": "bHaptics' Player has ended",
+        "Player any more. Switch it on: it is then opened by itself": "is not connected to bHaptics' Player any more",
+        "or reads no more. Start it: the device is then opened by itself": "WEART's middleware has ended",
+        "middleware any more. Switch it on: it is then opened by itself": "is not connected to WEART's middleware any more",
+        "Switch it on and connect it there": "for the hand ", "is no device id. Give one of": "Give one of",
+        'give "vibration:weart"': 'give "vibration:weart"', "give the address of a Hapbeat": "give the address of a Hapbeat",
+        "connect it to your network by Hapbeat Studio": "No Hapbeat answers at ",
+    },
     "Devices/Emulated/PadFaultTest.cxx": {
         "No gamepad is plugged in. Plug one in": "No gamepad is plugged in", "Use a pad with motors": "can't vibrate",
         "such as Steam, has grabbed it. Close it there": "in use: another program, such as Steam",
@@ -279,6 +291,7 @@ OUTSIDE = {
         "a damaged or cut-off DICOM file…copy or export it again",
     ),
     "another program, or the system, is started, ended or set up": (
+        "does not tell which devices are connected. Update it", "WEART's middleware closed the connection. Start it again",
         "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",
         "is in use by another program. Close that program", "service closed the connection. Start it again",
         "to whose user the system gives game controllers", "sudo usermod -a -G dialout", "then run \"sudo udevadm control --reload\"",

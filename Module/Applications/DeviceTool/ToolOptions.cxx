@@ -20,7 +20,8 @@ const char* const ToolUsage =
        volumehaptics-device record ID FILE [options]  its path, to a .vtp or a .csv; no force
 
 ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], wheel[:N], haply[:ID], hfab[:PORT],
-spacemouse[:N] (no force), vibration:pad[:N] (vibration, not force), vendor:PLUGIN[:N]; also virtual, replay:FILE.
+spacemouse[:N] (no force), vendor:PLUGIN[:N]; vibration, not force: vibration:pad[:N], vibration:bhaptics[:PLACE],
+vibration:weart[:HAND], vibration:hapbeat:ADDRESS; also virtual, replay:FILE.
 
   --firmware FILE     the image for a Novint Falcon that has none (else $VOLUMEHAPTICS_FALCON_FIRMWARE)
   --vendor-path PATHS the folders of plug-ins for vendors' libraries (else $VOLUMEHAPTICS_VENDOR_PATH, by which list

@@ -14,6 +14,9 @@
 #if defined(VOLUME_HAPTICS_HAS_HIDAPI)
 #include "Devices/Pad/DualSenseDriver.h"
 #endif
+#if defined(VOLUME_HAPTICS_HAS_BEAST)
+#include "Devices/Vibration/VibrationKinds.h"
+#endif
 
 namespace
 {
@@ -27,6 +30,12 @@ std::unique_ptr<VolumeHaptics::HardwareDriver> MakeDriver(
 {
 #if defined(VOLUME_HAPTICS_HAS_HIDAPI)
   if (auto driver = VolumeHaptics::DualSenseDriver::MakeFromWords(words))
+  {
+    return driver;
+  }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_BEAST)
+  if (auto driver = VolumeHaptics::MakeVibrationFromWords(words))
   {
     return driver;
   }

@@ -48,8 +48,8 @@ struct DeviceListing
 
 struct DeviceKind
 {
-  /// Name of the kind: only letters, and different from all other kinds. The name of a built-in
-  /// kind with only one device may be the device's whole id.
+  /// Name of the kind: only letters, and different from all other kinds. Names of built-in kinds
+  /// may have a colon, such as "vibration:xr".
   std::string Name;
   std::function<std::vector<DeviceListing>()> List;
   /**

@@ -4,16 +4,8 @@
 
 #include "Core/Platform/Files.h"
 #include "Core/Realtime/ServoClock.h"
+#include "Devices/Transport/Local/LocalListener.h"
 #include "Devices/Transport/WebSocket/WebSocketClient.h"
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
-#if defined(__linux__)
-#include <unistd.h>
-#endif
 
 namespace VolumeHaptics
 {
@@ -21,15 +13,6 @@ namespace
 {
 
 constexpr double AskTime = 0.5; // in s; short, because the service is on this computer
-
-bool ReadPort(const std::string& text, std::uint16_t& port)
-{
-  const bool isNumber = !text.empty() && text.size() < 6 &&
-    std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const int number = isNumber ? std::atoi(text.c_str()) : 0;
-  port = static_cast<std::uint16_t>(number);
-  return number > 0 && number < 65536;
-}
 
 } // namespace
 
@@ -91,47 +74,16 @@ bool AskHaply(
   return false;
 }
 
-std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own)
-{
-  constexpr unsigned firstPerson = 1000; // as Debian and Fedora number their users
-  constexpr unsigned hidden = 65534;
-  std::string line;
-  while (std::getline(table, line))
-  {
-    std::istringstream words(line);
-    std::string number, local, remote, state, queues, timer, tries;
-    unsigned user = 0;
-    const bool isRow = static_cast<bool>(
-      words >> number >> local >> remote >> state >> queues >> timer >> tries >> user);
-    const std::size_t colon = local.rfind(':');
-    const bool isListener = isRow && state == "0A" && colon != std::string::npos &&
-      std::strtoul(local.c_str() + colon + 1, nullptr, 16) == port;
-    if (isListener && user >= firstPerson && user != hidden && user != own)
-    {
-      return user;
-    }
-  }
-  return {};
-}
-
 bool DetectHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
 {
-#if defined(__linux__)
   for (const std::uint16_t port : { ports.States, ports.Http, ports.Events })
   {
-    for (const char* const name : { "/proc/net/tcp", "/proc/net/tcp6" })
+    if (!IsOwnListener(port, error))
     {
-      std::ifstream table(name);
-      if (const std::optional<unsigned> user = FindOtherListener(table, port, geteuid()))
-      {
-        error = "What listens at port " + std::to_string(port) +
-          " was started by another user (number " + std::to_string(*user) +
-          "), so it is not asked. " + HowToStartHaply;
-        return false;
-      }
+      error += HowToStartHaply;
+      return false;
     }
   }
-#endif
   const std::string where =
     " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);
   std::string text;

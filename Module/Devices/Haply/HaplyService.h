@@ -10,8 +10,6 @@
 #include "Devices/Haply/HaplyMessages.h"
 
 #include <cstdint>
-#include <istream>
-#include <optional>
 #include <string>
 
 namespace VolumeHaptics
@@ -42,13 +40,6 @@ struct HaplyPorts
  */
 bool AskHaply(
   const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
-
-/**
- * Returns the number of the user who listens at a port, from a table as in /proc/net/tcp (kernel
- * documentation, proc_net_tcp), if that is a person's other than `own`: not the system's, whose
- * services have numbers below 1000, nor one that a container hides.
- */
-std::optional<unsigned> FindOtherListener(std::istream& table, std::uint16_t port, unsigned own);
 
 /**
  * Asks the service for its version. Returns false and writes the reason and the cure to `error` if

@@ -10,6 +10,9 @@
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/Vendor/VendorKind.h"
+#if defined(VOLUME_HAPTICS_HAS_BEAST)
+#include "Devices/Vibration/VibrationKinds.h"
+#endif
 #include "Devices/Wheel/WheelKind.h"
 #include "Devices/WoodenHaptics/WoodenKind.h"
 #include "Devices/Xr/XrKind.h"
@@ -74,6 +77,16 @@ std::vector<DeviceKind> GetBuiltInKinds()
   kinds.push_back(GetPadKind());
 #else
   kinds.push_back(WithoutLibrary("vibration", "hidapi", "VolumeHaptics_USE_HIDAPI"));
+#endif
+#if defined(VOLUME_HAPTICS_HAS_BEAST)
+  std::vector<DeviceKind> services = GetVibrationKinds();
+  std::move(services.begin(), services.end(), std::back_inserter(kinds));
+#else
+  for (const char* const name : { "vibration:bhaptics", "vibration:weart", "vibration:hapbeat" })
+  {
+    kinds.push_back(
+      WithoutLibrary(name, "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
+  }
 #endif
   kinds.push_back(GetXrKind());
   kinds.push_back(GetHfabKind());
@@ -158,9 +171,9 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 {
   const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  // Look for a kind with the whole id as its name first, because a kind with a single device may
-  // have such a name, and names of other kinds may begin like it.
-  for (const std::string& name : { id, id.substr(0, id.find(':')) })
+  // The longest name counts, because names of other kinds may begin like it.
+  for (std::string name = id; !name.empty();
+       name.resize(name.find(':') == std::string::npos ? 0 : name.rfind(':')))
   {
     for (const DeviceKind& kind : kinds)
     {

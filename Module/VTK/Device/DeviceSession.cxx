@@ -62,7 +62,7 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
   {
     this->Backend = MakeDevice(id, options, error);
     this->Xr = dynamic_cast<XrDevice*>(this->Backend.get());
-    this->Virtual = this->Xr;
+    this->Virtual = dynamic_cast<VirtualDevice*>(this->Backend.get());
   }
   if (!this->Backend || !this->Backend->Open(error))
   {

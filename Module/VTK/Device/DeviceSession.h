@@ -54,6 +54,8 @@ public:
   }
   /** Returns the back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
+  /** Returns whether the mouse may lead the tip. A headset leads that of an XR device. */
+  bool MayMouseLead() const { return this->Virtual && !this->Xr; }
   /** Returns how strongly to vibrate: see vtkHapticVirtualHand::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->DrainAmplitude() : 0.0; }
 

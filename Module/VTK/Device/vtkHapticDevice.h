@@ -164,6 +164,10 @@ public:
    *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
    *                      Vibration, not force: the sticks move the tip, and the motors render how
    *                      the force changes.
+   *   vibration:bhaptics[:PLACE], vibration:weart[:HAND], vibration:hapbeat:ADDRESS
+   *                      bHaptics' gloves, sleeves and vests, WEART's TouchDIVER, a Hapbeat,
+   *                      through their services or by UDP. Vibration, not force: the mouse or
+   *                      GetVirtualHand leads the tip.
    *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a
    *                      serial port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by
    *                      hand each time it is opened.

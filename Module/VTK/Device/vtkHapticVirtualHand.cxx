@@ -106,6 +106,12 @@ void vtkHapticVirtualHand::Place(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
+bool vtkHapticVirtualHand::MayMouseLead()
+{
+  return this->Parts && this->Parts->Session.MayMouseLead();
+}
+
+//------------------------------------------------------------------------------
 double vtkHapticVirtualHand::GetSpeed()
 {
   return VirtualDynamics().HandSpeed;

@@ -51,6 +51,12 @@ public:
   void Place(double x, double y, double z);
   ///@}
 
+  /**
+   * Return whether the mouse of a window may lead the tip of the open device: of "virtual", and of
+   * what vibrates and has no position, such as "vibration:bhaptics".
+   */
+  bool MayMouseLead();
+
   /** Get how fast the tip goes to its position without simulated dynamics: 2 m/s. */
   static double GetSpeed();
 

@@ -10,6 +10,7 @@
 
 #include "Devices/Haply/HaplyMessages.h"
 #include "Devices/Haply/HaplyService.h"
+#include "Devices/Transport/Local/LocalListener.h"
 
 #include <gtest/gtest.h>
 

@@ -294,7 +294,8 @@ bool WebSocketClient::IsOpen() const noexcept
   return this->Link && !this->Link->IsClosed;
 }
 
-bool WebSocketClient::Open(std::uint16_t port, double seconds, std::string& error)
+bool WebSocketClient::Open(
+  std::uint16_t port, double seconds, std::string& error, const std::string& target)
 {
   this->Close();
   try
@@ -306,7 +307,7 @@ bool WebSocketClient::Open(std::uint16_t port, double seconds, std::string& erro
     {
       link->Stream.read_message_max(LongestMessage);
       failure = Await(link->Io, link->Tcp(), end,
-        [&](auto&& done) { link->Stream.async_handshake(HostOf(port), "/", std::move(done)); });
+        [&](auto&& done) { link->Stream.async_handshake(HostOf(port), target, std::move(done)); });
     }
     if (failure)
     {

@@ -42,10 +42,11 @@ public:
   WebSocketClient& operator=(const WebSocketClient&) = delete;
 
   /**
-   * Connects to a port of this computer within a time (s). Returns false and writes the reason to
-   * `error` if this fails.
+   * Connects to a port of this computer within a time (s). `target` is the path and the query.
+   * Returns false and writes the reason to `error` if this fails.
    */
-  bool Open(std::uint16_t port, double seconds, std::string& error);
+  bool Open(
+    std::uint16_t port, double seconds, std::string& error, const std::string& target = "/");
   bool IsOpen() const noexcept;
   /** Sends a text within a time (s). Closes the connection and returns false if this fails. */
   bool Send(const std::string& text, double seconds);

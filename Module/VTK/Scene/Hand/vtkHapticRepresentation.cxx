@@ -176,7 +176,7 @@ bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 bool IsFelt(vtkHapticDevice* device)
 {
   const int status = device->GetStatus();
-  return device->GetDeviceId() != "virtual" || status == vtkHapticDevice::ARMED ||
+  return !device->GetVirtualHand()->MayMouseLead() || status == vtkHapticDevice::ARMED ||
     status == vtkHapticDevice::ACTIVE;
 }
 } // namespace

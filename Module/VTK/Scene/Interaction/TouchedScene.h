@@ -56,7 +56,8 @@ public:
   /** Returns the image of the device's filter; null if there is no device, filter or image. */
   vtkImageData* GetImage() const;
 
-  bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
+  /** Returns whether the mouse leads the tip. */
+  bool IsVirtual() const { return this->Device && this->Device->GetVirtualHand()->MayMouseLead(); }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
 
   ///@{

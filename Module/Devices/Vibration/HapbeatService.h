@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A Hapbeat by UDP: a sine of 100 Hz is streamed to it, as loud as the amplitude.
+ *
+ * Only the address that the user names gets packets; the protocol's broadcast is not used. About
+ * 50 ms of the sine are kept in the device, so that it falls silent by itself if this program
+ * stands still or is killed, or if the network breaks. Not verified on a device.
+ */
+#ifndef HapbeatService_h
+#define HapbeatService_h
+
+#include "Devices/Transport/Local/LineSocket.h"
+#include "Devices/Vibration/ServiceMessages.h"
+#include "Devices/Vibration/VibrationService.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+class HapbeatService final : public VibrationService
+{
+public:
+  static constexpr double Frequency = 100.0; ///< Hz
+  static constexpr int Chunk = 256;          ///< samples in a packet, 16 ms
+  static constexpr int Lead = 3 * Chunk;     ///< samples that the device has in advance
+  /** Time (s) between pings, and without an answer after which the device counts as gone. */
+  static constexpr double PingPeriod = 0.5;
+  static constexpr double LongestSilence = 3.0;
+
+  HapbeatService(std::string address, std::uint16_t port);
+  ~HapbeatService() override { this->HapbeatService::Disconnect(); }
+
+  std::string GetName() const override;
+  bool Connect(std::string& error) override;
+  State Show(double amplitude) override;
+  std::string GetText() const override;
+  void Disconnect() noexcept override;
+
+private:
+  bool SendOften(const HapbeatPacket& packet);
+  bool SendChunk(double amplitude);
+  bool Ping();
+  /** Reads answers. Returns false if nobody is there. */
+  bool Listen();
+  bool Stream(double amplitude);
+  bool End();
+
+  const std::string Address;
+  const std::uint16_t Port;
+  std::string Device; ///< its name
+  PacketSocket Socket;
+  std::uint16_t Number = 0; ///< of the last packet
+  bool IsStreaming = false;
+  std::int64_t Begun = 0; ///< time at which the stream has begun
+  std::int64_t Samples = 0;
+  double Amplitude = 0.0; ///< amplitude at the end of the last packet
+  std::int64_t PingedAt = 0;
+  std::int64_t HeardAt = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The index finger of WEART's TouchDIVER, through WEART's middleware or WeArt app on this computer.
+ *
+ * A texture vibrates until it is stopped, and what the middleware does when its client dies is not
+ * published: on Linux a guard (Devices/Guard) stops it if the program can't. The middleware is
+ * started if it does not run yet, and then stopped at the end. Pressure and temperature are not
+ * used: how many newtons full pressure is, is not published. Not verified on a device.
+ */
+#ifndef WeartService_h
+#define WeartService_h
+
+#include "Devices/Transport/Local/LineSocket.h"
+#include "Devices/Vibration/ServiceMessages.h"
+#include "Devices/Vibration/VibrationService.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Asks the middleware for its status, within a time (s). Returns false and writes the reason and
+ * the cure to `error` if this fails.
+ */
+bool AskWeart(LineSocket& middleware, double seconds, WeartStatus& status, std::string& error);
+
+class WeartService final : public VibrationService
+{
+public:
+  /** @param hand "LEFT" or "RIGHT"; if empty, the first one that is connected */
+  explicit WeartService(std::string hand);
+  ~WeartService() override { this->WeartService::Disconnect(); }
+
+  std::string GetName() const override;
+  bool Connect(std::string& error) override;
+  State Show(double amplitude) override;
+  std::string GetText() const override { return this->Text; }
+  void StopAtCrash() noexcept override;
+  void Disconnect() noexcept override;
+
+private:
+  bool IsConnected() const;
+  State Tell(State state, const char* text);
+
+  const std::string Wanted;
+  std::string Hand;
+  std::string LastWord;
+  LineSocket Middleware{ WeartSeparator };
+  WeartStatus Status;
+  bool IsStarter = false; ///< whether this session has started the middleware
+  int Sent = 0;           ///< the last volume
+  std::int64_t SentAt = 0;
+  std::int64_t AskedAt = 0; ///< time of the last question for its status
+  std::string Text;
+};
+
+} // namespace VolumeHaptics
+
+#endif
