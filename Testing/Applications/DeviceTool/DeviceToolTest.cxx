@@ -9,8 +9,7 @@
 #include "Emulators/EmulatedUsb.h"
 #include "Emulators/FalconModel.h"
 #include "Emulators/ModelClock.h"
-#include "Rigs/TemporaryFolder.h"
-#include "ToolRig.h"
+#include "PageRig.h"
 
 #include <cmath>
 #include <fstream>
@@ -19,7 +18,7 @@ using namespace emulated;
 
 namespace
 {
-class DeviceToolTest : public ToolTest
+class DeviceToolTest : public PageTest
 {
 protected:
   /// Homes the device whenever it asks for it, and goes on to a place in between: a step a call.
@@ -57,6 +56,17 @@ TEST_F(DeviceToolTest, ListsWhatIsPluggedIn)
   this->Usb.Unplug();
   EXPECT_EQ(this->Run({ "list" }), 0);
   EXPECT_TRUE(this->Shows("No haptic device is plugged in.")) << this->Out;
+}
+
+TEST_F(DeviceToolTest, TheLinesOfItsPageLeadToTheFirstForce)
+{
+  const ModelClock hand([this] { this->MoveHand(); });
+  const std::string firmware = TemporaryPath("nvent.bin");
+  std::ofstream(firmware) << std::string(2000, 'f');
+  this->Falcon.SwitchOff();
+  EXPECT_EQ(this->Type("falcon.md", "falcon", "", firmware), 5);
+  EXPECT_GT(this->Falcon.DrainLargestCommand(), 0);
+  EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and it let go";
 }
 
 TEST_F(DeviceToolTest, HomesMonitorsAndRecords)

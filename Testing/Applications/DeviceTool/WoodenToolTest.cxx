@@ -8,13 +8,13 @@
 
 #include "Emulators/EmulatedHid.h"
 #include "Emulators/WoodenModel.h"
-#include "ToolRig.h"
+#include "PageRig.h"
 
 using namespace emulated;
 
 namespace
 {
-class WoodenToolTest : public ToolTest
+class WoodenToolTest : public PageTest
 {
 protected:
   bool Asks() { return this->Shows("hold it there and press Enter"); }
@@ -34,6 +34,12 @@ TEST_F(WoodenToolTest, IsCalibratedAfterEnterWheneverItIsOpened)
   EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 2);
+}
+
+TEST_F(WoodenToolTest, TheLinesOfItsPageLeadToTheFirstForce)
+{
+  EXPECT_EQ(this->Type("woodenhaptics.md", "wooden"), 5) << "with the list of the other controller";
+  EXPECT_EQ(this->Model.GetPresets(), 3);
 }
 
 TEST_F(WoodenToolTest, HomesOneThatHasAZeroAnew)

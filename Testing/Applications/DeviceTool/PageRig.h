@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Types what the page of a device says, line by line, as its owner would.
+ */
+#ifndef PageRig_h
+#define PageRig_h
+
+#include "Rigs/TemporaryFolder.h"
+#include "ToolRig.h"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace emulated
+{
+
+class PageTest : public ToolTest
+{
+protected:
+  /// Nobody has confirmed the device before.
+  PageTest()
+  {
+    const std::string file = TemporaryPath("devices.txt");
+    std::ofstream(file).close();
+    setenv("VOLUMEHAPTICS_DEVICES", file.c_str(), 1);
+  }
+
+  /**
+   * Types the lines of Documentation/devices/PAGE with this id. `instead` is the id of the emulated
+   * device, if it has another port. Enter answers each question. Returns how many lines there were.
+   */
+  int Type(const std::string& page, const std::string& id, const std::string& instead = "",
+    const std::string& firmware = "")
+  {
+    std::ifstream file(std::string(VOLUME_HAPTICS_PAGES) + page);
+    EXPECT_TRUE(file) << page;
+    int typed = 0;
+    for (std::string line; std::getline(file, line);)
+    {
+      std::istringstream words(line.substr(0, line.find('#')));
+      std::vector<std::string> arguments;
+      for (std::string word; words >> word;)
+      {
+        arguments.push_back(word == id && !instead.empty() ? instead
+            : word == "nvent.bin"                          ? firmware
+                                                           : word);
+      }
+      const bool isCall = arguments.size() > 1 && arguments[0] == "volumehaptics-device";
+      if (!isCall || (arguments.size() > 2 && arguments[2] != (instead.empty() ? id : instead)))
+      {
+        continue;
+      }
+      arguments.erase(arguments.begin());
+      if (arguments[0] == "monitor" || arguments[0] == "test")
+      {
+        arguments.insert(arguments.end(), { "--seconds", arguments[0] == "test" ? "2" : "0.2" });
+      }
+      ++typed;
+      EXPECT_EQ(this->Run(arguments, "\n\n\n"), 0) << line << "\n" << this->Out << this->Errors;
+      if (arguments[0] == "list" && instead.empty())
+      {
+        EXPECT_TRUE(this->Shows(id.c_str())) << line << this->Out;
+        EXPECT_TRUE(this->Shows("available")) << line << this->Out;
+      }
+    }
+    return typed;
+  }
+};
+
+} // namespace emulated
+
+#endif

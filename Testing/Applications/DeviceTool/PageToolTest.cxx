@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The lines of the pages of wheels, gamepads and SpaceMice, typed with emulated ones. Those of
+ * Falcons and WoodenHaptics are in DeviceToolTest.cxx and WoodenToolTest.cxx.
+ */
+
+#include "Emulators/EmulatedEvdev.h"
+#include "Emulators/EmulatedHid.h"
+#include "Emulators/ModelClock.h"
+#include "Emulators/OpenFfboardModel.h"
+#include "Emulators/SpaceMouseModel.h"
+#include "PageRig.h"
+
+#include <atomic>
+#include <cmath>
+
+using namespace emulated;
+
+namespace
+{
+using Pages = PageTest;
+}
+
+TEST_F(Pages, OfWheelsLeadToTheFirstForce)
+{
+  OpenFfboardModel model;
+  model.Streams = true;
+  const EmulatedHid hid(model);
+  std::atomic<double> largest{ 0.0 };
+  const ModelClock clock(
+    [&]
+    {
+      model.Step();
+      largest = std::max(largest.load(), std::abs(model.GetForce()[0]));
+    });
+  EXPECT_EQ(this->Type("wheels.md", "pid"), 5) << "with the list of the other kind of wheels";
+  EXPECT_GT(largest, 0.0);
+}
+
+TEST_F(Pages, OfWheelsWithDriversOfLinuxLeadToTheFirstForce)
+{
+  PadModel model(PadModel::Kind::Wheel);
+  const EmulatedEvdev evdev(model);
+  std::atomic<double> largest{ 0.0 };
+  const ModelClock clock(
+    [&]
+    {
+      model.Step();
+      largest = std::max(largest.load(), std::abs(model.GetForce()));
+    });
+  EXPECT_EQ(this->Type("wheels.md", "wheel"), 5) << "with the list of the other kind of wheels";
+  EXPECT_GT(largest, 0.0);
+}
+
+TEST_F(Pages, OfGamepadsLeadToTheFirstTouch)
+{
+  PadModel pad(PadModel::Kind::Xbox);
+  const EmulatedEvdev evdev(pad);
+  const ModelClock clock(
+    [&pad]
+    {
+      pad.Step();
+      pad.Move(ABS_RY, static_cast<long>(pad.GetTime() / 0.5) % 2 == 0 ? -1.0 : 1.0);
+    });
+  EXPECT_EQ(this->Type("gamepads.md", "vibration:pad"), 3);
+  EXPECT_FALSE(pad.GetHistory().empty());
+}
+
+TEST_F(Pages, OfSpaceMiceLeadToTheFirstTouch)
+{
+  SpaceMouseModel model(SpaceMouseModel::Kind::Navigator);
+  const EmulatedHid hid(model);
+  EXPECT_EQ(this->Type("spacemouse.md", "spacemouse"), 2);
+}
