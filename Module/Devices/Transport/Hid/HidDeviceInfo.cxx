@@ -69,6 +69,19 @@ std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
   close(file);
   return bytes;
 }
+#elif HID_API_VERSION >= HID_API_MAKE_VERSION(0, 14, 0)
+/** Asks hidapi, which composes the descriptor where the system has none, as on Windows. */
+std::vector<std::uint8_t> AskLibrary(const std::string& path)
+{
+  std::vector<std::uint8_t> bytes(HID_API_MAX_REPORT_DESCRIPTOR_SIZE);
+  const std::lock_guard<std::mutex> lock(GetHidMutex());
+  hid_device* const device = hid_open_path(path.c_str());
+  const int size =
+    device != nullptr ? hid_get_report_descriptor(device, bytes.data(), bytes.size()) : 0;
+  hid_close(device);
+  bytes.resize(static_cast<std::size_t>(std::clamp(size, 0, static_cast<int>(bytes.size()))));
+  return bytes;
+}
 #endif
 
 } // namespace
@@ -129,19 +142,19 @@ std::string HidDeviceInfo::MakeIdentity(const char* kind) const
 
 bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
 {
+  std::vector<std::uint8_t> bytes;
 #if defined(__linux__)
-  // Read the system's copy, which everyone may read. hidapi gives access to it only since version
-  // 0.14.
+  // Read the system's copy, which everyone may read.
   const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
-  const std::vector<std::uint8_t> bytes = ReadAll(
+  bytes = ReadAll(
     "/sys/class/hidraw/" + node + "/device/report_descriptor", HidReportDescriptor::MaximumSize);
+#elif HID_API_VERSION >= HID_API_MAKE_VERSION(0, 14, 0)
+  bytes = AskLibrary(this->Path);
+#endif
   if (!bytes.empty())
   {
     return descriptor.Parse(bytes.data(), bytes.size(), error);
   }
-#else
-  (void)descriptor;
-#endif
   error = "the system does not hand out the report descriptor";
   return false;
 }
