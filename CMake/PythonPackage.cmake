@@ -18,9 +18,8 @@ vtk_module_wrap_python(
   PYTHON_PACKAGE      "volumehaptics"
   MODULE_DESTINATION  "${VolumeHaptics_PYTHON_SITE}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  CMAKE_DESTINATION   "${VolumeHaptics_CMAKE_DESTINATION}"
   BUILD_STATIC        OFF
-  INSTALL_HEADERS     ON
+  INSTALL_HEADERS     OFF # properties for projects that wrap classes which derive from these
   ${python_options})
 unset(CMAKE_UNITY_BUILD)
 

@@ -59,9 +59,13 @@ inside()
 if [ ! -f "$tree/etc/made" ]; then
   # shellcheck disable=SC2016 # apt-get expands it
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Label: Debian' 'Identifier: Packages' | sed -n 1p)
-  debootstrap --variant=minbase "$suite" "$tree" "$mirror"
+  script=/usr/share/debootstrap/scripts/$suite
+  [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # a suite that is newer than debootstrap
+  debootstrap --variant=minbase "$suite" "$tree" "$mirror" "$script"
   # Nobody needs what a crash would leave of it, and a slow disk takes minutes to be sure of each file.
   echo force-unsafe-io > "$tree/etc/dpkg/dpkg.cfg.d/unsafe-io"
+  # A mirror may keep an old state of a suite.
+  echo 'Acquire::Check-Valid-Until "false";' > "$tree/etc/apt/apt.conf.d/old-state"
   echo "127.0.0.1 localhost $(hostname)" > "$tree/etc/hosts"
   inside root apt-get update -qq
   inside root env DEBIAN_FRONTEND=noninteractive \

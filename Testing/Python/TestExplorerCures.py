@@ -136,6 +136,8 @@ RAMP_MHD = "{}/ramp.mhd --large"
 POLYHEDRA = (("{}/polyhedra.vtu", "write it as tetrahedra", ("{}/grid.vtu", )),)
 OLD = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 4)
 COMMANDS = (
+    ("{}/ramp.vti --script {}/close.txt --bogus", "--bogus: is not an option", ()),
+    ("{}/ramp.vti --script {}/close.txt --size", "--size: needs a value", ()),
     ("{}/text.vti", "check what the file really is", ("{}/ramp.vti", )),
     ("{}/text.dcm", "name a DICOM slice, or the folder of its series", ("{}/series/0.dcm", "{}/series")),
     ("{}/notes.txt", "convert it to one of the known: ", ("{}/ramp.vti", )),

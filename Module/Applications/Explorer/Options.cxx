@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Exploration/GuideFile.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Applications/Explorer/Record/MovieFile.h"
@@ -355,12 +356,15 @@ Options ParseOptions(int argc, char* argv[])
     else if (word.size() > 1 && word[0] == '-')
     {
       const std::size_t equals = word.find('=');
+      const std::string name = word.substr(0, equals);
       if (equals == std::string::npos && i + 1 >= argc)
       {
-        throw InputError(word, "needs a value", "--help lists the options");
+        // All options have a line of their own in the help.
+        const bool isKnown = Explore::HelpText().find("\n  " + name) != std::string::npos;
+        throw InputError(
+          word, isKnown ? "needs a value" : "is not an option", "--help lists the options");
       }
-      const std::string value = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
-      SetOption(options, word.substr(0, equals), value);
+      SetOption(options, name, equals == std::string::npos ? argv[++i] : word.substr(equals + 1));
     }
     else if (options.VolumePath.empty())
     {
