@@ -38,7 +38,8 @@ protected:
     this->Property->SetVisibilityFrom(this->Volume);
   }
 
-  /// 1 visible, 0 hidden, -1 if rounding decides. No function hides nothing.
+  /// 1 visible, 0 hidden, -1 if rounding decides, or the error of a steep curve beside nothing. No
+  /// function hides nothing.
   static int Look(vtkPiecewiseFunction* opacity, double x)
   {
     if (opacity->GetSize() == 0)
@@ -46,7 +47,11 @@ protected:
       return 1;
     }
     const auto [low, high] = ValuesAround(opacity, x);
-    return (low > 0.0) == (high > 0.0) ? high > 0.0 : -1;
+    if (high <= 0.0)
+    {
+      return 0;
+    }
+    return low > AllowedError(opacity, x) ? 1 : -1;
   }
 
   /// The same for the value at a proxy, which may be this many voxels from the last look.
