@@ -67,7 +67,7 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
 }
 
 /// The range of the function's values at x and a few roundings of x (or of its logarithm) beside
-/// it.
+/// it, with both ends of a step there.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);
@@ -80,7 +80,16 @@ inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, do
     }
   }
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
-  for (const double beside : { x - rounding, x + rounding })
+  std::vector<double> places = { x - rounding, x + rounding };
+  for (const Node& node : NodesOf(function))
+  {
+    if (std::abs(node.X - x) < rounding)
+    {
+      places.push_back(std::nextafter(node.X, -HUGE_VAL));
+      places.push_back(node.X);
+    }
+  }
+  for (const double beside : places)
   {
     range.first = std::min(range.first, function->GetValue(beside));
     range.second = std::max(range.second, function->GetValue(beside));
