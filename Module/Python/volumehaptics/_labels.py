@@ -8,6 +8,7 @@ import difflib
 import math
 import numbers
 import os
+import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
@@ -111,9 +112,12 @@ def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
     from ._files import run, take
     from ._touch import _warn
 
-    if not os.path.isfile(file):
+    if not os.path.exists(file):
         raise ValueError(f"there is no file {file!r} of labels")
-    reader = run(file, are_labels=True)
+    try:
+        reader = run(file, are_labels=True)
+    except ValueError as error:  # series is the volume's, not the labels'
+        raise ValueError(re.sub(r"take series=1 to series=\d+, or ", "", str(error))) from None
     for note in reader.GetNotes().splitlines():
         _warn(f"{os.path.basename(file)}: {note}")
     return _find_place(take(reader), reader.HasPlace(), volume, file, is_file)

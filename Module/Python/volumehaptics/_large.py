@@ -261,12 +261,20 @@ def _open_array(array: Any, path: str, series: int) -> _Level:
 def _open_path(path: str, level: int, series: int) -> list[_Level]:
     if path.endswith(".npy"):
         return [_open_array(np.load(path, mmap_mode="r"), path, series)]
+    if os.path.exists(path) and not path.endswith(".zip") and vtkHapticRegionSource.GetFileFormat(path) == "":
+        raise ValueError(f"{path} is of no format whose samples can be read where the hand needs them, which are Zarr, .npy, "
+                         f"{vtkHapticRegionSource.GetFileEndings().replace(' ', ', ')}. Cure: give it to touch(), which reads "
+                         "it as a whole; or convert it")
     try:
         import zarr
     except ImportError as error:
         raise ImportError(f"{path} is opened with zarr, which is not installed. Cure: pip install zarr; or open it "
                           "with another library, and give open_large() the array") from error
-    opened = zarr.open(path, mode="r")
+    try:
+        opened = zarr.open(path, mode="r")
+    except Exception as error:  # zarr has many
+        raise ValueError(f"{path} can't be opened by zarr: {type(error).__name__}: {error}. Cure: check that its copy is "
+                         "complete") from error
     if hasattr(opened, "shape"):
         return [_open_array(opened, path, series)]
     return _open_multiscales(opened, path, level, series)

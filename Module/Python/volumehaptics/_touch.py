@@ -347,7 +347,8 @@ def touch(
         method or property, "Follow the flow" if it has vectors, or else "Slide along fibres" if it has tensors.
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
         the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
-        .seg.nrrd, .nii, .nii.gz, .mha, .mhd, .vti or a DICOM SEG (.dcm), with its names, if it has any. It lies where it says, if the
+        .seg.nrrd, .nii, .nii.gz, .mgz, .mnc, .mha, .mhd, .vti or a DICOM SEG (.dcm), or a folder with a mask for each
+        organ, with its names, if it has any. It lies where it says, if the
         volume has a place, too, in left-posterior-superior or right-anterior-superior: see image(). Labels that lie
         elsewhere than a volume without one, or on other voxels, are refused.
     materials: how the labels feel: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},

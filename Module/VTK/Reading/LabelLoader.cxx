@@ -262,7 +262,7 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
   volume.Notes.push_back("its values are taken as labels: " + std::to_string(labels.size()));
 }
 
-Volume ReadLabels(const std::string& path, int series)
+Volume ReadLabels(const std::string& path, int series, bool canChoose)
 {
   if (IsNrrd(path) && series == 0)
   {
@@ -283,11 +283,11 @@ Volume ReadLabels(const std::string& path, int series)
   if (series == 0 && count > 1 && !labels.LabelTable)
   {
     throw InputError(path, "has several volumes, and labels are one",
-      "take Series = 1 to Series = " + std::to_string(count) +
-        ", or write the volume that is meant into a file of its own");
+      (canChoose ? "take Series = 1 to Series = " + std::to_string(count) + ", or "
+                 : std::string()) +
+        "write the volume that is meant into a file of its own");
   }
   UseComponent(path, labels, series);
-  labels.Notes.clear(); // the notes of the volume reader do not apply to labels
   const double wrong = RoundLabels(labels.Image, labels.Notes);
   if (wrong != 0.0)
   {
@@ -331,10 +331,14 @@ void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
   volume.MayBeLabels = false; // its labels are in the segmentation
-  const Volume labels = ReadLabels(segmentation);
+  const Volume labels = ReadLabels(segmentation, 0, false);
   volume.Labels = labels.Image;
   volume.LabelTable = labels.LabelTable;
-  volume.Notes.insert(volume.Notes.end(), labels.Notes.begin(), labels.Notes.end());
+  const std::string file = vtksys::SystemTools::GetFilenameName(segmentation);
+  for (const std::string& note : labels.Notes)
+  {
+    volume.Notes.push_back(file + ": " + note);
+  }
   ReadTables(volume, tables);
   for (const std::string& note : DescribeLabels(volume.Labels, volume.Image, volume.LabelTable))
   {
@@ -345,8 +349,8 @@ void LoadLabels(
   {
     withMaterial += volume.LabelTable->HasMaterial(volume.LabelTable->GetLabel(i)) ? 1 : 0;
   }
-  volume.Notes.push_back("labels from " + vtksys::SystemTools::GetFilenameName(segmentation) +
-    ": " + std::to_string(volume.LabelTable->GetNumberOfLabels()) + " in the table, " +
+  volume.Notes.push_back("labels from " + file + ": " +
+    std::to_string(volume.LabelTable->GetNumberOfLabels()) + " in the table, " +
     std::to_string(withMaterial) + " with a material of their own");
 }
 } // namespace Explore

@@ -13,8 +13,9 @@ namespace Explore
 /// Reads a segmentation: a DICOM SEG, a NRRD file with segments, a folder of masks, or any image
 /// that ReadVolume() reads. The table gets the names that the file has. The voxels stay in the
 /// order of the file. Numbers within 0.001 of whole numbers are rounded. `series` chooses one of
-/// several volumes or segments. Throws InputError, with the fault and the cure.
-Volume ReadLabels(const std::string& path, int series = 0);
+/// several volumes or segments; `canChoose` is whether the user can set it. Throws InputError, with
+/// the fault and the cure.
+Volume ReadLabels(const std::string& path, int series = 0, bool canChoose = true);
 
 /// Adds to a volume the labels of a segmentation (see ReadLabels()) with the file's names, and the
 /// contents of label tables, each added to those before it: see vtkHapticLabelTable::ReadFile.

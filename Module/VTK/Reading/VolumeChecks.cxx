@@ -45,24 +45,9 @@ std::string SizeText(const int size[3])
 
 void CheckGeometry(const std::string& path, vtkImageData* image)
 {
-  const int* size = image->GetDimensions();
+  Explore::CheckSize(path, image->GetDimensions());
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (size[axis] < 1)
-    {
-      throw InputError(path, "holds no voxels", "export the volume again");
-    }
-    if (size[axis] == 1)
-    {
-      throw InputError(path, "is a single slice (" + SizeText(size) + " voxels), not a volume",
-        "export the whole series as one three-dimensional image");
-    }
-    if (size[axis] < MINIMUM_SIZE)
-    {
-      throw InputError(path,
-        "is too thin to be touched (" + SizeText(size) + " voxels; at least 5 each way)",
-        "export more slices");
-    }
     const double spacing = image->GetSpacing()[axis];
     if (!std::isfinite(spacing) || spacing == 0.0 || !std::isfinite(image->GetOrigin()[axis]))
     {
@@ -218,6 +203,25 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames)
     fault << "has " << frames << " frames, which need " << std::lround(needed)
           << " MiB of memory, and " << std::lround(free) << " MiB are free";
     throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
+  }
+}
+
+void CheckSize(const std::string& path, const int size[3])
+{
+  if (std::any_of(size, size + 3, [](int count) { return count < 1; }))
+  {
+    throw InputError(path, "holds no voxels", "export the volume again");
+  }
+  if (std::count(size, size + 3, 1) > 0)
+  {
+    throw InputError(path, "is a single slice (" + SizeText(size) + " voxels), not a volume",
+      "export the whole series as one three-dimensional image");
+  }
+  if (std::any_of(size, size + 3, [](int count) { return count < MINIMUM_SIZE; }))
+  {
+    throw InputError(path,
+      "is too thin to be touched (" + SizeText(size) + " voxels; at least 5 each way)",
+      "export more slices");
   }
 }
 

@@ -14,6 +14,9 @@ struct Volume;
 /// memory.
 void CheckMemory(const std::string& path, double bytes, std::size_t frames);
 
+/// Throws InputError unless a volume of this size along x, y and z can be touched.
+void CheckSize(const std::string& path, const int size[3]);
+
 /// Whether the values of a DICOM modality may be Hounsfield units. True for an unknown modality.
 bool MayBeHounsfield(const std::string& modality);
 

@@ -126,15 +126,15 @@ def test_is_right_or_refused(case, tmp_path):
         return
     if case["scale"] == 0.0:
         return
-    expected = case["offset"] + case["scale"] * values(points)
-    wrong = np.abs(found - expected)
+    in_phantom = values(points)
+    wrong = np.abs(found - case["offset"] - case["scale"] * in_phantom)
     if case["outside"]:  # nothing was measured there: air, or less
         air = case["offset"] + case["scale"] * values(CENTRE + 1000.0)
         wrong[((found <= air) | ~np.isfinite(found)) & (distance(points) > 2.0)] = 0.0
     assert np.isfinite(wrong).all()
     assert wrong.max() <= case["tolerance"], (wrong.max(), said)
     # All of the phantom is there.
-    body = voxel * np.count_nonzero(values(points) > -470.0)
+    body = voxel * np.count_nonzero(in_phantom > -470.0)
     assert 0.9 * BALLS < body < BALLS, (body, said)
 
 
@@ -247,9 +247,9 @@ def test_a_written_volume_is_read_back_as_it_was(tmp_path):
         (_, first, place), (_, second, other) = map(read, written)
         np.testing.assert_array_equal(first, second)
         np.testing.assert_array_equal(place, other)
-        facts = [volumehaptics.inspect(one) for one in (case["path"], *written)]
+        facts = [volumehaptics.inspect(one) for one in (case["path"], written[1])]
         for key in ("size", "spacing", "origin", "direction", "unit", "meters_per_unit", "type", "range"):
-            assert facts[0][key] == facts[1][key] == facts[2][key], (case["name"], key)
+            assert facts[0][key] == facts[1][key], (case["name"], key)
 
 
 @pytest.fixture
@@ -379,6 +379,50 @@ def test_a_volume_larger_than_memory_is_chosen_by_the_same_number():
         assert np.allclose(json.loads(run.stdout)["range"], image.GetPointData().GetScalars().GetRange(), atol=30.0)
 
 
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
+def test_a_volume_larger_than_memory_and_labels_lie_where_the_file_says(case):
+    """open_large() and the labels of every input: the phantom at every voxel, or a refusal with its cause and a cure."""
+    if volumehaptics is None:
+        pytest.skip("the module was not wrapped")
+    number = int(case["options"][case["options"].index("--series") + 1]) if "--series" in case["options"] else 0
+    name = Path(case["path"]).name
+    compared = []
+    try:
+        source, image = volumehaptics.open_large(case["path"], series=number), vtkImageData()
+        assert source.ReadRegion(source.GetWholeExtent(), image)
+        compared.append(measure(image))
+    except ValueError as error:
+        assert name in str(error) and re.search(r"Cure: |\. [A-Z][a-z]+ ", str(error)), error
+    reader = volumehaptics.vtkHapticVolumeReader()
+    reader.SetFileName(case["path"])
+    reader.SetSeries(number)
+    reader.AsLabelsOn()
+    with Errors(reader, reader.GetExecutive()) as errors:
+        reader.Update()
+    if errors:
+        assert name in errors[0] and "Cure: " in errors[0]
+    elif reader.GetOutput().GetDimensions()[2] > 1:
+        compared.append(measure(reader.GetOutput()))
+    if case["labels"] or case["scale"] == 0.0:
+        return  # test_is_right_or_refused() has them
+    for found, affine in compared:
+        points, _ = phantom_points(case, affine, found.shape)
+        wrong = np.abs(found - case["offset"] - case["scale"] * values(points))
+        if case["outside"]:
+            wrong[distance(points) > 2.0] = 0.0
+        assert np.nanmax(wrong) <= case["tolerance"], case["name"]
+
+
+def test_the_masks_of_a_folder_are_labels_of_their_scan(touch):
+    """As TotalSegmentator writes them, in Python as by the explorer's --labels."""
+    tip, scan = along_x(32.0, 12.0), path_of("nifti-plain")
+    with pytest.warns(UserWarning, match="1 of 3 labels of the table are in no voxel, such as 1 .aorta."):
+        gone = touch(scan, tip, "CT contrast", labels=path_of("nifti-masks"), materials={"knob": {"felt": False}})
+    assert first_touch(gone) < 25.0  # what lies inside of the knob
+    with pytest.raises(ValueError, match="(?s)has several volumes, and labels are one.*Cure: write the volume that is meant"):
+        touch(scan, tip, "CT contrast", labels=path_of("mgh-first-of-frames"))
+
+
 def test_labels_of_a_file_with_several_are_chosen():
     if volumehaptics is None:
         pytest.skip("the module was not wrapped")
@@ -422,7 +466,7 @@ TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan"
               "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
 # What is wrong with a slice of which no volume can be made.
 NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
-             "without its pixels|damaged or cut-off|cannot be unpacked|without an image")
+             "without its pixels|damaged or cut-off|without an image")
 
 
 @pytest.mark.parametrize("file", LIBRARIES, ids=lambda file: file["name"])
@@ -470,7 +514,8 @@ def test_the_trail_is_as_smooth_at_a_place_of_utm(tmp_path):
         folder.mkdir()
         (folder / "head.mhd").write_text(re.sub("(?m)^Offset = .*", "Offset = {} {} {}".format(*place), header).replace(
             samples.name, str(samples)))
-        subprocess.run([EXPLORE, str(folder / "head.mhd"), "--pictures", str(folder)], capture_output=True, check=True)
+        subprocess.run([EXPLORE, str(folder / "head.mhd"), "--pictures", str(folder), "--size", "500"], capture_output=True,
+                       check=True)
         reader = vtkPNGReader()
         reader.SetFileName(str(folder / "explore.png"))
         reader.Update()

@@ -458,6 +458,8 @@ Volume LoadSeries(
     const std::vector<double> along = FindPlaces(path, slices, volume);
     Explore::CheckLine(path, slices);
     AddNotes(series, volume);
+    const int size[] = { one.Width, one.Height, static_cast<int>(slices.size()) };
+    Explore::CheckSize(path, size); // before pixels, which may be unreadable, are unpacked
     Explore::CheckMemory(
       path, Explore::MeasureSlices(slices), slices.size() * (1 + series.MorePhases.size()));
     volume.Image = ReadPlaced(path, slices, along, volume);
