@@ -98,8 +98,9 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
                     all), which volume along the fourth axis of a NIfTI file (default: all, as times), or which
                     channel, time or component of another file (default: the first); of each file if several
                     are named. Key F2, or a file that is dropped on the window, opens another volume
-  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti .dcm: its labels
-                    have names in the window, and materials of their own
+  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mgz .mnc .mhd .mha .vti .dcm, or
+                    a folder with a mask for each organ: its labels have names in the window, and materials of
+                    their own
   --as-labels       the volume is a label map: its values are numbers of labels, which have colours, and
                     the names that the file has for them. The window asks if it looks like one (key F4)
   --materials FILE  a table of what the labels feel like, such as a CSV with the columns label, name,

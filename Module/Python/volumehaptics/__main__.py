@@ -5,7 +5,7 @@
 Opens a window in which VOLUME can be touched with the mouse or a device: point at it and press t. If there is no
 display, or with --pictures DIR, feels its way over it and writes pictures, the trace and a summary.
 
-VOLUME     .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
+VOLUME     .vti .mhd .mha .nii .nii.gz .nrrd .mgz .mnc .tif .zarr, or a folder of DICOM slices
   --demo   instead of VOLUME: the head phantom that comes with the package
   --web    in a browser instead of a window (needs PyVista and trame); --web --help has its options
   --help   this text, and all options of the explorer, volumehaptics-explore, to which they go

@@ -168,8 +168,8 @@ def main(arguments: list[str]) -> int:
     """Runs python -m volumehaptics --web."""
     parser = argparse.ArgumentParser(prog="python -m volumehaptics --web", description=(
         "Touch a volume in a browser. The mouse of the page leads the hand; the servo runs here."))
-    parser.add_argument("volume", nargs="?", help="whatever volumehaptics-explore reads: .vti .mhd .mha .nii .nii.gz .nrrd, "
-                                                    "a folder of DICOM slices, a grid, ...")
+    parser.add_argument("volume", nargs="?", help="whatever volumehaptics-explore reads: .vti .mhd .mha .nii .nii.gz .nrrd "
+                                                    ".mgz .mnc .tif .zarr, a folder of DICOM slices, a grid, ...")
     parser.add_argument("--demo", action="store_true", help="the head phantom that comes with the package")
     parser.add_argument("--series", type=int, default=0, metavar="N", help="which series of a DICOM folder, segment, channel, time or component of a file, from 1 on")
     parser.add_argument("--preset", choices=[*names_of(vtkHapticProperty.GetPresetNames()), "propose"],
