@@ -15,7 +15,7 @@ mkdir -p "$1"
 cd "$1"
 [ -d source ] || "$here/source.sh" paraview .
 modules="CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore
-  FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersSources IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy
+  FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersSources IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOPLY
   IOXML IOXMLParser ImagingCore RenderingCore hdf5 jsoncpp lz4 tiff vtksys"
 if [ "$2" = rendering ]; then
   modules="$modules ChartsCore CommonComputationalGeometry InteractionStyle IOOggTheora RenderingAnnotation

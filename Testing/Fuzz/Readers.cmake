@@ -25,6 +25,10 @@ foreach (target IN LISTS targets)
   target_link_options(${target} PRIVATE -fsanitize=fuzzer ${sanitizers})
   target_link_libraries(${target} PRIVATE TouchFiles)
 endforeach ()
+if (TARGET volumehaptics-read) # loads the module, and so has to have the sanitizers that the module needs
+  target_compile_options(volumehaptics-read PRIVATE ${sanitizers})
+  target_link_options(volumehaptics-read PRIVATE ${sanitizers})
+endif ()
 if (TARGET volumehaptics-dicom) # the process in which GDCM reads, which is not instrumented
   add_dependencies(TouchDicom volumehaptics-dicom)
 endif ()

@@ -59,7 +59,7 @@ library="usr/lib/[^/]*/libvtkVolumeHaptics[.]so"
 holds "libvtkvolumehaptics$series" "${library}[.]$series" "${library}[.]${series}[.][0-9]+"
 holds libvtkvolumehaptics-dev "$library" 'usr/include/volumehaptics/vtkVolumeHapticsFilter[.]h' \
   'usr/lib/[^/]*/cmake/VolumeHaptics/VolumeHapticsConfig[.]cmake' 'usr/lib/[^/]*/vtk/hierarchy/VolumeHaptics/.*'
-holds volumehaptics-tools usr/bin/volumehaptics-{explore,device,dicom,guard} 'usr/lib/[^/]*/volumehaptics/libvolumehaptics-autoload[.]so' \
+holds volumehaptics-tools usr/bin/volumehaptics-{explore,device,dicom,read,guard} 'usr/lib/[^/]*/volumehaptics/libvolumehaptics-autoload[.]so' \
   usr/share/man/man1/volumehaptics-{explore,device,guard}[.]1[.]gz 'usr/lib/udev/rules[.]d/70-volume-haptics[.]rules'
 
 # Of the three without Python, as an application would have them.

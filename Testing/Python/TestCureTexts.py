@@ -146,6 +146,7 @@ TRIED = {
     },
     "Devices/Common/DeviceReturnTest.cxx": {"is back with other limits than before. Open() and Start() it": "other limits"},
     "Devices/Emulated/FalconUnplugTest.cxx": {"Plug it in again: it is opened by itself, and waits for Arm()": "Plug it in again"},
+    "Devices/Emulated/FalconGuardTest.cxx": {"Start the program as a whole in": "time namespace"},
     "Devices/Emulated/FalconGuardEndsTest.cxx": {"watch the device. Close(), Open(), Start() and Arm() it again": "guard process"},
     "Devices/Haply/HaplySessionTest.cxx": {
         "is not calibrated: put its handle into the inkwell, or": "is not calibrated", 'Open it as "haply"': "haply",

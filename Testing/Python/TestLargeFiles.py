@@ -10,6 +10,7 @@ import ctypes.util
 import gzip
 import itertools
 import json
+import resource
 import struct
 import subprocess
 import sys
@@ -284,6 +285,46 @@ def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path, how):
             region.AddObserver("ErrorEvent", lambda *_: None)
             source.ReadRegion((2, 9, -3, 3, 5, 20), region)
     assert min(results.values()) > 50
+
+
+GRID = """# vtk DataFile Version 3.0
+grid
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 8 float
+0 0 0 1 0 0 0 1 0 0 0 1 1 1 0 1 0 1 0 1 1 1 1 1
+CELLS 2 10
+4 0 1 2 3
+4 7 4 5 {point}
+CELL_TYPES 2
+10 {kind}
+POINT_DATA 8
+SCALARS density float 1
+LOOKUP_TABLE default
+1 2 3 4 5 6 7 8
+"""
+
+
+@pytest.mark.parametrize("point, kind", [(999999999, 10), (-999999999, 10), (6, 12)], ids=["far", "before", "corners"])
+def test_a_grid_that_ends_its_reader_ends_nothing(tmp_path, point, kind):
+    """VTK's filters read at points and corners of cells that the grid does not have."""
+    path, good = tmp_path / "a.vtk", tmp_path / "good.vtk"
+    path.write_text(GRID.format(point=point, kind=kind))
+    good.write_text(GRID.format(point=6, kind=10))
+    for _ in range(2):
+        with pytest.raises(ValueError, match="(?s)legacy VTK .its reader ended.*Cure: check what the file really is"):
+            _files.read(path)
+        read, _ = _files.read(good)
+        assert 1.0 <= read.GetScalarRange()[0] < read.GetScalarRange()[1] <= 8.0
+
+
+def test_a_grid_that_asks_for_much_memory_is_refused(tmp_path):
+    """5,000,000,000 numbers, which are 40 GB, for cells that are in a file of 300 bytes."""
+    path = tmp_path / "a.vtk"
+    path.write_text(GRID.format(point=6, kind=10).replace("CELLS 2 10", "CELLS 2 5000000000"))
+    with pytest.raises(ValueError, match="legacy VTK"):
+        _files.read(path)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < 2 << 20  # KiB
 
 
 def damaged(good, chance, count):

@@ -96,6 +96,14 @@ def test_a_file_without_a_surface(tmp_path):
         press(path)
 
 
+def test_a_file_that_ends_its_reader_ends_nothing(tmp_path):
+    """VTK's reader looks for coordinates of a texture that the file does not have."""
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 1 1\nv 2 4 2\nf 1/1/1 2/1/1 3/1/1\n")
+    with pytest.raises(ValueError, match="no surface: its reader ended"):
+        press(path)
+
+
 def test_an_open_mesh_is_refused():
     plane = vtkPlaneSource()
     plane.Update()

@@ -54,7 +54,7 @@ def dynamic(path):
 def test_has_what_is_promised():
     names = {path.name for path in binaries()}
     assert {"libvtkVolumeHaptics.so", "volumehaptics-device", "volumehaptics-explore", "volumehaptics-guard",
-            "volumehaptics-dicom"} <= names
+            "volumehaptics-dicom", "volumehaptics-read"} <= names
     for name in (
         "__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi",
     ):

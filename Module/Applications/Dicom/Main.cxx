@@ -4,6 +4,7 @@
 // damaged files end GDCM by an assertion, or make it take gigabytes: then this process ends, and
 // neither the window nor the hand notices. It reads requests from standard input, which is a
 // socket, and writes the answers there.
+#include "Core/Platform/SocketBytes.h"
 #include "VTK/Reading/Dicom/DicomMessage.h"
 
 #include <gdcmByteValue.h>
@@ -35,8 +36,8 @@ namespace
 using Explore::DicomAnswer;
 using Explore::DicomElement;
 using Explore::DicomRequest;
-using Explore::ReceiveAll;
-using Explore::SendAll;
+using VolumeHaptics::ReceiveAll;
+using VolumeHaptics::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;

@@ -30,6 +30,7 @@ enum Argument
   Memory,
   Link,
   Parent,
+  Clock,
   FirstWord
 };
 
@@ -91,6 +92,18 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
   exchange.RequestStop();
 }
 
+/**
+ * Whether the program's clock, which said `told` when it started this process, is also this
+ * process's. It is not if a time namespace begins between them; then this process could not see
+ * that the program stands still.
+ */
+bool IsSameClock(const std::string& told)
+{
+  constexpr double longest = 60.0; // seconds that a start may take
+  const double since = ServoClock::SecondsSince(std::strtoll(told.c_str(), nullptr, 10));
+  return since >= 0.0 && since < longest;
+}
+
 bool Answer(int link, char sign, const std::string& text)
 {
   const std::string line = sign + text + '\n';
@@ -131,6 +144,14 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
     Answer(link, '-',
       "The guard of the device is of another version than this library. Install "
       "both anew, from the same package.");
+    return 1;
+  }
+  if (!IsSameClock(arguments[Clock]))
+  {
+    Answer(link, '-',
+      "The guard of the device has another clock than this program. Start the program as a whole "
+      "in "
+      "its time namespace.");
     return 1;
   }
   if (!memory.Adopt(memoryDescriptor, error))

@@ -140,7 +140,8 @@ bool GuardProcess::Spawn(
   settings.Pass(memory.GetExchange().GetWakeDescriptor());
   settings.Pass(itsLink);
   std::vector<std::string> words = { ProgramName, GuardMemory::GetLayout(),
-    std::to_string(memory.GetDescriptor()), std::to_string(itsLink), std::to_string(getpid()) };
+    std::to_string(memory.GetDescriptor()), std::to_string(itsLink), std::to_string(getpid()),
+    std::to_string(ServoClock::Now()) };
   words.insert(words.end(), device.begin(), device.end());
   std::vector<char*> pointers;
   for (std::string& word : words)

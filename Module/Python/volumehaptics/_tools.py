@@ -8,34 +8,19 @@ from typing import Any
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .vtkVolumeHaptics import vtkHapticPointShell
+from .vtkVolumeHaptics import vtkHapticPointShell, vtkHapticVolumeReader
 
 
 def _read(path: str) -> vtkPolyData:
     """Reads the surface in a file. ValueError: the file has no surface."""
-    ending = os.path.splitext(path)[1].lower()
-    if ending in (".stl", ".obj"):
-        from vtkmodules import vtkIOGeometry as module
-    elif ending == ".ply":
-        from vtkmodules import vtkIOPLY as module
-    elif ending == ".vtp":
-        from vtkmodules import vtkIOXML as module
-    else:
+    if os.path.splitext(path)[1].lower() not in (".stl", ".obj", ".ply", ".vtp"):
         raise ValueError(f"tool={path!r} has an unknown ending: take one that ends in .stl, .ply, .obj or .vtp")
-    readers = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader", ".ply": "vtkPLYReader", ".vtp": "vtkXMLPolyDataReader"}
     if not os.path.isfile(path):
         raise ValueError(f"tool={path!r}: there is no such file")
-    from ._touch import Errors
-
-    reader = getattr(module, readers[ending])()
-    with Errors(reader) as errors:
-        reader.SetFileName(path)
-        reader.UpdateInformation()
-        if not errors:  # after an error, some readers would continue
-            reader.Update()
-    mesh = reader.GetOutput()
-    if errors or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
-        raise ValueError(f"tool={path!r} has no surface: " + ("; ".join(errors) or "there are no polygons"))
+    mesh = vtkPolyData()
+    error = vtkHapticVolumeReader.ReadSurface(path, mesh)
+    if error or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        raise ValueError(f"tool={path!r} has no surface: " + (error or "there are no polygons"))
     return mesh
 
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/GridLoader.h"
 
+#include "Core/Platform/ReaderProcess.h"
+#include "VTK/Reading/ForeignData.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/WholeFile.h"
@@ -35,6 +37,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <exception>
 #include <sstream>
 #include <vector>
 #include <vtksys/SystemTools.hxx>
@@ -153,6 +157,14 @@ const Format* FindFormat(const std::string& path)
   return found == std::end(FORMATS) ? nullptr : found;
 }
 
+[[noreturn]] void ThrowUnreadable(
+  const std::string& path, const Format& format, const std::string& detail)
+{
+  throw InputError(path,
+    std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),
+    "check what the file really is, export it again, and check that the copy is complete");
+}
+
 /// Reads a file; if it has several times, only the last one. Throws InputError if nothing could be
 /// read.
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
@@ -183,9 +195,7 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   if (!detail.empty() || !Explore::ReadChecked(reader, detail, chooseTime) ||
     !reader->GetOutputDataObject(0))
   {
-    throw InputError(path,
-      std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),
-      "check what the file really is, export it again, and check that the copy is complete");
+    ThrowUnreadable(path, format, detail);
   }
   return reader->GetOutputDataObject(0);
 }
@@ -321,6 +331,44 @@ std::string FindActive(const std::vector<vtkDataSet*>& parts)
   }
   return {};
 }
+Volume ReadGridHere(const std::string& path)
+{
+  const Format& format = *FindFormat(path);
+  Volume volume;
+  volume.Format = format.Name;
+  volume.MetersPerUnit = format.MetersPerUnit;
+  const vtkSmartPointer<vtkDataObject> data = Read(path, format, volume);
+  if (auto* const image = vtkImageData::SafeDownCast(data))
+  {
+    volume.Image = image;
+    return volume;
+  }
+  const std::vector<vtkDataSet*> parts = VolumeHaptics::CollectParts(data);
+  RefusePolyhedraWithoutFaces(path, parts);
+  volume.Image = Resample(data, MakeFrame(path, parts, volume));
+  FillOutside(volume.Image);
+  volume.Outline = Explore::MakeGridOutline(parts);
+  const std::string active = FindActive(parts);
+  volume.Image->GetPointData()->SetActiveScalars(active.empty() ? nullptr : active.c_str());
+  volume.IsGrid = true;
+  volume.IsField = true;
+  return volume;
+}
+
+Volume UnpackGrid(VolumeHaptics::ByteUnpacker& unpacker)
+{
+  Volume volume;
+  volume.Format = unpacker.GetText();
+  volume.MetersPerUnit = unpacker.Get<double>();
+  for (auto left = unpacker.Get<std::uint64_t>(); left > 0; --left)
+  {
+    volume.Notes.push_back(unpacker.GetText());
+  }
+  volume.Image = Explore::UnpackImage(unpacker);
+  volume.IsGrid = volume.IsField = unpacker.Get<bool>();
+  volume.Outline = volume.IsGrid ? Explore::UnpackPolyData(unpacker) : nullptr;
+  return volume;
+}
 } // namespace
 
 namespace Explore
@@ -340,28 +388,60 @@ bool IsGrid(const std::string& path)
   return FindFormat(path) != nullptr;
 }
 
+std::string PackGrid(const std::string& path)
+{
+  VolumeHaptics::BytePacker packer;
+  try
+  {
+    const Volume volume = ReadGridHere(path);
+    packer.PutText({});
+    packer.PutText(volume.Format);
+    packer.Put(volume.MetersPerUnit);
+    packer.Put<std::uint64_t>(volume.Notes.size());
+    for (const std::string& note : volume.Notes)
+    {
+      packer.PutText(note);
+    }
+    PackImage(volume.Image, packer);
+    packer.Put(volume.IsGrid);
+    volume.IsGrid ? PackPolyData(volume.Outline, packer) : void();
+  }
+  catch (const InputError& fault)
+  {
+    packer.Bytes.clear();
+    packer.PutText(fault.what());
+  }
+  return packer.Bytes;
+}
+
 Volume ReadGrid(const std::string& path)
 {
-  const Format& format = *FindFormat(path);
-  Volume volume;
-  volume.Format = format.Name;
-  volume.MetersPerUnit = format.MetersPerUnit;
-  const vtkSmartPointer<vtkDataObject> data = Read(path, format, volume);
-  if (auto* const image = vtkImageData::SafeDownCast(data))
+  std::string answer;
+  const VolumeHaptics::ReadResult result =
+    VolumeHaptics::AskReader(VolumeHaptics::ReadTask::Grid, path, answer);
+  if (result == VolumeHaptics::ReadResult::NoProcess)
   {
-    volume.Image = image;
-    return volume;
+    return ReadGridHere(path);
   }
-  const std::vector<vtkDataSet*> parts = VolumeHaptics::CollectParts(data);
-  RefusePolyhedraWithoutFaces(path, parts);
-  volume.Image = Resample(data, MakeFrame(path, parts, volume));
-  FillOutside(volume.Image);
-  volume.Outline = MakeGridOutline(parts);
-  const std::string active = FindActive(parts);
-  volume.Image->GetPointData()->SetActiveScalars(active.empty() ? nullptr : active.c_str());
-  volume.IsGrid = true;
-  volume.IsField = true;
-  return volume;
+  std::string detail = VolumeHaptics::ReaderEnded;
+  if (result == VolumeHaptics::ReadResult::Answered)
+  {
+    VolumeHaptics::ByteUnpacker unpacker(answer);
+    try
+    {
+      const std::string fault = unpacker.GetText();
+      return fault.empty() ? UnpackGrid(unpacker) : throw InputError(fault);
+    }
+    catch (const InputError&)
+    {
+      throw;
+    }
+    catch (const std::exception& fault) // the answer makes no sense
+    {
+      detail = fault.what();
+    }
+  }
+  ThrowUnreadable(path, *FindFormat(path), detail);
 }
 
 } // namespace Explore

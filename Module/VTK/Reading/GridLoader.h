@@ -21,6 +21,9 @@ bool IsGrid(const std::string& path);
 /// Outside all cells, scalars have the least value, and vectors and tensors are 0. If there are
 /// several times, reads the last one. Throws InputError.
 Volume ReadGrid(const std::string& path);
+
+/// Reads a grid in the process that its reader may end; returns what ReadGrid() unpacks.
+std::string PackGrid(const std::string& path);
 } // namespace Explore
 
 #endif

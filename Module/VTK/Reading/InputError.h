@@ -16,6 +16,11 @@ public:
     : std::runtime_error(subject + ": " + fault + ".\n  Cure: " + cure + ".")
   {
   }
+  /// An error that another process has found: its whole message.
+  explicit InputError(const std::string& message)
+    : std::runtime_error(message)
+  {
+  }
 };
 } // namespace Explore
 

@@ -10,7 +10,6 @@
 #include "vtkAbstractArray.h"
 #include "vtkNew.h"
 
-#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <sstream>
@@ -100,11 +99,7 @@ bool IsLargeVolume(const std::string& path, bool isWanted)
   {
     return true;
   }
-  constexpr double mebibyte = 1048576.0;
-  vtksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
-  return free > 0.0 && ComputeRegionsSize(path) > 0.5 * free;
+  return ComputeRegionsSize(path) > 0.5 * GetFreeMemory();
 }
 
 Volume LoadLargeVolume(const std::string& path, int series)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Reading/VolumeChecks.h"
 
+#include "Core/Platform/ControlGroup.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/VolumeLoader.h"
 
@@ -190,14 +191,23 @@ void UseHounsfieldUnits(Volume& volume)
 
 namespace Explore
 {
+double GetFreeMemory()
+{
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  vtksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
+  // The system's memory is not that of a container.
+  const double ofGroup = VolumeHaptics::ReadGroupMemory();
+  return free > 0.0 ? std::min(free, ofGroup) : ofGroup;
+}
+
 void CheckMemory(const std::string& path, double bytes, std::size_t frames)
 {
   constexpr double mebibyte = 1024.0 * 1024.0;
   const double needed = bytes * static_cast<double>(frames) / mebibyte;
-  vtksys::SystemInformation system;
-  system.RunMemoryCheck();
-  const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
-  if (free > 0.0 && needed > free)
+  const double free = GetFreeMemory() / mebibyte;
+  if (needed > free)
   {
     std::ostringstream fault;
     fault << "has " << frames << " frames, which need " << std::lround(needed)

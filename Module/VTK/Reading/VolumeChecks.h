@@ -10,6 +10,10 @@ namespace Explore
 {
 struct Volume;
 
+/// Returns the free memory (bytes) of the system, or of the container that this process is in, if
+/// that is less; infinite if neither is known.
+double GetFreeMemory();
+
 /// Throws InputError unless this number of frames, each of this size (bytes), fits into the free
 /// memory.
 void CheckMemory(const std::string& path, double bytes, std::size_t frames);

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticVolumeReader.h"
 
+#include "Core/Platform/ReaderProcess.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Reading/ForeignData.h"
+#include "VTK/Reading/GridLoader.h"
 #include "VTK/Reading/InputError.h"
 #include "VTK/Reading/LabelLoader.h"
 #include "VTK/Reading/MessageCapture.h"
 #include "VTK/Reading/VolumeSeries.h"
+#include "VTK/Regions/Formats/LargeFile.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -235,4 +239,37 @@ void vtkHapticVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
      << (this->ArrayName.empty() ? "(none)" : VolumeHaptics::Printable(this->ArrayName)) << "\n";
   os << indent << "AsLabels: " << (this->AsLabels ? "On" : "Off") << "\n";
   os << indent << "Notes: " << this->Internals->Notes << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticVolumeReader::ReadSurface(const char* file, vtkPolyData* surface)
+{
+  std::string error = "there is no file";
+  const vtkSmartPointer<vtkPolyData> read =
+    file && surface ? Explore::ReadPolyData(file, error) : nullptr;
+  if (read)
+  {
+    surface->ShallowCopy(read);
+    return {};
+  }
+  return VolumeHaptics::Printable(error);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticServeReading(int link)
+{
+  VolumeHaptics::ServeReading(link,
+    [](VolumeHaptics::ReadTask task, const std::string& path)
+    {
+      switch (task)
+      {
+        case VolumeHaptics::ReadTask::Grid:
+          return Explore::PackGrid(path);
+        case VolumeHaptics::ReadTask::Surface:
+          return Explore::PackSurface(path);
+        case VolumeHaptics::ReadTask::VtkHdf:
+          break;
+      }
+      return VolumeHaptics::PackVtkHdf(path);
+    });
 }

@@ -37,6 +37,7 @@
 
 class vtkHapticLabelTable;
 class vtkImageData;
+class vtkPolyData;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticVolumeReader : public vtkImageAlgorithm
 {
@@ -121,6 +122,14 @@ public:
    */
   static std::string DescribeLabels(
     vtkImageData* labels, vtkImageData* volume, vtkHapticLabelTable* table);
+
+  /**
+   * Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp into `surface`.
+   * Returns an empty text, or why the file can't be read; `surface` then stays as it is. If
+   * volumehaptics-read is installed, the file is read there, because damaged files can end VTK's
+   * readers.
+   */
+  static std::string ReadSurface(const char* file, vtkPolyData* surface);
 
 protected:
   vtkHapticVolumeReader();

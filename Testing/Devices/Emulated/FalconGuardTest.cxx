@@ -12,10 +12,17 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <random>
 #include <utility>
+
+#include <sched.h>
+
+#if !defined(CLONE_NEWTIME)
+#define CLONE_NEWTIME 0x80
+#endif
 
 using namespace emulated;
 
@@ -154,6 +161,35 @@ INSTANTIATE_TEST_SUITE_P(, FalconGuardKills,
     std::pair("Many5", 100), std::pair("Many6", 100), std::pair("Many7", 100),
     std::pair("Many8", 100), std::pair("Many9", 100)),
   [](const auto& info) { return std::string(info.param.first); });
+
+/// A guard whose clock is behind would not see for that time that the application stands still.
+class FalconGuardsClock
+  : public FalconGuard
+  , public testing::WithParamInterface<int>
+{
+};
+
+TEST_P(FalconGuardsClock, IsThatOfTheApplication)
+{
+  // Of children only; privileged, and not in all kernels.
+  std::ofstream offsets;
+  if (unshare(CLONE_NEWTIME) == 0)
+  {
+    offsets.open("/proc/self/timens_offsets");
+    offsets << "monotonic " << this->GetParam() << " 0\n" << std::flush;
+  }
+  if (!offsets.is_open() || !offsets)
+  {
+    GTEST_SKIP() << "no time namespaces here";
+  }
+  EXPECT_FALSE(this->Open());
+  EXPECT_TRUE(Has(this->Error, "another clock")) << this->Error;
+  EXPECT_TRUE(Has(this->Error, "time namespace")) << this->Error;
+  EXPECT_EQ(FindGuard(), 0);
+  EXPECT_FALSE(this->Usb.IsClaimed());
+}
+INSTANTIATE_TEST_SUITE_P(, FalconGuardsClock, testing::Values(-100, 100),
+  [](const auto& info) { return info.param < 0 ? "Behind" : "Ahead"; });
 
 TEST_F(FalconGuard, OutlivesAnApplicationThatBecomesAnotherProgram)
 {

@@ -3,6 +3,8 @@
 #ifndef Explore_ShapeFile_h
 #define Explore_ShapeFile_h
 
+#include "VTK/Reading/ForeignData.h"
+
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -10,14 +12,6 @@
 
 namespace Explore
 {
-/// Returns the ending of a file's name in lower case, such as ".stl".
-std::string GetEnding(const std::string& name);
-
-/// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Returns null, with
-/// the reason in `error`, if the file can't be read, if it is shorter than its header promises, or
-/// if a cell has a point that does not exist.
-vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
-
 /// Reads like ReadPolyData, but throws InputError, whose text begins with the option that names the
 /// file and contains the cure.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(

@@ -3,13 +3,7 @@
 #ifndef Explore_DicomMessage_h
 #define Explore_DicomMessage_h
 
-#include <cerrno>
-#include <cstddef>
 #include <cstdint>
-
-#if !defined(_WIN32)
-#include <sys/socket.h>
-#endif
 
 namespace Explore
 {
@@ -53,44 +47,6 @@ struct DicomElement
   std::int32_t Item = -1;     // number of the item in that sequence
   std::uint32_t Length = 0;   // bytes of the value, least significant byte first
 };
-
-#if !defined(_WIN32)
-/// Sends all bytes through a socket, also if signals interrupt it. Returns false if the other side
-/// is gone.
-inline bool SendAll(int link, const void* from, std::size_t size)
-{
-  const char* at = static_cast<const char*>(from);
-  while (size > 0)
-  {
-    const ssize_t sent = send(link, at, size, MSG_NOSIGNAL);
-    if (sent <= 0 && errno != EINTR)
-    {
-      return false;
-    }
-    at += sent > 0 ? sent : 0;
-    size -= static_cast<std::size_t>(sent > 0 ? sent : 0);
-  }
-  return true;
-}
-
-/// Receives `size` bytes from a socket, also if signals interrupt it. Returns false if the other
-/// side is gone.
-inline bool ReceiveAll(int link, void* to, std::size_t size)
-{
-  char* at = static_cast<char*>(to);
-  while (size > 0)
-  {
-    const ssize_t got = recv(link, at, size, MSG_WAITALL);
-    if (got == 0 || (got < 0 && errno != EINTR))
-    {
-      return false;
-    }
-    at += got > 0 ? got : 0;
-    size -= static_cast<std::size_t>(got > 0 ? got : 0);
-  }
-  return true;
-}
-#endif
 } // namespace Explore
 
 #endif

@@ -57,6 +57,11 @@ using LargeFileOpener = LargeFile(const std::string& name, bool mayBeWhole, int 
 
 /** Opens the active array of the image in a VTKHDF file, following VTK's specification. */
 LargeFileOpener OpenVtkHdf;
+/**
+ * Reads where the samples of a VTKHDF file are, in the process that the library may end; returns
+ * what OpenVtkHdf() unpacks.
+ */
+std::string PackVtkHdf(const std::string& name);
 
 /**
  * Opens a MetaImage or NRRD file: a header, and samples after it or in other files. If mayBeWhole,

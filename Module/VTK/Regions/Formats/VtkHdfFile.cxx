@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/LargeFile.h"
 
+#include "Core/Platform/PackedBytes.h"
+#include "Core/Platform/ReaderProcess.h"
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Regions/Formats/ChunkCodecs.h"
@@ -166,13 +168,37 @@ struct StoredChunks
   }
 };
 
-BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const std::string& path,
-  Hdf5Array&& array, LargeFile& file)
+/** What HDF5's library finds in a file. */
+struct VtkHdfFacts
 {
+  BoxExtent Extent{};
+  std::array<double, 3> Origin{};
+  std::array<double, 3> Spacing{};
+  std::array<double, 9> Direction = LargeFile().Direction;
+  bool HasSteps = false;
+  Hdf5Array Array;
+  std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
+};
+
+/** Checks that an array's samples can be read here. */
+void CheckSamples(const VtkHdfFacts& facts)
+{
+  const Hdf5Array& array = facts.Array;
+  CheckShape(array, facts.Extent, facts.HasSteps);
+  if (array.ScalarType == 0)
+  {
+    throw std::runtime_error("its array is of a type that no volume here has. Write it as integers "
+                             "or floating-point numbers of 1 to 8 bytes.");
+  }
+  if (array.ChunkShape.empty() && !array.IsContiguous)
+  {
+    throw std::runtime_error("its array has no samples, or in a place that is not read here. "
+                             "Convert it with h5repack -l CONTI IN OUT.");
+  }
   for (const Hdf5Filter& filter : array.Filters)
   {
-    if (filter.Id != Hdf5Filter::Deflate && filter.Id != Hdf5Filter::Shuffle &&
-      filter.Id != Hdf5Filter::Checksum)
+    if (!array.ChunkShape.empty() && filter.Id != Hdf5Filter::Deflate &&
+      filter.Id != Hdf5Filter::Shuffle && filter.Id != Hdf5Filter::Checksum)
     {
       throw std::runtime_error("its array is compressed by the HDF5 filter " +
         std::to_string(filter.Id) +
@@ -180,19 +206,18 @@ BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const s
         "IN OUT, or open it with h5py and volumehaptics.open_large() in Python.");
     }
   }
-  ChunkedVolume volume;
-  volume.Extent = file.Extent;
-  volume.SampleSize = array.SampleSize;
-  volume.IsSwapped = IsOtherByteOrder(array.IsBig);
-  volume.FillValue = array.FillValue;
-  auto chunks = std::make_shared<StoredChunks>();
+}
+
+/** Returns the number of chunks along x, y and z. Throws if the chunks are too large. */
+std::array<std::uint64_t, 3> CountChunks(const Hdf5Array& array)
+{
+  std::array<std::uint64_t, 3> counts{};
   const std::size_t x = array.Shape.size() - 1;
-  auto chunkBytes = static_cast<double>(volume.SampleSize);
+  auto chunkBytes = static_cast<double>(array.SampleSize);
   for (std::size_t a = 0; a < 3; ++a)
   {
     const std::uint64_t size = array.ChunkShape[x - a];
-    volume.ChunkSize[a] = static_cast<std::int64_t>(size);
-    chunks->Counts[a] = (array.Shape[x - a] + size - 1) / size;
+    counts[a] = (array.Shape[x - a] + size - 1) / size;
     chunkBytes *= static_cast<double>(size);
   }
   if (chunkBytes > static_cast<double>(MostChunkBytes))
@@ -200,10 +225,143 @@ BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const s
     throw std::runtime_error("its chunks are larger than 1 GiB. Convert it with h5repack -l "
                              "CHUNK=64x64x64 IN OUT.");
   }
+  return counts;
+}
+
+VtkHdfFacts ReadFacts(const std::string& name)
+{
+  const Hdf5File file(name);
+  CheckMember(file, RootGroup);
+  const std::string type = file.ReadText(RootGroup, "Type");
+  if (type != "ImageData")
+  {
+    throw std::runtime_error("it holds " + (type.empty() ? "something" : Printable(type)) +
+      ", not an image (Type ImageData). Give a VTKHDF file of an image.");
+  }
+  VtkHdfFacts facts;
+  if (!ReadNumbers(file, "WholeExtent", facts.Extent) ||
+    !ReadNumbers(file, "Origin", facts.Origin) || !ReadNumbers(file, "Spacing", facts.Spacing))
+  {
+    throw std::runtime_error("its WholeExtent, Origin or Spacing is missing, or has other numbers "
+                             "than an image needs. Write it again.");
+  }
+  ReadNumbers(file, "Direction", facts.Direction);
+  const std::string path = FindArray(file);
+  facts.Array = file.ReadArray(path);
+  facts.HasSteps = file.Has(std::string(RootGroup) + "/Steps");
+  CheckSamples(facts);
+  if (!facts.Array.ChunkShape.empty())
+  {
+    facts.Chunks = file.LocateChunks(path, facts.Array, CountChunks(facts.Array));
+  }
+  return facts;
+}
+
+void PackFacts(const VtkHdfFacts& facts, BytePacker& packer)
+{
+  packer.Put(facts.Extent);
+  packer.Put(facts.Origin);
+  packer.Put(facts.Spacing);
+  packer.Put(facts.Direction);
+  packer.Put(facts.HasSteps);
+  packer.Put(facts.Array.ScalarType);
+  packer.Put(facts.Array.SampleSize);
+  packer.Put(facts.Array.IsBig);
+  packer.PutList(facts.Array.Shape);
+  packer.PutList(facts.Array.FillValue);
+  packer.Put(facts.Array.IsContiguous);
+  packer.Put(facts.Array.Address);
+  packer.PutList(facts.Array.Filters);
+  packer.PutList(facts.Array.ChunkShape);
+  packer.Put<std::uint64_t>(facts.Chunks.size());
+  for (const auto& [number, chunk] : facts.Chunks)
+  {
+    packer.Put(number);
+    packer.Put(chunk);
+  }
+}
+
+/** Unpacks facts, and checks those that the library has not to be believed. */
+VtkHdfFacts UnpackFacts(ByteUnpacker& unpacker)
+{
+  VtkHdfFacts facts;
+  facts.Extent = unpacker.Get<BoxExtent>();
+  facts.Origin = unpacker.Get<std::array<double, 3>>();
+  facts.Spacing = unpacker.Get<std::array<double, 3>>();
+  facts.Direction = unpacker.Get<std::array<double, 9>>();
+  facts.HasSteps = unpacker.Get<bool>();
+  Hdf5Array& array = facts.Array;
+  array.ScalarType = unpacker.Get<int>();
+  array.SampleSize = unpacker.Get<std::size_t>();
+  array.IsBig = unpacker.Get<bool>();
+  array.Shape = unpacker.GetList<std::uint64_t>();
+  array.FillValue = unpacker.GetList<char>();
+  array.IsContiguous = unpacker.Get<bool>();
+  array.Address = unpacker.Get<std::uint64_t>();
+  array.Filters = unpacker.GetList<Hdf5Filter>();
+  array.ChunkShape = unpacker.GetList<std::uint64_t>();
+  for (auto left = unpacker.Get<std::uint64_t>(); left > 0; --left)
+  {
+    const auto number = unpacker.Get<std::uint64_t>();
+    facts.Chunks[number] = unpacker.Get<Hdf5Chunk>();
+  }
+  const bool isInteger = array.ScalarType != VTK_FLOAT && array.ScalarType != VTK_DOUBLE;
+  const bool isKnown = array.ScalarType == ChooseScalarType(isInteger, true, array.SampleSize) ||
+    array.ScalarType == ChooseScalarType(isInteger, false, array.SampleSize);
+  const bool areChunks = array.ChunkShape.empty() ||
+    (array.ChunkShape.size() == array.Shape.size() &&
+      std::count(array.ChunkShape.begin(), array.ChunkShape.end(), std::uint64_t{ 0 }) == 0);
+  if (!isKnown || !areChunks || array.FillValue.size() != array.SampleSize)
+  {
+    Hdf5File::ThrowDamaged();
+  }
+  CheckSamples(facts);
+  return facts;
+}
+
+VtkHdfFacts AskForFacts(const std::string& name)
+{
+  std::string answer;
+  switch (AskReader(ReadTask::VtkHdf, name, answer))
+  {
+    case ReadResult::NoProcess:
+      return ReadFacts(name);
+    case ReadResult::Ended:
+      throw std::runtime_error(
+        std::string("it is damaged: ") + ReaderEnded + ". Copy or write it again.");
+    case ReadResult::Answered:
+      break;
+  }
+  ByteUnpacker unpacker(answer);
+  const std::string fault = unpacker.GetText();
+  if (!fault.empty())
+  {
+    throw std::runtime_error(fault);
+  }
+  return UnpackFacts(unpacker);
+}
+
+BoxReader MakeChunkReader(const std::string& name, VtkHdfFacts&& facts, LargeFile& file)
+{
+  Hdf5Array& array = facts.Array;
+  ChunkedVolume volume;
+  volume.Extent = file.Extent;
+  volume.SampleSize = array.SampleSize;
+  volume.IsSwapped = IsOtherByteOrder(array.IsBig);
+  volume.FillValue = array.FillValue;
+  auto chunks = std::make_shared<StoredChunks>();
+  chunks->Counts = CountChunks(array);
+  std::size_t chunkBytes = array.SampleSize;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::uint64_t size = array.ChunkShape[array.ChunkShape.size() - 1 - a];
+    volume.ChunkSize[a] = static_cast<std::int64_t>(size);
+    chunkBytes *= static_cast<std::size_t>(size);
+  }
   file.ChunkSize = volume.ChunkSize;
   chunks->Name = name;
-  chunks->Most = GetMostPackedBytes(static_cast<std::size_t>(chunkBytes));
-  chunks->Chunks = hdf5.LocateChunks(path, array, chunks->Counts);
+  chunks->Most = GetMostPackedBytes(chunkBytes);
+  chunks->Chunks = std::move(facts.Chunks);
   chunks->Array = std::move(array);
   volume.Load = [chunks](const ChunkPlace& place, std::vector<char>& bytes)
   { return chunks->Load(place, bytes); };
@@ -214,17 +372,12 @@ BoxReader MakeChunkReader(const std::string& name, const Hdf5File& hdf5, const s
   };
 }
 
-BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::string& path,
-  Hdf5Array&& array, LargeFile& file)
+BoxReader MakeReader(const std::string& name, VtkHdfFacts&& facts, LargeFile& file)
 {
+  const Hdf5Array& array = facts.Array;
   if (!array.ChunkShape.empty())
   {
-    return MakeChunkReader(name, hdf5, path, std::move(array), file);
-  }
-  if (!array.IsContiguous)
-  {
-    throw std::runtime_error("its array has no samples, or in a place that is not read here. "
-                             "Convert it with h5repack -l CONTI IN OUT.");
+    return MakeChunkReader(name, std::move(facts), file);
   }
   const RawVolumeFile raw{ name, file.Extent, array.SampleSize,
     static_cast<vtkTypeInt64>(array.Address), IsOtherByteOrder(array.IsBig) };
@@ -237,35 +390,34 @@ BoxReader MakeReader(const std::string& name, const Hdf5File& hdf5, const std::s
 
 } // namespace
 
+std::string PackVtkHdf(const std::string& name)
+{
+  BytePacker packer;
+  try
+  {
+    const VtkHdfFacts facts = ReadFacts(name);
+    packer.PutText({});
+    PackFacts(facts, packer);
+  }
+  catch (const std::runtime_error& fault)
+  {
+    packer.Bytes.clear();
+    packer.PutText(fault.what());
+  }
+  return packer.Bytes;
+}
+
 LargeFile OpenVtkHdf(const std::string& name, bool, int volume)
 {
-  const Hdf5File file(name);
-  CheckMember(file, RootGroup);
-  const std::string type = file.ReadText(RootGroup, "Type");
-  if (type != "ImageData")
-  {
-    throw std::runtime_error("it holds " + (type.empty() ? "something" : Printable(type)) +
-      ", not an image (Type ImageData). Give a VTKHDF file of an image.");
-  }
+  VtkHdfFacts facts = AskForFacts(name);
   LargeFile large;
   ChooseVolume({}, volume, large);
-  if (!ReadNumbers(file, "WholeExtent", large.Extent) ||
-    !ReadNumbers(file, "Origin", large.Origin) || !ReadNumbers(file, "Spacing", large.Spacing))
-  {
-    throw std::runtime_error("its WholeExtent, Origin or Spacing is missing, or has other numbers "
-                             "than an image needs. Write it again.");
-  }
-  ReadNumbers(file, "Direction", large.Direction);
-  const std::string path = FindArray(file);
-  Hdf5Array array = file.ReadArray(path);
-  CheckShape(array, large.Extent, file.Has(std::string(RootGroup) + "/Steps"));
-  large.ScalarType = array.ScalarType;
-  if (large.ScalarType == 0)
-  {
-    throw std::runtime_error("its array is of a type that no volume here has. Write it as integers "
-                             "or floating-point numbers of 1 to 8 bytes.");
-  }
-  large.Read = MakeReader(MakeAbsolute(name), file, path, std::move(array), large);
+  large.Extent = facts.Extent;
+  large.Origin = facts.Origin;
+  large.Spacing = facts.Spacing;
+  large.Direction = facts.Direction;
+  large.ScalarType = facts.Array.ScalarType;
+  large.Read = MakeReader(MakeAbsolute(name), std::move(facts), large);
   return large;
 }
 

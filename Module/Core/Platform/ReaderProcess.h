@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads files by libraries that believe what a file tells, in a process of its own, which has
+ * limits of memory and time. If such a library ends the process, neither the window nor the servo
+ * notices.
+ *
+ * The process is the program volumehaptics-read, which loads the library that asks, and reads each
+ * file in a copy of itself. There is none on Windows, nor if that library is linked into a program
+ * as a whole: then files are read in the asking process.
+ */
+#ifndef ReaderProcess_h
+#define ReaderProcess_h
+
+#include <cstdint>
+#include <string>
+
+#if defined(_WIN32)
+#define VOLUME_HAPTICS_SERVES
+#else
+#define VOLUME_HAPTICS_SERVES __attribute__((visibility("default")))
+#endif
+
+/**
+ * Answers requests that come through a socket. The library that asks defines this function, and the
+ * program volumehaptics-read calls it.
+ */
+extern "C" VOLUME_HAPTICS_SERVES void vtkHapticServeReading(int link);
+
+namespace VolumeHaptics
+{
+
+/** What is read: what the answer holds is for those who ask to know. */
+enum class ReadTask : std::uint32_t
+{
+  Grid,    ///< a grid, resampled to an image; may read all files of its folder
+  VtkHdf,  ///< where the samples are in a VTKHDF file
+  Surface, ///< a mesh
+};
+
+enum class ReadResult : std::uint8_t
+{
+  Answered,
+  Ended,    ///< the file has ended the process, or taken more memory or time than it may
+  NoProcess ///< there is no such process: read the file in this one
+};
+
+/** Says what ReadResult::Ended means. */
+constexpr const char* ReaderEnded =
+  "its reader ended, or took more memory or time than such a file needs";
+
+/** Asks the process to read a file. Starts it if it does not run. */
+ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer);
+
+/**
+ * The work of vtkHapticServeReading(): answers until the other side closes the socket. `read`
+ * returns the answer, or throws.
+ */
+void ServeReading(int link, std::string (*read)(ReadTask task, const std::string& path));
+
+} // namespace VolumeHaptics
+
+#endif
