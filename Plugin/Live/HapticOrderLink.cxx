@@ -65,6 +65,7 @@ void HapticOrderLink::ApplyLimits()
   }
   this->Device->SetMaximumForceRate(
     vtkSMPropertyHelper(this->Proxy, "MaximumForceRate").GetAsDouble());
+  this->Device->SetStiffnessGain(vtkSMPropertyHelper(this->Proxy, "StiffnessGain").GetAsDouble());
 }
 
 void HapticOrderLink::ApplyTip()

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PortSafety.h"
 
+#include "StiffWalls.h"
+
 #include "Rigs/ArmSessions.h"
 #include "Rigs/PortSessions.h"
 #include "Rigs/SignTrials.h"
@@ -229,6 +231,7 @@ PortSafety MeasurePortSafety(int sessions, int trials)
   safety.Tables.push_back(CountUnstable(trials));
   safety.Tables.push_back(CountCheckedSigns(trials));
   safety.Tables.push_back(CountRunAways(trials));
+  safety.Tables.push_back(MeasureStiffWalls());
   return safety;
 }
 

@@ -20,10 +20,16 @@ struct ForceCaps
 {
   double Stiffness = 0.0; ///< N/m
   double Damping = 0.0;   ///< N s/m
+  /**
+   * Stiffness (N/m) that the loop holds by itself, if Stiffness is larger (ForceAugmentation.h); 0
+   * if it is not.
+   */
+  double Feedback = 0.0;
 
   bool operator==(const ForceCaps& other) const noexcept
   {
-    return this->Stiffness == other.Stiffness && this->Damping == other.Damping;
+    return this->Stiffness == other.Stiffness && this->Damping == other.Damping &&
+      this->Feedback == other.Feedback;
   }
 };
 
@@ -35,7 +41,8 @@ inline double TighterCap(double a, double b) noexcept
 
 inline ForceCaps TighterCaps(const ForceCaps& a, const ForceCaps& b) noexcept
 {
-  return { TighterCap(a.Stiffness, b.Stiffness), TighterCap(a.Damping, b.Damping) };
+  return { TighterCap(a.Stiffness, b.Stiffness), TighterCap(a.Damping, b.Damping),
+    TighterCap(a.Feedback, b.Feedback) };
 }
 
 } // namespace VolumeHaptics

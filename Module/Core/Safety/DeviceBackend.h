@@ -68,6 +68,17 @@ inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
   return { TighterCap(stated, sampled), share * limits.MaximumDamping };
 }
 
+/**
+ * Raises the cap of stiffness by a gain above 1, for ForceAugmentation.h. The round trip of the
+ * device must have been measured.
+ */
+inline ForceCaps Augmented(const ForceCaps& caps, double gain) noexcept
+{
+  return gain > 1.0 && caps.Stiffness > 0.0
+    ? ForceCaps{ gain * caps.Stiffness, caps.Damping, caps.Stiffness }
+    : caps;
+}
+
 /** A force that the device has received. Times are in ns of ServoClock. */
 struct TakenForce
 {

@@ -35,6 +35,7 @@ void SafetyStage::Reset() noexcept
   this->Growth.Reset();
   this->Observer.Reset();
   this->Energy.Reset();
+  this->Augmentation.Reset();
   this->Damper.Reset();
 }
 
@@ -110,6 +111,12 @@ bool SafetyStage::UpdateSamples(
     isActive = this->Observer.Observe(input.Tip, time);
     givesEnergy = this->Energy.Observe(input.Tip, time);
     this->Damper.Observe(input.Tip, time);
+    if (input.Feedback > 0.0)
+    {
+      const double late = std::max(0.0, 0.5 * (input.RoundTrip - time));
+      this->Augmentation.Observe(
+        input.Tip, time, late, 0.5 * input.Feedback * std::max(input.RoundTrip, input.Period));
+    }
     this->SampleAge = 0.0;
   }
   if ((input.Fresh || input.Alive) && finite)
@@ -165,7 +172,26 @@ Vector3 SafetyStage::ComputeCommand(
   GrowthInput growth = this->ComputeGrowth(input, limits);
   growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
-  return this->Damp(this->Growth.Apply(growth), input, limits, gate);
+  return this->Damp(this->Augment(this->Growth.Apply(growth), input, limits), input, limits, gate);
+}
+
+Vector3 SafetyStage::Augment(
+  const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits) noexcept
+{
+  if (!(input.Feedback > 0.0))
+  {
+    return wall;
+  }
+  const double grown = Norm(this->LastCommand) + limits.MaximumForceRate * input.Period;
+  AugmentationInput augmented;
+  augmented.Wall = wall;
+  augmented.Pull = std::max(Norm(input.Force), input.Stiffness * input.Stretch);
+  augmented.Stiffness = input.Stiffness;
+  augmented.Feedback = input.Feedback;
+  augmented.Most = std::min(limits.MaximumForce, grown);
+  augmented.MaximumDamping = limits.MaximumDamping;
+  augmented.Period = input.Period;
+  return this->Augmentation.Apply(augmented);
 }
 
 Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
@@ -194,6 +220,10 @@ Vector3 SafetyStage::Apply(
   this->LastCommand = command;
   gate.ReportCommand(Dot(command, command) > 0.0);
   this->Observer.RecordSent(command);
+  if (input.Feedback > 0.0)
+  {
+    this->Augmentation.RecordSent(command, input.Period);
+  }
   return command;
 }
 

@@ -13,7 +13,9 @@
  * 4. The force is multiplied by the gate's share (ForceGate.h), and the growth of the force is
  *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
  *    work that the hand was spared on the way in is not given to it on the way out.
- * 5. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
+ * 5. A wall that is stiffer than the loop can hold by itself, which the user must allow, is damped
+ *    and pays from an account (ForceAugmentation.h).
+ * 6. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
  *    end it, the force fades, with a fault.
  *
  * The torque has its own stage with the same gate: TorqueStage.h. Stiffness and damping are capped
@@ -34,6 +36,7 @@
 
 #include "Core/Math/Vector3.h"
 #include "Core/Safety/EnergyObserver.h"
+#include "Core/Safety/ForceAugmentation.h"
 #include "Core/Safety/ForceGate.h"
 #include "Core/Safety/GrowthLimit.h"
 #include "Core/Safety/PortDamper.h"
@@ -67,6 +70,11 @@ struct SafetyInput
   /** Stiffness (N/m) of the spring that pulls with the force; 0 without a spring. */
   double Stiffness = 0.0;
   double Stretch = 0.0; ///< stretch of the spring (m); Force may be less than the spring's pull
+  /**
+   * Stiffness (N/m) that the loop holds by itself, if Stiffness may be larger (ForceAugmentation.h);
+   * 0 if it may not.
+   */
+  double Feedback = 0.0;
   Vector3 Drag;         ///< purely dissipative part of the force (N), if it is known
   /**
    * Work (J) of a moving surface on the spring that pulls the hand, assuming that the whole force
@@ -121,6 +129,8 @@ private:
     const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   Vector3 ComputeCommand(
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
+  Vector3 Augment(
+    const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits) noexcept;
   Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
     const ForceGate& gate) noexcept;
   GrowthInput ComputeGrowth(const SafetyInput& input, const SafetyLimits& limits) const noexcept;
@@ -131,6 +141,7 @@ private:
   GrowthLimit Growth;
   PortObserver Observer;
   EnergyObserver Energy;
+  ForceAugmentation Augmentation;
   PortDamper Damper;
   Vector3 LastCommand;    ///< in N
   double LastShare = 0.0; ///< the gate's last share

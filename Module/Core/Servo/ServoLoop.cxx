@@ -380,6 +380,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Force = s.Record.Force;
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
+    input.Feedback = model ? model->Caps.Feedback : 0.0;
     // If data are missing, the force is from an earlier tick.
     input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }

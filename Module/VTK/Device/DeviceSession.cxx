@@ -131,6 +131,7 @@ void DeviceSession::Close()
   this->Virtual = nullptr;
   this->Xr = nullptr;
   this->RoundTrip.Reset();
+  this->Gain = 1.0;
   ++this->Opening;
   // The order to arm belongs to this device, not to the next device.
   this->ArmsAtStart = false;
@@ -385,7 +386,8 @@ void DeviceSession::ShowNumbers()
 
 ForceCaps DeviceSession::ComputeCaps(double rate) const
 {
-  return CapsOf(this->GetLimits(), std::max(1.0 / rate, this->RoundTrip.Get()));
+  const ForceCaps caps = CapsOf(this->GetLimits(), std::max(1.0 / rate, this->RoundTrip.Get()));
+  return Augmented(caps, this->Gain);
 }
 
 ForceCaps DeviceSession::GetCaps() const
@@ -399,7 +401,12 @@ void DeviceSession::PollRoundTrip()
   const double measured = this->Servo->GetLoop().GetTiming().GetRoundTrip();
   const bool isFelt = Norm(this->State.Record.Force) > 0.0;
   const double counted = measured > 0.0 ? std::max(measured, 1.0 / this->Rate) : 0.0;
-  if (!this->RoundTrip.Update(counted, ServoClock::Now(), isFelt))
+  const bool isOther = this->RoundTrip.Update(counted, ServoClock::Now(), isFelt);
+  // A stiffness that rises gives energy to a hand that presses a spring.
+  const double gain = this->RoundTrip.Get() > 0.0 ? this->WantedGain : 1.0;
+  const bool isGainOther = gain < this->Gain || (gain > this->Gain && !isFelt);
+  this->Gain = isGainOther ? gain : this->Gain;
+  if (!isOther && !isGainOther)
   {
     return;
   }

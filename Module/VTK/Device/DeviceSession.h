@@ -121,6 +121,11 @@ public:
    */
   ForceCaps ComputeCaps(double rate) const;
   /**
+   * Sets vtkHapticDevice::SetStiffnessGain. A larger gain takes effect when nothing is felt and the
+   * round trip is known.
+   */
+  void SetStiffnessGain(double gain) { this->WantedGain = gain; }
+  /**
    * Returns the caps of the felt model, which include the user's caps. All are 0 without a model.
    */
   ForceCaps GetCaps() const;
@@ -253,6 +258,8 @@ private:
   bool Spinning = false;              ///< last order of Spin
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
+  double WantedGain = 1.0;
+  double Gain = 1.0; ///< gain of ForceAugmentation.h in use
   std::map<std::string, double> BackgroundWorks; // fraction that is done, by the work's name
   std::string RegionStatus;
   std::string TimeStepsStatus;

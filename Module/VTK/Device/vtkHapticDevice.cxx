@@ -520,6 +520,18 @@ void vtkHapticDevice::SetMaximumForceRate(double rate)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetStiffnessGain(double gain)
+{
+  const double clamped = Clamp(DeviceSettingRows::StiffnessGain, gain);
+  if (clamped != this->StiffnessGain)
+  {
+    this->StiffnessGain = clamped;
+    this->Parts->Session.SetStiffnessGain(clamped);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetAttentionTime(double seconds)
 {
   const double clamped = seconds > 0.0 ? std::max(seconds, 0.05) : 0.0;

@@ -511,6 +511,20 @@ public:
 
   ///@{
   /**
+   * How much stiffer walls may be than the loop holds by itself, 1 (off) to 10. Default 1. The cap of
+   * GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is felt. What
+   * is above the cap is damped and paid from an account of the energy that the hand has put in, so
+   * that the wall gives at most 1 mJ more than it got, and is as soft as without the gain when the
+   * account is empty. The device's dry friction must be at least half of stiffness times a step of
+   * its encoders, or else the wall buzzes. Walls that are hit fast need a larger MaximumForceRate.
+   * See Documentation/method.md.
+   */
+  void SetStiffnessGain(double gain);
+  vtkGetMacro(StiffnessGain, double);
+  ///@}
+
+  ///@{
+  /**
    * How long (s) an armed device keeps its force if the program stands still: a window that hangs
    * can't stop the device. If for that long the program calls none of UpdateState,
    * vtkHapticState::Drain, Publish and Arm, and sets no limit, the servo fades the force out, and a
@@ -568,6 +582,7 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
+  double StiffnessGain = 1.0;
   double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
   double WantedForce = -1.0;  // value of SetMaximumForce; negative: half of the device's maximum

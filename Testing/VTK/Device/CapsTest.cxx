@@ -53,6 +53,27 @@ TEST(CapsOf, TakesTheTighterOfTheDevicesLimitAndTheSampledOne)
   EXPECT_EQ(CapsOf(limits, 1e-3).Damping, 20.0);
 }
 
+TEST_F(Caps, AreRaisedByTheGainOnceTheRoundTripIsKnownAndNothingIsFelt)
+{
+  // 2 b / T is 300 N/m.
+  this->Device->SetStiffnessGain(5.0);
+  EXPECT_EQ(this->Device->GetStiffnessGain(), 5.0);
+  this->BeginWith(0.0, 0.0, 0.15);
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 1500.0; }));
+  this->ExpectComputed(-1.0);
+  EXPECT_NE(std::string(this->Device->GetStatusText()).find("at most 1500 N/m"), std::string::npos);
+  // A smaller gain counts at once.
+  this->Device->SetStiffnessGain(1.0);
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 300.0; }));
+  this->ExpectComputed(-0.6);
+  // The tip is in the wall, so that a larger one waits.
+  this->Device->SetStiffnessGain(2.0);
+  ASSERT_TRUE(this->WaitTicks(50));
+  EXPECT_EQ(this->Device->GetStiffnessCap(), 300.0);
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
+  EXPECT_TRUE(this->Wait([&] { return this->Device->GetStiffnessCap() == 600.0; }));
+}
+
 TEST_F(Caps, OfTheDevicesStiffness)
 {
   this->BeginWith(300.0, 0.0, 0.0);

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Renders walls that are stiffer than the loop can hold by itself.
+ *
+ * A sampled spring is stable up to a stiffness of k = 2 b / T, with the friction b of the device
+ * and the round trip T (LoopTiming.h). A wall of K > k feels as stiff as K if the force of the soft
+ * spring k gets an offset O that is fed forward, after the idea of the successive force
+ * augmentation of Singh, Janetzko, Jafari, Weber, Lee and Ryu ("Enhancing the rate-hardness of
+ * haptic interaction: successive force augmentation approach", 2019; only the abstract was read,
+ * so the rules below are not theirs). Let d be the depth, x the measured tip, n the direction in
+ * which the wall pushes, and v the speed of the tip along n:
+ *
+ *   F = k d + O,   O = (K - k) d - B v,   0 <= O,   F <= M.                                    (1)
+ *
+ * Damping
+ * -------
+ *
+ * The offset makes the loop swing, so B takes the energy of the swing. As in PortDamper.h it is
+ * limited to B <= m / (2 tau), m = LightMass, where tau is the time by which v is late. The speed
+ * is the slope of the longest line within StepSize of all measured positions (the adaptive window
+ * of Janabi-Sharifi, Hayward and Chen, "Discrete-time adaptive windowing for velocity estimation",
+ * 2000), so that the steps of an encoder at rest are no speed.
+ *
+ * Account
+ * -------
+ *
+ * A = energy that the hand has put into the port since the contact began, less what it got back,
+ * with the friction b of the device on the hand's side:
+ *
+ *   dA = -F.dx + b v^2 dt.
+ *
+ * If the tip moves noticeably, F is the one of the forces that may have acted during dx, for all
+ * delays up to the measured one, that gives most. If it does not, dx are steps of the encoder, F
+ * is the mean of the forces before and after the step, and b v^2 dt is left out. In a contact A is
+ * at most the largest energy of the ideal spring K. If a force F acted until the next
+ * measurement, a light stylus would move outward by s + c F at most. So the force is limited to
+ *
+ *   F (s + c F) <= A + Tolerance,   but at least k d.                                          (2)
+ *
+ * So the wall gives at most Tolerance more than it got, apart from what the spring k does by
+ * itself, and without an account it is as soft as k. A debt is kept until nothing was felt for
+ * RestTime.
+ *
+ * Limits
+ * ------
+ *
+ * The steps q of an encoder let any wall swing within a step unless the dry friction of the device
+ * is at least K q / 2 (Abbott and Okamura, "Effects of position quantization and sampling rate on
+ * virtual-wall passivity", 2005). A device without dry friction and with coarse encoders buzzes;
+ * EnergyObserver.h detects larger swings.
+ */
+#ifndef ForceAugmentation_h
+#define ForceAugmentation_h
+
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+
+struct AugmentationInput
+{
+  Vector3 Wall;           ///< force of the wall (N), K d n in (1), or less if it was clamped
+  double Pull = 0.0;      ///< K d (N)
+  double Stiffness = 0.0; ///< stiffness K of the wall (N/m)
+  double Feedback = 0.0;  ///< stiffness k that the loop holds by itself (N/m)
+  double Most = 0.0;      ///< largest force M (N), unless the wall's own force is larger
+  double MaximumDamping = 0.0; ///< largest B (N s/m); 0 for no limit
+  double Period = 1e-3;        ///< period of the ticks (s)
+};
+
+class ForceAugmentation
+{
+public:
+  static constexpr double LightMass = 0.05;  ///< in kg
+  static constexpr double StepSize = 7e-5;   ///< m, more than a step of an encoder
+  static constexpr double Tolerance = 1e-3;  ///< in J; below the bounds of PortObserver.h
+  static constexpr double RestTime = 0.5;    ///< in s
+
+  /** Clears everything. Force and tip are unknown then. */
+  void Reset() noexcept { *this = ForceAugmentation{}; }
+
+  /**
+   * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
+   * `late` (s) the time that a force takes to the device, `damping` the friction b (N s/m) of the
+   * device.
+   */
+  void Observe(const Vector3& tip, double time, double late, double damping) noexcept;
+
+  /** Returns the force (N) of the wall by (1) and (2). Called in every tick. */
+  Vector3 Apply(const AugmentationInput& input) noexcept;
+
+  /** Records the force (N) that is sent until the next tick. Called in every tick. */
+  void RecordSent(const Vector3& force, double period) noexcept;
+
+  /** Returns A in J. */
+  double GetAccount() const noexcept { return this->Account; }
+
+private:
+  struct Measurement
+  {
+    double Time = 0.0; ///< time in s
+    Vector3 Tip;
+  };
+  static constexpr std::size_t Kept = 16;
+  static constexpr std::size_t KeptForces = 64;
+  const Measurement& Back(std::size_t n) const noexcept
+  {
+    return this->Measurements[(this->Count - n) % Kept];
+  }
+  void Keep() noexcept;
+  Vector3 EstimateVelocity() const noexcept;
+  double ComputeGiven(const Vector3& force, double period) const noexcept;
+  double ComputeMost(double speed, double stiffness, double period) const noexcept;
+
+  std::array<Measurement, Kept> Measurements{}; ///< a ring buffer, at least KeepTime apart
+  std::size_t Count = 0;
+  std::array<Vector3, KeptForces> Forces{}; ///< a ring buffer of the forces sent (N)
+  std::size_t Sent = 0;
+  std::size_t SentSince = 0; ///< number of forces sent since the last measurement
+  double Time = 0.0;         ///< time of the last measurement (s)
+  Vector3 Tip;
+  Vector3 Motion;   ///< last motion (m), until RecordSent has accounted for it
+  Vector3 Velocity; ///< velocity of the tip (m/s)
+  double Between = 1e-3; ///< time between the last two measurements (s)
+  double Late = 0.0;     ///< time that a force takes to the device (s)
+  double Damping = 0.0;  ///< friction of the device (N s/m)
+  bool HasTip = false;
+  bool HasMotion = false;
+  double Account = 0.0; ///< A in J
+  double Largest = 0.0; ///< largest energy of the ideal spring in this contact (J)
+  double Free = 0.0;    ///< time since the wall last pushed (s)
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Walls that are stiffer than the loop can hold by itself.
+ *
+ * Theory: a sampled spring is passive with a viscous friction b up to K = 2 b / T (Colgate and
+ * Schenkel 1997), and with steps q of the encoder up to 2 f / q, f being the dry friction (Abbott
+ * and Okamura 2005). Energies are those of the arm, exact, not what the account believes.
+ */
+
+#include "Rigs/StiffWalls.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+using namespace rigs;
+
+namespace
+{
+/** Hits at up to 0.1 m/s are not slowed down by this (N/s): 6000 N/m at 0.5 m/s. */
+constexpr double FastRate = 3000.0;
+
+std::vector<StiffPress> MakePresses(double gain, bool augments)
+{
+  std::vector<StiffPress> presses;
+  for (const bool isHeld : { false, true })
+  {
+    for (const double force : { 1.0, 2.0 })
+    {
+      for (const double speed : { 0.02, 0.1 })
+      {
+        presses.push_back({ isHeld, force, speed, gain, augments, FastRate });
+      }
+    }
+  }
+  return presses;
+}
+
+std::string Describe(const StiffArm& arm, const StiffPress& press)
+{
+  return std::string(arm.Name) + (press.IsHeld ? ", held, " : ", a weight, ") +
+    std::to_string(press.Force) + " N, " + std::to_string(press.Speed) + " m/s";
+}
+} // namespace
+
+TEST(StiffWalls, ArePassiveUpToWhatTheorySaysOfASampledSpring)
+{
+  for (StiffArm arm : { StiffArm::FalconLike(), StiffArm::TouchLike() })
+  {
+    arm.Step = 0.0;
+    arm.Friction = 0.0;
+    for (const StiffPress& press : MakePresses(0.95, false))
+    {
+      EXPECT_LE(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);
+    }
+    for (const StiffPress& press : MakePresses(2.0, false))
+    {
+      // The maximum force bounds what a heavier weight can do.
+      if (!press.IsHeld && press.Force == 1.0)
+      {
+        EXPECT_GT(PressStiffly(arm, press).Ratio, 1.0) << Describe(arm, press);
+      }
+    }
+  }
+}
+
+TEST(ForceAugmentation, ShowsFiveTimesTheStiffnessAndGivesNoEnergy)
+{
+  for (const StiffArm& arm : { StiffArm::FalconLike(), StiffArm::TouchLike() })
+  {
+    for (const StiffPress& press : MakePresses(6.0, true))
+    {
+      SCOPED_TRACE(Describe(arm, press));
+      ASSERT_LE(press.Gain * arm.Sampled(), 2.0 * arm.Friction / arm.Step);
+      const StiffResult result = PressStiffly(arm, press);
+      EXPECT_GE(result.Shown, 5.0 * arm.Sampled());
+      EXPECT_LE(result.Ratio, 1.0);
+      EXPECT_EQ(result.MostGiven, 0.0) << "J, at any time";
+      EXPECT_LE(result.Swing, 2e-4) << "m; the tremor is 1e-4";
+      EXPECT_FALSE(result.IsCut);
+    }
+  }
+}
+
+TEST(ForceAugmentation, GivesNoMoreThanItsToleranceWhateverTheGain)
+{
+  // So stiff that the loop can't be damped; without the account, it gives 35 mJ.
+  const StiffArm arm = StiffArm::FalconLike();
+  double without = 0.0;
+  for (StiffPress press : MakePresses(20.0, true))
+  {
+    SCOPED_TRACE(Describe(arm, press));
+    EXPECT_LE(PressStiffly(arm, press).MostGiven, VolumeHaptics::ForceAugmentation::Tolerance);
+    press.Augments = false;
+    without = std::max(without, PressStiffly(arm, press).MostGiven);
+  }
+  EXPECT_GT(without, 0.01);
+}
+
+TEST(ForceAugmentation, LeavesSoftWallsToTheBit)
+{
+  using namespace VolumeHaptics;
+  SafetyLimits limits;
+  limits.MaximumForce = 8.0;
+  limits.RampTime = 0.0;
+  GatedStage plain;
+  GatedStage augmented;
+  plain.Arm();
+  augmented.Arm();
+  SafetyInput input;
+  input.Elapsed = input.Period = input.MotionTime = input.RoundTrip = 1e-3;
+  input.Fresh = true;
+  input.Stiffness = 900.0;
+  for (int i = 0; i < 400; ++i)
+  {
+    input.Tip = { 1e-3 * std::sin(0.05 * i), 0.0, 2e-3 * std::cos(0.03 * i) };
+    input.Stretch = std::max(0.0, -input.Tip.Z);
+    input.Force.Z = input.Stiffness * input.Stretch;
+    input.Feedback = 0.0;
+    const Vector3 expected = plain.Apply(input, limits);
+    input.Feedback = 1000.0;
+    EXPECT_TRUE(IsIdentical(augmented.Apply(input, limits), expected)) << i;
+  }
+}

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How stiff a wall the hand is shown, without and with ForceAugmentation.h.
+ */
+#ifndef Evaluation_StiffWalls_h
+#define Evaluation_StiffWalls_h
+
+#include "Table.h"
+
+namespace evaluation
+{
+
+/** Arms like a Falcon and a Touch, pressed by weights and hands (Rigs/StiffWalls.h). */
+Table MeasureStiffWalls();
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An arm that is pressed against a stiff wall, in closed loop through the safety stage.
+ *
+ * The arm is a mass m with viscous friction b and dry friction f. Its encoder has steps, and it may
+ * take forces a tick late. It is pressed by a weight, whose mass comes in addition, or held: a
+ * finger of 0.3 kg on a soft grip (500 N/m, 5 N s/m) is led by muscles (100 N/m, 10 N s/m) with a
+ * tremor of 0.1 mm at 9.3 Hz (the figures are in the range of ArmSessions.h). Semi-implicit steps
+ * of 50 us; forces are constant between ticks, so the work of the port is exact.
+ *
+ * Figures of the arms: the Touch has 45 g at its tip, 0.26 N of dry friction, 3.3 N and steps of
+ * 0.055 mm, as its data sheet is usually quoted (not read here); here its dry friction is 0.2 N. The
+ * Falcon has 8 N and steps of 0.06 mm, and takes forces a millisecond late by USB. Mass and
+ * friction of the Falcon, and the viscous friction of both, are those of T16 in
+ * Documentation/evaluation.md: 0.1 kg, 0.5 N s/m.
+ */
+#ifndef StiffWalls_h
+#define StiffWalls_h
+
+#include "Rigs/GatedStage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace rigs
+{
+
+struct StiffArm
+{
+  const char* Name = "";
+  double Mass = 0.0;         ///< kg
+  double Damping = 0.5;      ///< N s/m
+  double Friction = 0.2;     ///< N
+  double Step = 0.0;         ///< m, of the encoder
+  int Delay = 0;             ///< ticks
+  double MaximumForce = 0.0; ///< N
+
+  static constexpr double Period = 1e-3; ///< s
+  double RoundTrip() const { return Period * (1 + 2 * this->Delay); }
+  /** 2 b / T */
+  double Sampled() const { return 2.0 * this->Damping / this->RoundTrip(); }
+
+  static StiffArm FalconLike() { return { "Falcon-like", 0.1, 0.5, 0.2, 6e-5, 1, 8.0 }; }
+  static StiffArm TouchLike() { return { "Touch-like", 0.045, 0.5, 0.2, 5.5e-5, 0, 3.3 }; }
+};
+
+/** How the arm is pressed. */
+struct StiffPress
+{
+  bool IsHeld = false;
+  double Force = 1.0;  ///< N, of the weight or the muscles
+  double Speed = 0.1;  ///< m/s, of the approach
+  double Gain = 1.0;   ///< stiffness of the wall, in units of 2 b / T
+  bool Augments = false;
+  double MaximumForceRate = 500.0; ///< N/s
+};
+
+struct StiffResult
+{
+  double Shown = 0.0; ///< N/m, mean force divided by mean depth during the hold
+  double Swing = 0.0; ///< m, of the tip during the hold
+  /** Energy that port and friction gave to the hand, divided by that which they took. */
+  double Ratio = 0.0;
+  double MostGiven = 0.0; ///< J, the largest that the hand ever got in excess of what it put in
+  double Deepest = 0.0;   ///< m
+  bool IsDamped = false;  ///< by PortDamper
+  bool IsCut = false;     ///< by a fault
+};
+
+/** Presses for two seconds, of which the last but one is the hold, and lets go for one. */
+inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
+{
+  using namespace VolumeHaptics;
+  constexpr int Steps = 20;
+  constexpr double h = StiffArm::Period / Steps;
+  constexpr double Pi = 3.14159265358979323846;
+  SafetyLimits limits;
+  limits.MaximumForce = arm.MaximumForce;
+  limits.MaximumForceRate = press.MaximumForceRate;
+  limits.RampTime = 0.0;
+  limits.MovesTip = true;
+  SafetyInput input;
+  input.Elapsed = input.Period = input.MotionTime = StiffArm::Period;
+  input.RoundTrip = arm.RoundTrip();
+  input.Fresh = true;
+  input.Stiffness = press.Gain * arm.Sampled();
+  input.Feedback = press.Augments ? arm.Sampled() : 0.0;
+  GatedStage stage;
+  stage.Arm();
+  ForceGate& gate = stage.Gate;
+
+  std::deque<double> onTheWay(static_cast<std::size_t>(arm.Delay), 0.0);
+  double x = 2e-3;
+  double v = -press.Speed;
+  double finger = x;
+  double fingerSpeed = v;
+  double path = x;
+  const double mass = arm.Mass + (press.IsHeld ? 0.0 : press.Force / 9.81);
+  constexpr double FingerMass = 0.3;
+  constexpr double Grip = 500.0;
+  constexpr double GripLoss = 5.0;
+  constexpr double Muscle = 100.0;
+  constexpr double MuscleLoss = 10.0;
+
+  StiffResult result;
+  double taken = 0.0;
+  double given = 0.0;
+  double net = 0.0;
+  double forces = 0.0;
+  double depths = 0.0;
+  double low = 1.0;
+  double high = -1.0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double time = i * StiffArm::Period;
+    input.Tip.Z = arm.Step > 0.0 ? arm.Step * std::floor(x / arm.Step + 0.5) : x;
+    input.Stretch = std::max(0.0, -input.Tip.Z);
+    input.Force.Z = input.Stiffness * input.Stretch;
+    onTheWay.push_back(stage.Apply(input, limits).Z);
+    const double force = onTheWay.front();
+    onTheWay.pop_front();
+    result.IsCut = result.IsCut || gate.GetFault() != GateReason::None;
+    const double from = x;
+    const bool presses = time < 2.0;
+    for (int s = 0; s < Steps; ++s)
+    {
+      const double t = time + s * h;
+      const double lost = arm.Damping * v + arm.Friction * std::tanh(v / 1e-3);
+      double push = presses ? -press.Force : press.Force;
+      if (press.IsHeld)
+      {
+        const double target = presses ? -press.Force / Muscle : 0.01;
+        path += std::clamp(target - path, -press.Speed * h, press.Speed * h);
+        const double tremor = 1e-4 * std::sin(2.0 * Pi * 9.3 * t);
+        push = Grip * (finger - x) + GripLoss * (fingerSpeed - v);
+        fingerSpeed += h / FingerMass *
+          (Muscle * (path + tremor - finger) - MuscleLoss * fingerSpeed - push);
+        finger += h * fingerSpeed;
+      }
+      const bool isFelt = x < 0.0 || force > 0.0;
+      v += h / mass * (force - lost + push);
+      x += h * v;
+      // The friction acts on the hand's side of the port.
+      const double friction = isFelt ? h * v * lost : 0.0;
+      taken += friction;
+      net -= friction;
+    }
+    const double work = force * (x - from);
+    (work > 0.0 ? given : taken) += std::abs(work);
+    net += work;
+    result.MostGiven = std::max(result.MostGiven, net);
+    result.Deepest = std::max(result.Deepest, -x);
+    if (time >= 1.0 && time < 1.9)
+    {
+      forces += force;
+      depths -= x;
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    if (x > 0.02)
+    {
+      break;
+    }
+  }
+  result.Shown = depths > 0.0 ? forces / depths : 0.0;
+  result.Swing = high - low;
+  result.Ratio = taken > 0.0 ? given / taken : 0.0;
+  return result;
+}
+
+} // namespace rigs
+
+#endif
