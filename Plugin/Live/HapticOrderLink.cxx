@@ -66,6 +66,7 @@ void HapticOrderLink::ApplyLimits()
   this->Device->SetMaximumForceRate(
     vtkSMPropertyHelper(this->Proxy, "MaximumForceRate").GetAsDouble());
   this->Device->SetStiffnessGain(vtkSMPropertyHelper(this->Proxy, "StiffnessGain").GetAsDouble());
+  this->Device->SetTransientGain(vtkSMPropertyHelper(this->Proxy, "TransientGain").GetAsDouble());
 }
 
 void HapticOrderLink::ApplyTip()

@@ -3,6 +3,7 @@
 #include "PortSafety.h"
 
 #include "StiffWalls.h"
+#include "Taps.h"
 
 #include "Rigs/ArmSessions.h"
 #include "Rigs/PortSessions.h"
@@ -232,6 +233,7 @@ PortSafety MeasurePortSafety(int sessions, int trials)
   safety.Tables.push_back(CountCheckedSigns(trials));
   safety.Tables.push_back(CountRunAways(trials));
   safety.Tables.push_back(MeasureStiffWalls());
+  safety.Tables.push_back(MeasureTaps());
   return safety;
 }
 

@@ -11,8 +11,8 @@
  * of 50 us; forces are constant between ticks, so the work of the port is exact.
  *
  * Figures of the arms: the Touch has 45 g at its tip, 0.26 N of dry friction, 3.3 N and steps of
- * 0.055 mm, as its data sheet is usually quoted (not read here); here its dry friction is 0.2 N. The
- * Falcon has 8 N and steps of 0.06 mm, and takes forces a millisecond late by USB. Mass and
+ * 0.055 mm, as its data sheet is usually quoted (not read here); here its dry friction is 0.2 N.
+ * The Falcon has 8 N and steps of 0.06 mm, and takes forces a millisecond late by USB. Mass and
  * friction of the Falcon, and the viscous friction of both, are those of T16 in
  * Documentation/evaluation.md: 0.1 kg, 0.5 N s/m.
  */
@@ -51,9 +51,9 @@ struct StiffArm
 struct StiffPress
 {
   bool IsHeld = false;
-  double Force = 1.0;  ///< N, of the weight or the muscles
-  double Speed = 0.1;  ///< m/s, of the approach
-  double Gain = 1.0;   ///< stiffness of the wall, in units of 2 b / T
+  double Force = 1.0; ///< N, of the weight or the muscles
+  double Speed = 0.1; ///< m/s, of the approach
+  double Gain = 1.0;  ///< stiffness of the wall, in units of 2 b / T
   bool Augments = false;
   double MaximumForceRate = 500.0; ///< N/s
 };
@@ -136,8 +136,8 @@ inline StiffResult PressStiffly(const StiffArm& arm, const StiffPress& press)
         path += std::clamp(target - path, -press.Speed * h, press.Speed * h);
         const double tremor = 1e-4 * std::sin(2.0 * Pi * 9.3 * t);
         push = Grip * (finger - x) + GripLoss * (fingerSpeed - v);
-        fingerSpeed += h / FingerMass *
-          (Muscle * (path + tremor - finger) - MuscleLoss * fingerSpeed - push);
+        fingerSpeed +=
+          h / FingerMass * (Muscle * (path + tremor - finger) - MuscleLoss * fingerSpeed - push);
         finger += h * fingerSpeed;
       }
       const bool isFelt = x < 0.0 || force > 0.0;

@@ -107,8 +107,9 @@ double ForceAugmentation::ComputeGiven(const Vector3& force, double period) cons
   return given - this->Damping * Dot(this->Velocity, this->Velocity) * this->Between;
 }
 
-void ForceAugmentation::RecordSent(const Vector3& force, double period) noexcept
+void ForceAugmentation::RecordSent(const Vector3& force, double period, double wallWork) noexcept
 {
+  this->Account += wallWork;
   if (this->HasMotion)
   {
     this->HasMotion = false;
@@ -121,8 +122,7 @@ void ForceAugmentation::RecordSent(const Vector3& force, double period) noexcept
 }
 
 /** Solves (2) for the largest force (N). */
-double ForceAugmentation::ComputeMost(
-  double speed, double stiffness, double period) const noexcept
+double ForceAugmentation::ComputeMost(double speed, double stiffness, double period) const noexcept
 {
   const double time = std::max(this->Between, period) + this->Late;
   const double way = speed * time;
@@ -155,8 +155,7 @@ Vector3 ForceAugmentation::Apply(const AugmentationInput& input) noexcept
   const double late =
     std::max(this->Between, input.Period) + this->Late + 0.5 * std::max(this->Between, 2e-3);
   const double light = 0.5 * LightMass / late;
-  const double damping =
-    input.MaximumDamping > 0.0 ? std::min(input.MaximumDamping, light) : light;
+  const double damping = input.MaximumDamping > 0.0 ? std::min(input.MaximumDamping, light) : light;
   const double base = std::min(wall, k / ideal * pull);
   const double wanted = std::max(base, wall - damping * speed);
   const double most = std::max(base, this->ComputeMost(speed, ideal, input.Period));

@@ -64,11 +64,11 @@ namespace VolumeHaptics
 
 struct AugmentationInput
 {
-  Vector3 Wall;           ///< force of the wall (N), K d n in (1), or less if it was clamped
-  double Pull = 0.0;      ///< K d (N)
-  double Stiffness = 0.0; ///< stiffness K of the wall (N/m)
-  double Feedback = 0.0;  ///< stiffness k that the loop holds by itself (N/m)
-  double Most = 0.0;      ///< largest force M (N), unless the wall's own force is larger
+  Vector3 Wall;                ///< force of the wall (N), K d n in (1), or less if it was clamped
+  double Pull = 0.0;           ///< K d (N)
+  double Stiffness = 0.0;      ///< stiffness K of the wall (N/m)
+  double Feedback = 0.0;       ///< stiffness k that the loop holds by itself (N/m)
+  double Most = 0.0;           ///< largest force M (N), unless the wall's own force is larger
   double MaximumDamping = 0.0; ///< largest B (N s/m); 0 for no limit
   double Period = 1e-3;        ///< period of the ticks (s)
 };
@@ -76,10 +76,10 @@ struct AugmentationInput
 class ForceAugmentation
 {
 public:
-  static constexpr double LightMass = 0.05;  ///< in kg
-  static constexpr double StepSize = 7e-5;   ///< m, more than a step of an encoder
-  static constexpr double Tolerance = 1e-3;  ///< in J; below the bounds of PortObserver.h
-  static constexpr double RestTime = 0.5;    ///< in s
+  static constexpr double LightMass = 0.05; ///< in kg
+  static constexpr double StepSize = 7e-5;  ///< m, more than a step of an encoder
+  static constexpr double Tolerance = 1e-3; ///< in J; below the bounds of PortObserver.h
+  static constexpr double RestTime = 0.5;   ///< in s
 
   /** Clears everything. Force and tip are unknown then. */
   void Reset() noexcept { *this = ForceAugmentation{}; }
@@ -94,8 +94,11 @@ public:
   /** Returns the force (N) of the wall by (1) and (2). Called in every tick. */
   Vector3 Apply(const AugmentationInput& input) noexcept;
 
-  /** Records the force (N) that is sent until the next tick. Called in every tick. */
-  void RecordSent(const Vector3& force, double period) noexcept;
+  /**
+   * Records the force (N) that is sent until the next tick, and the work (J) of a wall that moves,
+   * which may reach the hand. Called in every tick.
+   */
+  void RecordSent(const Vector3& force, double period, double wallWork) noexcept;
 
   /** Returns A in J. */
   double GetAccount() const noexcept { return this->Account; }
@@ -124,8 +127,8 @@ private:
   std::size_t SentSince = 0; ///< number of forces sent since the last measurement
   double Time = 0.0;         ///< time of the last measurement (s)
   Vector3 Tip;
-  Vector3 Motion;   ///< last motion (m), until RecordSent has accounted for it
-  Vector3 Velocity; ///< velocity of the tip (m/s)
+  Vector3 Motion;        ///< last motion (m), until RecordSent has accounted for it
+  Vector3 Velocity;      ///< velocity of the tip (m/s)
   double Between = 1e-3; ///< time between the last two measurements (s)
   double Late = 0.0;     ///< time that a force takes to the device (s)
   double Damping = 0.0;  ///< friction of the device (N s/m)

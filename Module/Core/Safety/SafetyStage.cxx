@@ -36,6 +36,7 @@ void SafetyStage::Reset() noexcept
   this->Observer.Reset();
   this->Energy.Reset();
   this->Augmentation.Reset();
+  this->Transient.Reset();
   this->Damper.Reset();
 }
 
@@ -111,9 +112,13 @@ bool SafetyStage::UpdateSamples(
     isActive = this->Observer.Observe(input.Tip, time);
     givesEnergy = this->Energy.Observe(input.Tip, time);
     this->Damper.Observe(input.Tip, time);
+    const double late = std::max(0.0, 0.5 * (input.RoundTrip - time));
+    if (limits.TransientGain > 0.0)
+    {
+      this->Transient.Observe(input.Tip, time, late);
+    }
     if (input.Feedback > 0.0)
     {
-      const double late = std::max(0.0, 0.5 * (input.RoundTrip - time));
       this->Augmentation.Observe(
         input.Tip, time, late, 0.5 * input.Feedback * std::max(input.RoundTrip, input.Period));
     }
@@ -172,7 +177,29 @@ Vector3 SafetyStage::ComputeCommand(
   GrowthInput growth = this->ComputeGrowth(input, limits);
   growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
-  return this->Damp(this->Augment(this->Growth.Apply(growth), input, limits), input, limits, gate);
+  const Vector3 wall = this->Augment(this->Growth.Apply(growth), input, limits);
+  const Vector3 touched = this->AddTransient(wall, input, limits, growth.Share);
+  return this->Damp(touched, input, limits, gate);
+}
+
+Vector3 SafetyStage::AddTransient(
+  const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits, double share) noexcept
+{
+  if (!(limits.TransientGain > 0.0))
+  {
+    return wall;
+  }
+  const double grown = Norm(this->LastCommand) + limits.MaximumForceRate * input.Period;
+  TransientInput touch;
+  touch.Wall = wall;
+  touch.Frequency = input.Frequency;
+  touch.Gain = share * limits.TransientGain;
+  touch.Most = std::min(limits.MaximumForce, grown);
+  touch.Period = input.Period;
+  touch.MovesTip = limits.MovesTip;
+  const Vector3 force = this->Transient.Apply(touch);
+  this->Pulse = force - wall;
+  return force;
 }
 
 Vector3 SafetyStage::Augment(
@@ -216,13 +243,20 @@ Vector3 SafetyStage::Apply(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   const bool gap = this->UpdateSamples(input, limits, gate);
+  this->Pulse = {};
   const Vector3 command = this->ComputeCommand(input, limits, gap, gate);
   this->LastCommand = command;
   gate.ReportCommand(Dot(command, command) > 0.0);
   this->Observer.RecordSent(command);
   if (input.Feedback > 0.0)
   {
-    this->Augmentation.RecordSent(command, input.Period);
+    const double whole = Norm(input.Force);
+    const double felt = whole > 0.0 ? std::min(1.0, Norm(command) / whole) : 0.0;
+    this->Augmentation.RecordSent(command, input.Period, felt * input.WallWork);
+  }
+  if (limits.TransientGain > 0.0)
+  {
+    this->Transient.RecordSent(this->Pulse);
   }
   return command;
 }

@@ -15,7 +15,8 @@
  *    work that the hand was spared on the way in is not given to it on the way out.
  * 5. A wall that is stiffer than the loop can hold by itself, which the user must allow, is damped
  *    and pays from an account (ForceAugmentation.h).
- * 6. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
+ * 6. A pulse may be added at touch-down (ContactTransient.h).
+ * 7. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
  *    end it, the force fades, with a fault.
  *
  * The torque has its own stage with the same gate: TorqueStage.h. Stiffness and damping are capped
@@ -35,6 +36,7 @@
 #define SafetyStage_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Safety/ContactTransient.h"
 #include "Core/Safety/EnergyObserver.h"
 #include "Core/Safety/ForceAugmentation.h"
 #include "Core/Safety/ForceGate.h"
@@ -61,6 +63,7 @@ struct SafetyLimits
   double MaximumDamping = 0.0; ///< largest damping that the device renders (N s/m); 0 for no limit
   double MaximumTorque = 0.0;  ///< in N m; with 0, no torque is sent (TorqueStage.h)
   double MaximumTorqueRate = 20.0; ///< fastest growth of the torque (N m/s)
+  double TransientGain = 0.0;      ///< gain of ContactTransient.h; 0 for no pulses
 };
 
 /** What the stage reads in a tick. */
@@ -71,16 +74,18 @@ struct SafetyInput
   double Stiffness = 0.0;
   double Stretch = 0.0; ///< stretch of the spring (m); Force may be less than the spring's pull
   /**
-   * Stiffness (N/m) that the loop holds by itself, if Stiffness may be larger (ForceAugmentation.h);
-   * 0 if it may not.
+   * Stiffness (N/m) that the loop holds by itself, if Stiffness may be larger
+   * (ForceAugmentation.h); 0 if it may not.
    */
   double Feedback = 0.0;
-  Vector3 Drag;         ///< purely dissipative part of the force (N), if it is known
+  Vector3 Drag; ///< purely dissipative part of the force (N), if it is known
   /**
    * Work (J) of a moving surface on the spring that pulls the hand, assuming that the whole force
    * is sent.
    */
   double WallWork = 0.0;
+  /** Frequency (Hz) of the surface that holds the tip, for ContactTransient.h; 0 without one. */
+  double Frequency = 0.0;
   bool IsNew = false;   ///< whether the force has changed for a reason other than the tip's motion
   Vector3 Tip;          ///< position of the tip (m)
   double Period = 1e-3; ///< nominal period (s), for the slew limit and the ramp
@@ -131,6 +136,8 @@ private:
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
   Vector3 Augment(
     const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits) noexcept;
+  Vector3 AddTransient(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
+    double share) noexcept;
   Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
     const ForceGate& gate) noexcept;
   GrowthInput ComputeGrowth(const SafetyInput& input, const SafetyLimits& limits) const noexcept;
@@ -142,8 +149,10 @@ private:
   PortObserver Observer;
   EnergyObserver Energy;
   ForceAugmentation Augmentation;
+  ContactTransient Transient;
   PortDamper Damper;
   Vector3 LastCommand;    ///< in N
+  Vector3 Pulse;          ///< part of the command that is a pulse of Transient (N)
   double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;
   double SampleAge = 0.0; ///< time since the last fresh sample (s)

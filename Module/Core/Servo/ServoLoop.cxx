@@ -381,6 +381,12 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
     input.Feedback = model ? model->Caps.Feedback : 0.0;
+    const bool isHeld = s.Record.Contact != ContactState::Free;
+    if (isHeld && this->Limits.Read().TransientGain > 0.0)
+    {
+      input.Frequency =
+        ContactTransient::ComputeFrequency(s.Record.Stiffness, s.Record.SurfaceStrength);
+    }
     // If data are missing, the force is from an earlier tick.
     input.Drag = model && !s.Awaiting ? ComputeDrag(*model, s.Before, s.Record) : Vector3{};
   }

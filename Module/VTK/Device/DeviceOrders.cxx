@@ -89,6 +89,7 @@ SafetyLimits DeviceOrders::MakeLimits() const
   limits.MaximumForce = this->Device->GetMaximumForce();
   limits.MaximumForceRate = this->Device->GetMaximumForceRate();
   limits.MaximumTorque = this->Device->GetMaximumTorque();
+  limits.TransientGain = this->Device->GetTransientGain();
   limits.AttentionTime = this->Device->GetAttentionTime();
   limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
   limits.MovesTip = this->Session.GetLimits().MovesTip;

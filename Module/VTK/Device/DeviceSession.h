@@ -259,7 +259,7 @@ private:
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   double WantedGain = 1.0;
-  double Gain = 1.0; ///< gain of ForceAugmentation.h in use
+  double Gain = 1.0;                             ///< gain of ForceAugmentation.h in use
   std::map<std::string, double> BackgroundWorks; // fraction that is done, by the work's name
   std::string RegionStatus;
   std::string TimeStepsStatus;

@@ -532,6 +532,18 @@ void vtkHapticDevice::SetStiffnessGain(double gain)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetTransientGain(double gain)
+{
+  const double clamped = Clamp(DeviceSettingRows::TransientGain, gain);
+  if (clamped != this->TransientGain)
+  {
+    this->TransientGain = clamped;
+    this->SendLimits();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetAttentionTime(double seconds)
 {
   const double clamped = seconds > 0.0 ? std::max(seconds, 0.05) : 0.0;

@@ -511,16 +511,27 @@ public:
 
   ///@{
   /**
-   * How much stiffer walls may be than the loop holds by itself, 1 (off) to 10. Default 1. The cap of
-   * GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is felt. What
-   * is above the cap is damped and paid from an account of the energy that the hand has put in, so
-   * that the wall gives at most 1 mJ more than it got, and is as soft as without the gain when the
-   * account is empty. The device's dry friction must be at least half of stiffness times a step of
-   * its encoders, or else the wall buzzes. Walls that are hit fast need a larger MaximumForceRate.
-   * See Documentation/method.md.
+   * How much stiffer walls may be than the loop holds by itself, 1 (off) to 10. Default 1. The cap
+   * of GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is felt.
+   * What is above the cap is damped and paid from an account of the energy that the hand has put
+   * in, so that the wall gives at most 1 mJ more than it got, and is as soft as without the gain
+   * when the account is empty. The device's dry friction must be at least half of the stiffness
+   * times a step of its encoders, or else the wall buzzes. Walls that are hit fast need a larger
+   * MaximumForceRate. See Documentation/method.md.
    */
   void SetStiffnessGain(double gain);
   vtkGetMacro(StiffnessGain, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the momentum of an arm a pulse stops at touch-down, 0 (off) to 1. Default 0. The
+   * pulse rings for some ten milliseconds, the faster the harder the material, so that surfaces of
+   * one stiffness feel different; vibrating devices play it, too. It never gives the hand more
+   * energy than it took. A fast tap needs a larger MaximumForceRate. See Documentation/method.md.
+   */
+  void SetTransientGain(double gain);
+  vtkGetMacro(TransientGain, double);
   ///@}
 
   ///@{
@@ -583,6 +594,7 @@ protected:
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
   double StiffnessGain = 1.0;
+  double TransientGain = 0.0;
   double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
   double WantedForce = -1.0;  // value of SetMaximumForce; negative: half of the device's maximum

@@ -164,8 +164,8 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticProperty", Names(PropertySettings));
   std::vector<std::string> device = Names(DeviceSettings);
   for (const char* const sent : // to the servo, so without macro
-    { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "MaximumTorque",
-      "AttentionTime" })
+    { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "TransientGain",
+      "MaximumTorque", "AttentionTime" })
   {
     device.erase(std::find(device.begin(), device.end(), sent));
   }

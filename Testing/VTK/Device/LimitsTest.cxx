@@ -115,3 +115,38 @@ TEST_F(DeviceLimits, ListsAndPrintsItself)
   this->Device->Print(text);
   EXPECT_NE(text.str().find("MaximumForceRate: 500"), std::string::npos);
 }
+
+TEST_F(DeviceLimits, APulseAtTouchDownIsSentOnlyIfItIsWanted)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  EXPECT_EQ(this->Device->GetTransientGain(), 0.0);
+  this->Device->SetMaximumForceRate(1e5);
+  this->Device->GetVirtualHand()->SetPosition(7.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->ArmFully());
+  vtkNew<vtkTable> states;
+  this->Device->GetState()->Drain(states);
+  for (const double gain : { 0.0, 1.0 })
+  {
+    this->Device->SetTransientGain(gain);
+    double most = 0.0;
+    // A pause of the loop between approach and touch is no approach: try again.
+    for (int i = 0; i < 20 && !(gain > 0.0 && most > 0.1); ++i)
+    {
+      ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
+      ASSERT_TRUE(this->WaitTicks(60));
+      ASSERT_TRUE(this->WaitFullyArmed());
+      ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+      ASSERT_TRUE(this->WaitTicks(20));
+      this->Device->GetState()->Drain(states);
+      auto* const computed = vtkDataArray::SafeDownCast(states->GetColumnByName("Force"));
+      auto* const sent = vtkDataArray::SafeDownCast(states->GetColumnByName("Command"));
+      ASSERT_TRUE(computed && sent);
+      for (vtkIdType row = 0; row < states->GetNumberOfRows(); ++row)
+      {
+        most = std::max(most, Length(sent->GetTuple3(row)) - Length(computed->GetTuple3(row)));
+      }
+    }
+    EXPECT_EQ(gain > 0.0, most > 0.1) << gain << ": " << most << " N";
+  }
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A short pulse of force when the tip touches a surface, so that the surface feels hard.
+ *
+ * A tap on a real surface stops the hand within milliseconds and rings; a sampled spring does
+ * neither. A pulse that is played at touch-down without feedback does both (Hwang, Williams and
+ * Niemeyer, "Toward event-based haptics: rendering contact using open-loop force pulses", 2004;
+ * Fiene and Kuchenbecker, "Shaping event-based haptic transients via an improved understanding of
+ * real contact dynamics", 2007; both read in their abstracts only). Let v be the speed of the
+ * approach along the push n of the surface, t the time since touch-down, and f a frequency of the
+ * material. The pulse along n is a decaying sine, the form that Okamura, Hage, Cutkosky and
+ * Dennerlein fitted to taps ("Improving reality-based models for vibration feedback", 2000),
+ *
+ *   P(t) = a exp(-f t) sin(2 pi f t).                                                          (1)
+ *
+ * Its height a is such that the first half wave has the impulse gain m v, with m = TouchMass: with
+ * a gain of 1 it stops an arm of that mass by itself. A tick of duration T sends the mean of P over
+ * T, so that sampling changes no impulse. The pulse never pulls into the wall: wall and pulse
+ * together push by 0 at least.
+ *
+ * The harder the material, the higher f. The presets give most tissues one stiffness k, so that the
+ * surface strength T_N has to tell them apart, as in the explorer's sound (ContactSound.h):
+ *
+ *   f = 120 Hz (k / 400 N/m)^(1/4) (T_N / 1 N)^(1/2),   T_N <= 12 N,   50 Hz <= f <= 300 Hz.    (2)
+ *
+ * Energy
+ * ------
+ *
+ * The pulse takes energy from a tip that still moves inward. An account sums up that work,
+ *
+ *   dA = -p.dx,
+ *
+ * with that one of the pulses p sent, for all delays up to the measured one, that gives most. A
+ * pulse that acts until the next measurement moves a light tip by s + c |p| along p at most. So
+ *
+ *   |p| (s + c |p|) <= A.                                                                      (3)
+ *
+ * So over a contact a pulse never gives more than it took, and without an account it only brakes.
+ */
+#ifndef ContactTransient_h
+#define ContactTransient_h
+
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+
+struct TransientInput
+{
+  Vector3 Wall;           ///< force (N)
+  double Frequency = 0.0; ///< f (Hz) if a surface holds the tip, else 0
+  double Gain = 0.0;      ///< gain of (1)
+  double Most = 0.0;      ///< largest force (N), unless the wall's own force is larger
+  double Period = 1e-3;   ///< T (s)
+  bool MovesTip = true;   ///< whether (3) is needed
+};
+
+class ContactTransient
+{
+public:
+  static constexpr double TouchMass = 0.1;  ///< m in kg: arm and fingers
+  static constexpr double LightMass = 0.05; ///< in kg
+  static constexpr double FreeTime = 0.02;  ///< time (s) without a surface before the next pulse
+
+  /** Returns f (Hz) by (2) for k (N/m) and T_N (N), or 0 for a material that holds nothing. */
+  static double ComputeFrequency(double stiffness, double strength) noexcept;
+
+  /** Clears everything. Tip and force are unknown then. */
+  void Reset() noexcept { *this = ContactTransient{}; }
+
+  /**
+   * Processes a measurement of the tip (m). `time` (s) is the time since the last measurement,
+   * `late` (s) the time that a force takes to the device.
+   */
+  void Observe(const Vector3& tip, double time, double late) noexcept;
+
+  /** Returns the force (N) of wall and pulse. Called in every tick. */
+  Vector3 Apply(const TransientInput& input) noexcept;
+
+  /** Records the part of the force (N) sent until the next tick that is a pulse. Every tick. */
+  void RecordSent(const Vector3& pulse) noexcept;
+
+  /** Returns A in J. */
+  double GetAccount() const noexcept { return this->Account; }
+
+private:
+  struct Measurement
+  {
+    double Time = 0.0; ///< time in s
+    Vector3 Tip;
+  };
+  static constexpr std::size_t Kept = 64;
+  void Begin(const TransientInput& input) noexcept;
+  double ComputePulse(double period) const noexcept;
+  double Limit(double pulse, const Vector3& out, double period) const noexcept;
+
+  std::array<Measurement, Kept> Measurements{}; ///< a ring buffer
+  std::size_t Count = 0;
+  std::array<Vector3, Kept> Pulses{}; ///< a ring buffer of the pulses sent (N)
+  std::size_t Sent = 0;
+  std::size_t SentSince = 0; ///< number of pulses sent since the last measurement
+  double Time = 0.0;         ///< time of the last measurement (s)
+  Vector3 Tip;
+  Vector3 Velocity;      ///< velocity of the tip (m/s)
+  double Between = 1e-3; ///< time between the last two measurements (s)
+  double Late = 0.0;     ///< time that a force takes to the device (s)
+  bool HasTip = false;
+  double Free = 0.0;      ///< time without a surface (s)
+  double Frequency = 0.0; ///< f (Hz)
+  double Height = 0.0;    ///< a (N); 0 without a pulse
+  double Played = 0.0;    ///< t (s)
+  double Account = 0.0;   ///< A (J)
+};
+
+} // namespace VolumeHaptics
+
+#endif
