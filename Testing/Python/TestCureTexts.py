@@ -379,7 +379,8 @@ def test_each_cure_is_tried():
     tried += [word for words in TestLargeCures.FILES for word in words] + list(TestLargeCures.CONVERTED)
     tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndTold.TOLD]
     tried += [word for module in MODULES for words in module.result for word in words]
-    tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)]
+    tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)
+              if not words.endswith(("is not an option", "needs a value"))]  # the cure of these is the help
     tried += [word for tests in TRIED.values() for word in tests]
     tried += [word for words in OUTSIDE.values() for word in words] + [*NONE]
     found, left = set(), []
