@@ -77,6 +77,11 @@ TRIED = {
         "Connect the whole volume to the filter, Publish() it": "can't be recorded",
         "Stop() the recorder first": "Stop() the recorder first",
     },
+    "VTK/Device/TwoHandsTest.cxx": {"Record the hand with the tool, or put the tool away with SetTool(nullptr)": "SetTool(nullptr)"},
+    "VTK/Scene/Interaction/StyleSecondHandTest.cxx": {
+        "Open() another vtkHapticDevice for the other hand": "Open() another vtkHapticDevice",
+        "Touch a moving volume with one device": "Touch a moving volume with one device",
+    },
     "VTK/Device/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
     "VTK/Device/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
     "VTK/Device/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},

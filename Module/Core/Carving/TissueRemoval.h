@@ -52,6 +52,8 @@ public:
   {
     return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
   }
+  /** Returns the number of finished requests. From any thread. */
+  std::size_t GetDone() const noexcept { return this->Done.load(std::memory_order_acquire); }
   /**
    * Returns whether a tool could not remove tissue because all bricks were in use. From any thread.
    */

@@ -128,6 +128,9 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
   return timeSteps;
 }
 
+/** Bit that distinguishes the number of a volume for a point from that of the one with a tool. */
+constexpr std::uint64_t PointNumber = std::uint64_t{ 1 } << 63;
+
 bool KnowMotion(const std::vector<FieldTimeStep>& timeSteps)
 {
   return std::any_of(timeSteps.begin(), timeSteps.end(),
@@ -161,17 +164,22 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , HasOtherSurfaces(this->Cut || this->FeelsLabels())
   , Modes(MakeModes(d))
   , Tool(d.Tool)
+  , IsForAPoint(false)
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
 }
 
 BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal,
   double airValue, const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,
-  const TimeStepSeries& series)
+  const TimeStepSeries& series, bool isForAPoint)
   : Kernel(other.Kernel)
-  , Removal(std::move(removal))
+  , Removal(isForAPoint ? nullptr : removal)
+  , Others(isForAPoint ? std::move(removal) : other.Others)
   , Field(shown.View, this->Kernel,
-      CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, airValue })
+      CarvedView{ this->Removal ? &this->Removal->Bricks
+          : this->Others        ? &this->Others->Bricks
+                                : nullptr,
+        airValue })
   , Series(series)
   , TimeSteps(MakeTimeSteps(timeSteps, this->Series, other.IndexToWorld.Linear, this->Kernel))
   , HasMotion(KnowMotion(this->TimeSteps))
@@ -190,8 +198,9 @@ BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval
   , Cut(other.Cut)
   , HasOtherSurfaces(other.HasOtherSurfaces)
   , Modes(other.Modes)
-  , Tool(other.Tool)
-  , Number(other.Number)
+  , Tool(isForAPoint ? nullptr : other.Tool)
+  , IsForAPoint(isForAPoint || other.IsForAPoint)
+  , Number(isForAPoint ? other.Number ^ PointNumber : other.Number)
 {
 }
 
@@ -206,6 +215,13 @@ BakedVolume::BakedVolume(
   : BakedVolume(other, std::move(removal), airValue,
       VolumeTimeStep{ 0.0, other.Field.GetView(), other.Samples, {}, {}, other.Mesh }, {},
       other.Series)
+{
+}
+
+BakedVolume::BakedVolume(const BakedVolume& other, ForAPoint)
+  : BakedVolume(other, other.Removal, other.Field.GetCarved().Air,
+      VolumeTimeStep{ 0.0, other.Field.GetView(), other.Samples, {}, {}, other.Mesh }, {},
+      other.Series, true)
 {
 }
 

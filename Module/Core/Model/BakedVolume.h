@@ -64,6 +64,14 @@ struct BakedVolume
     const TimeStepSeries& series);
   /** Makes the same volume, which must not move, with another removal. Nothing is baked again. */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
+  struct ForAPoint
+  {
+  };
+  /**
+   * Makes the same volume, which must not move, for a hand that feels with a point while another
+   * hand holds the tool. Nothing is baked again.
+   */
+  BakedVolume(const BakedVolume& other, ForAPoint);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 
@@ -76,6 +84,8 @@ struct BakedVolume
    * not the pointer.
    */
   const std::shared_ptr<TissueRemoval> Removal;
+  /** The tissue that another hand's tool removes; null if there is none. Removal is then null. */
+  const std::shared_ptr<const TissueRemoval> Others;
   /** Samples of the volume, or of the first time step if the volume moves. */
   const FieldSampler Field;
   const TimeStepSeries Series; ///< the series that contains TimeSteps
@@ -104,6 +114,7 @@ struct BakedVolume
   const std::vector<BakedMode> Modes; ///< modes of HapticMethod::Primitives
   /** Tool in the hand; null if the hand feels with a point. */
   const std::shared_ptr<const BakedTool> Tool;
+  const bool IsForAPoint; ///< whether the tool was left out: see ForAPoint
 
   /**
    * Returns the fraction of the force that is felt at an index (CutPlace::Fraction); 1 without a
@@ -180,7 +191,7 @@ private:
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeTimeStep& shown, const std::vector<VolumeTimeStep>& timeSteps,
-    const TimeStepSeries& series);
+    const TimeStepSeries& series, bool isForAPoint = false);
 
   FieldAtTime BlendTimeSteps(double time, TickMemory* memory) const noexcept;
   /** Returns the fraction (0 to 1) of the way from a time step to the next one at a data time. */

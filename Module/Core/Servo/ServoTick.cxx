@@ -5,6 +5,8 @@
 #include "Core/Solvers/Methods/Methods.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
+#include <utility>
+
 namespace VolumeHaptics
 {
 namespace
@@ -97,7 +99,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   {
     StepMethod(model, state, record, result, memory);
   }
-  if (model.Baked->Removal)
+  if (model.Baked->Removal || model.Baked->Others)
   {
     // Read the value now, because a later tick may remove tissue here.
     record.Value = model.ValueAtDevice(record.Proxy);
@@ -135,6 +137,18 @@ void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& ti
     Rest(model, state, tip, record);
     record.Request = begun;
     return;
+  }
+  if (const TissueRemoval* const others = model.Baked->Others.get())
+  {
+    // The hand with the tool serves its requests. Read the number of pending requests first, so
+    // that no request is missed that is finished in between.
+    const bool isServed = others->HasWork();
+    const std::size_t done = others->GetDone();
+    if ((std::exchange(state.OthersRequests, done) != done || isServed) && IsNear(tip, FarthestTip))
+    {
+      Rest(model, state, tip, record);
+      return;
+    }
   }
   Tick(model, state, tip, record, result, memory, tool);
 }

@@ -17,6 +17,8 @@
 #include "Core/State/TickRecord.h"
 #include "Core/State/ToolStates.h"
 
+#include <cstddef>
+
 namespace VolumeHaptics
 {
 
@@ -46,6 +48,8 @@ struct ServoState : ToolStates
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
+  /** Number of requests that the hand with the tool had finished (BakedVolume::Others). */
+  std::size_t OthersRequests = 0;
   bool IsSpinning = false; ///< whether the tool spins in this tick; the caller sets it
   ///@{
   /** Results of the last tick that CarriedProxy.h needs. */

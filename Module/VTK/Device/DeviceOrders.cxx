@@ -198,6 +198,13 @@ bool DeviceOrders::Publish()
         "volume: no single image could replay them. Stop() the recorder first.");
       return false;
     }
+    if (ticks->IsRecording() && model && model->Baked->IsForAPoint)
+    {
+      vtkErrorWithObjectMacro(device,
+        "A recording is under way, and the filter can't replay a hand that feels with a point "
+        "while another one holds its tool. Stop() the recorder first.");
+      return false;
+    }
     ticks->Publish(std::move(model));
   }
   else

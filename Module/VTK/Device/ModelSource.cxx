@@ -103,6 +103,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
       this->Playback.Forget();
       model = filter->GetBaker().Bake(rate, caps, this->DeviceToWorld);
     }
+    model = this->FitToHand(std::move(model), caps);
     if (model && !this->HoldRemovalOf(*model, filter))
     {
       model = nullptr;
@@ -111,6 +112,23 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
     this->MadeTime = this->IsBehind() ? 0 : ComputeChangeTime(filter, isMoving);
   }
   return !filter || model;
+}
+
+std::shared_ptr<const HapticModel> ModelSource::FitToHand(
+  std::shared_ptr<const HapticModel> model, const ForceCaps& caps)
+{
+  if (!model || this->Device->GetUseTool() || (!model->Baked->Tool && !model->Baked->Removal))
+  {
+    this->WithTool = this->ForPoint = nullptr;
+    return model;
+  }
+  // Keep both, because the device is published in every frame while it follows the camera.
+  if (this->WithTool != model->Baked)
+  {
+    this->WithTool = model->Baked;
+    this->ForPoint = std::make_shared<const BakedVolume>(*model->Baked, BakedVolume::ForAPoint{});
+  }
+  return std::make_shared<const HapticModel>(this->ForPoint, model->DeviceToWorld, caps);
 }
 
 bool ModelSource::HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter)
@@ -125,7 +143,8 @@ bool ModelSource::HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter
     vtkErrorWithObjectMacro(this->Device,
       "Another vtkHapticDevice ticks with the removed tissue of this filter, and only one at a "
       "time can. Give the filter of this device one of its own with SetRemoval(nullptr), or Stop() "
-      "the other device.");
+      "the other device. UseToolOff() of this device lets its hand feel what the other one "
+      "removes.");
     return false;
   }
   if (std::find(this->Held.begin(), this->Held.end(), removal) == this->Held.end())
@@ -142,6 +161,22 @@ void ModelSource::LetRemovalsGo()
     LetRemovalGo(removal, this);
   }
   this->Held.clear();
+  this->WithTool = this->ForPoint = nullptr;
+  this->Leads(nullptr);
+}
+
+bool ModelSource::Leads(vtkHapticRegionSource* source)
+{
+  if (this->Led && this->Led != source)
+  {
+    this->Led->LeaveLead(this);
+    this->Led = nullptr;
+  }
+  if (source && source->TakeLead(this))
+  {
+    this->Led = source;
+  }
+  return this->Led;
 }
 
 void ModelSource::LetUnusedRemovalsGo()
@@ -189,7 +224,7 @@ void ModelSource::ReportRegionMade()
 {
   const std::int64_t time = std::exchange(this->RegionTime, 0);
   const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(this->Filter);
-  if (time > 0 && source)
+  if (time > 0 && source && source == this->Led)
   {
     source->NoteUseTime(ServoClock::SecondsSince(time));
   }
@@ -204,9 +239,9 @@ std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
   }
   const std::optional<SurfaceRegion> region =
     this->Regions.Poll(filter, this->Session.GetLatest()->GetTipPosition());
+  const ForceCaps caps = this->Session.ComputeCaps(rate);
   const std::shared_ptr<const HapticModel> model = region
-    ? filter->GetBaker().BakeRegion(
-        *region, rate, this->Session.ComputeCaps(rate), this->DeviceToWorld)
+    ? this->FitToHand(filter->GetBaker().BakeRegion(*region, rate, caps, this->DeviceToWorld), caps)
     : nullptr;
   return model && this->HoldRemovalOf(*model, filter) ? model : nullptr;
 }
@@ -226,9 +261,11 @@ bool ModelSource::PollRegion(std::string& status)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(filter);
-  if (!source)
+  if (!this->Leads(source))
   {
-    return false;
+    // The region is around the tip of another device. Where it does not reach, the force fades.
+    status = source ? "It feels the region around the other hand." : "";
+    return source && this->Awaited != MeshingWork && !this->IsUpToDate();
   }
   // The next region waits until the surface in this one can be felt: otherwise a moving hand would
   // end every meshing before it is done.

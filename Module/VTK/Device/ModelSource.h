@@ -22,6 +22,7 @@
 #include <vector>
 
 class vtkHapticDevice;
+class vtkHapticRegionSource;
 class vtkHapticRemoval;
 class vtkVolumeHapticsFilter;
 
@@ -67,6 +68,8 @@ public:
 
   /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
+  /** Makes IsUpToDate() false until the next Make. */
+  void Outdate() { this->MadeTime = 0; }
 
   /**
    * Sets the latest position of the tip in the source of a volume that is read region by region.
@@ -101,7 +104,7 @@ public:
   ///@{
   /**
    * Release the removals that Make() held: all of them when the servo has ended, otherwise the
-   * unused removals.
+   * unused removals. When the servo has ended, also release the lead of a source of regions.
    */
   void LetRemovalsGo();
   void LetUnusedRemovalsGo();
@@ -115,10 +118,17 @@ public:
 
 private:
   /**
+   * Returns the model, or if the device leaves the tool to another hand, the model for a point.
+   */
+  std::shared_ptr<const HapticModel> FitToHand(
+    std::shared_ptr<const HapticModel> model, const ForceCaps& caps);
+  /**
    * Reserves for this device the removal that a model changes. Returns false and reports an error
    * if another device holds it.
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
+  /** Whether the regions of a source, which may be null, follow this device's tip. */
+  bool Leads(vtkHapticRegionSource* source);
   /** Reports to the source of regions how long it took to make a model of its last region. */
   void ReportRegionMade();
 
@@ -135,6 +145,12 @@ private:
   std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
   TimeStepImage Shown;
+  ///@{
+  /** The last volume that FitToHand() has changed, and what it has made of this volume. */
+  std::shared_ptr<const BakedVolume> WithTool;
+  std::shared_ptr<const BakedVolume> ForPoint;
+  ///@}
+  vtkSmartPointer<vtkHapticRegionSource> Led; ///< the source whose regions follow this tip
   std::int64_t RegionTime = 0;    ///< arrival time (ServoClock) of the region that has no model yet
   bool IsMadeOfTimeSteps = false; ///< whether the last model was made of a moving volume
   vtkMTimeType MadeTime = 0;      ///< modification time of the filter and its input at the last

@@ -158,6 +158,17 @@ void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetUseTool(bool on)
+{
+  if (this->UseTool != on)
+  {
+    this->UseTool = on;
+    this->Parts->Models.Outdate();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::Stop()
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close

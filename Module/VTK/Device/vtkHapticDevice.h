@@ -34,6 +34,10 @@
  * begins again. If a vtkHapticRegionSource is on port 0 of the filter, UpdateState makes it read
  * the region around the tip, and publishes each region when it is there.
  *
+ * **Two hands.** Several devices may have the same filter. Each has its own servo, proxy, gate and
+ * recording, and its force is the one that it would have alone; the samples and the baked tables
+ * are shared. One hand may hold the tool of the filter: SetUseTool.
+ *
  * **Safety.** No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce
  * and to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every
  * gap it rises from zero over half a second, and the proxy begins at the tip. Stiffness and
@@ -478,6 +482,17 @@ public:
 
   ///@{
   /**
+   * Whether the hand holds the tool of the filter. Default: on. Off: it feels with a point, while
+   * the hand of another device holds the tool, and feels what that tool removes. Takes effect with
+   * Publish or Start. A hand without the filter's tool can't be recorded.
+   */
+  void SetUseTool(bool on);
+  vtkGetMacro(UseTool, bool);
+  vtkBooleanMacro(UseTool, bool);
+  ///@}
+
+  ///@{
+  /**
    * The largest force (N) on the hand, at most the device's own maximum. The default is set
    * whenever a device is opened: half of the device's own maximum, or the force that it gives for
    * any time if that is less. ResetMaximumForce returns to it.
@@ -589,6 +604,7 @@ protected:
   std::string VendorPath;
   double HomingTime = 120.0;
   bool UseGuard = true;
+  bool UseTool = true;
   double NewtonsPerFullScale[2] = { 100.0, 100.0 };
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;

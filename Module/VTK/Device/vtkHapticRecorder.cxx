@@ -206,6 +206,12 @@ TickCollector* vtkHapticRecorder::vtkInternals::GetRecordable(const std::string&
             "volume to the filter, Publish() it and, if its surface is being meshed, wait until "
             "IsPublished(); or keep the states with vtkHapticState::Drain().";
   }
+  else if (ticks->GetLatestModel()->Baked->IsForAPoint)
+  {
+    error = "This hand feels with a point while another one holds the filter's tool, so that the "
+            "filter could not replay its recording. Record the hand with the tool, or put the tool "
+            "away with SetTool(nullptr) and SetRemoval(nullptr) of the filter, and Publish().";
+  }
   if (error)
   {
     vtkErrorWithObjectMacro(this->Device, << error);

@@ -545,6 +545,19 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time)
 }
 
 //------------------------------------------------------------------------------
+bool vtkHapticRegionSource::TakeLead(const void* device)
+{
+  this->Leader = this->Leader ? this->Leader : device;
+  return this->Leader == device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::LeaveLead(const void* device)
+{
+  this->Leader = this->Leader == device ? nullptr : this->Leader;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticRegionSource::NoteUseTime(double seconds)
 {
   this->Store->SetUseTime(seconds);

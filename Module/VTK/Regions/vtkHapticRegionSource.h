@@ -292,6 +292,14 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Reserve the source for one of several devices, whose tip its regions follow. TakeLead returns
+   * false while another one leads.
+   */
+  bool TakeLead(const void* device);
+  void LeaveLead(const void* device);
+  ///@}
   /**
    * Set how long (s) it took until the last region could be felt; a device calls this. Later
    * regions are ordered earlier by this time.
@@ -372,6 +380,7 @@ private:
   int SeriesNumber = 0;
   vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< chunk size of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
+  const void* Leader = nullptr; ///< see TakeLead
 #endif
 
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };

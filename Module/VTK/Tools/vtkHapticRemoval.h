@@ -21,8 +21,9 @@
  * Reset(); this takes some ticks, and nothing is felt during them. Without a servo, the calls act
  * at once. Strokes before a recording, and before ReadFile(), can't be undone.
  *
- * One vtkHapticDevice at a time may tick with a removal: give another device's filter its own
- * removal with vtkVolumeHapticsFilter::SetRemoval(). Shares belong to the samples of one extent: a
+ * One vtkHapticDevice at a time may tick with a removal. Another device feels what is removed after
+ * vtkHapticDevice::UseToolOff(); or give its filter its own removal with
+ * vtkVolumeHapticsFilter::SetRemoval(). Shares belong to the samples of one extent: a
  * volume with another extent can't be felt until Reset() or SetRemoval(nullptr). But shares that
  * ReadFile() has read fit any part of their volume, or a larger volume, as long as they are not
  * changed. While a volume moves, all of its tissue is there.

@@ -67,7 +67,9 @@ double GetTraceDataTime(const HapticModel& model, const TickRecord& record)
 
 double GetTraceValue(const HapticModel& model, const TickRecord& record)
 {
-  return model.Baked->Removal ? record.Value : model.ValueAtDevice(record.Proxy, record.DataTime);
+  return model.Baked->Removal || model.Baked->Others
+    ? record.Value
+    : model.ValueAtDevice(record.Proxy, record.DataTime);
 }
 
 void FillTraceRow(

@@ -165,7 +165,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> device = Names(DeviceSettings);
   for (const char* const sent : // to the servo, so without macro
     { "ServoRate", "MaximumForce", "MaximumForceRate", "StiffnessGain", "TransientGain",
-      "MaximumTorque", "AttentionTime" })
+      "MaximumTorque", "AttentionTime", "UseTool" })
   {
     device.erase(std::find(device.begin(), device.end(), sent));
   }
@@ -230,7 +230,7 @@ TEST(SettingLists, ParaViewHasAllSettings)
   }
   const ParaViewProxy device("HapticDevice.xml");
   // ParaView calls the device all the time, and has no tools.
-  device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque" });
+  device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque", "UseTool" });
   device.ExpectAll(DeviceVectors);
   const ParaViewProxy path("HapticPath.xml");
   path.ExpectAll(PathSettings);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Display/DisplayText.h"
 
+#include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Tools/ToolKind.h"
 
 #include "vtkDataArray.h"
@@ -95,9 +96,8 @@ std::string DescribeNeedle(vtkHapticDevice* device)
  */
 std::string DescribeTorque(vtkHapticDevice* device)
 {
-  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   const double torque = 1e3 * vtkMath::Norm(device->GetState()->GetComputedTorque());
-  const ToolKind* const kind = FindToolKind(filter ? filter->GetTool() : nullptr);
+  const ToolKind* const kind = FindToolKind(GetHeldTool(device));
   if (!kind || !kind->IsTurnable() || kind->TurnsWithStylus() || !(torque >= 0.05))
   {
     return {};

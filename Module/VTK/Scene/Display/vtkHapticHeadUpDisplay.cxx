@@ -212,6 +212,7 @@ std::array<int, 2> ComputePlotCorner(
 struct vtkHapticHeadUpDisplay::vtkInternals
 {
   vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticDevice> Second;
   std::vector<TissueRange> Tissues;
   HapticForceHistory History;
   LateSlide Slide;
@@ -236,6 +237,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
     return this->Device ? this->Device->GetMethodText() : std::string();
   }
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
+  std::string GetSecondStatus(vtkHapticHeadUpDisplay& self) const;
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   /** Returns the lower end of the text (pixels). */
@@ -284,6 +286,22 @@ void vtkHapticHeadUpDisplay::SetDevice(vtkHapticDevice* device)
 vtkHapticDevice* vtkHapticHeadUpDisplay::GetDevice()
 {
   return this->Internals->Device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::SetSecondDevice(vtkHapticDevice* device)
+{
+  if (this->Internals->Second != device)
+  {
+    this->Internals->Second = device;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticHeadUpDisplay::GetSecondDevice()
+{
+  return this->Internals->Second;
 }
 
 //------------------------------------------------------------------------------
@@ -433,12 +451,35 @@ std::string vtkHapticHeadUpDisplay::GetText()
   const std::string recorded =
     this->RecordingText.empty() ? "" : "Recording " + this->RecordingText;
   const std::string compared = this->SettingsText.empty() ? "" : "Settings " + this->SettingsText;
-  for (const std::string& part : { recorded, compared, d.GetStatus(*this),
+  for (const std::string& part : { recorded, compared, d.GetStatus(*this), d.GetSecondStatus(*this),
          isListed ? ListMeasurements(d.Measurements) : std::string(), this->Notice })
   {
     text += text.empty() || part.empty() ? part : "\n" + part;
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::vtkInternals::GetSecondStatus(
+  vtkHapticHeadUpDisplay& self) const
+{
+  vtkHapticDevice* const device = this->Second;
+  if (!device)
+  {
+    return {};
+  }
+  if (!device->IsRunning())
+  {
+    return "Second hand: " + device->GetStatusText();
+  }
+  const std::string label =
+    NameLabelAt(device->GetVolumeHaptics(), device->GetState()->GetSurfacePosition());
+  const bool isByValue = label.empty() && !GetModesFilter(device);
+  const std::string status = DescribeStatus(device);
+  const std::string touch =
+    DescribeTouch(device, isByValue ? self.GetTissueName(ComputeFeltValue(device)) : label, false);
+  const std::string text = status + (status.empty() || touch.empty() ? "" : " ") + touch;
+  return "Second hand: " + (text.empty() ? std::string("touches nothing") : text);
 }
 
 //------------------------------------------------------------------------------
@@ -503,7 +544,9 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
 int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
-  const bool isFault = this->Device && this->Device->GetStatus() == vtkHapticDevice::FAULT;
+  const auto hasFault = [](vtkHapticDevice* device)
+  { return device && device->GetStatus() == vtkHapticDevice::FAULT; };
+  const bool isFault = hasFault(this->Device) || hasFault(this->Second);
   SetLook(this->Text->GetTextProperty(), isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92,
     isFault ? 0.45 : 0.95, viewport);
   const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
@@ -667,6 +710,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device: " << this->GetDevice() << "\n";
+  os << indent << "SecondDevice: " << this->GetSecondDevice() << "\n";
   PrintSettings(os, indent, this, DisplaySettings);
   os << indent << "Measurements: " << this->GetMeasurements() << "\n";
   os << indent << "Notice: " << this->Notice << "\n";

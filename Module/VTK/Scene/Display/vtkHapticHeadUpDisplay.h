@@ -61,6 +61,12 @@ public:
   ///@}
 
   ///@{
+  /** The device of the second hand, whose status and force have a line of their own. */
+  void SetSecondDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetSecondDevice();
+  ///@}
+
+  ///@{
   /**
    * Append states, or remove all of them. `states` is the table of vtkHapticState::Drain. If a
    * column is missing, an error names it. If time runs backwards, the plot starts again.

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 vtkHapticTool* GetHeldTool(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
-  return filter ? filter->GetTool() : nullptr;
+  return filter && device->GetUseTool() ? filter->GetTool() : nullptr;
 }
 
 bool IsTurnable(vtkHapticTool* tool)

@@ -41,6 +41,8 @@ public:
   SceneMarker(vtkAlgorithmOutput* shape, double red, double green, double blue);
 
   void SetColor(const double color[3]);
+  /** Whether a shape with colours of its own, such as the stylus, shows these, not the colour. */
+  void SetPainted(bool painted) { this->Mapper->SetScalarVisibility(painted); }
   void PlaceSphere(const Vector3& centre, double radius);
   /** Sets the ends of an arrow. An arrow shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);

@@ -163,6 +163,9 @@ constexpr double ArrowRadii = 30.0;
 /// The end of the second head, as a fraction of the arrow's length.
 constexpr double SecondHead = 0.8;
 /// Colours by contact. Colour-blind people can distinguish them, too.
+const double SecondHandColor[3] = { 0.80, 0.62, 1.0 };
+const double White[3] = { 0.97, 0.97, 0.97 };
+const double StylusColor[3] = { 1.0, 1.0, 1.0 };
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
 /** Whether the proxy is on the viewer's side of the touched surface, so that it can be seen. */
@@ -280,11 +283,18 @@ void vtkHapticRepresentation::UpdateMarkers()
   {
     head.Show(false);
   }
+  const double* const color = this->SecondHand ? SecondHandColor : White;
+  d.Spheres[State::TIP].SetColor(color);
+  d.Arrows[0].SetColor(color);
+  d.SecondHeads[0].SetColor(color);
+  d.Stylus.SetColor(this->SecondHand ? SecondHandColor : StylusColor);
+  d.Stylus.SetPainted(!this->SecondHand);
   if (d.HasState)
   {
     const auto contact =
       static_cast<int>(state->GetFieldData()->GetArray("Contact")->GetComponent(0, 0));
-    d.Spheres[State::PROXY].SetColor(ContactColors[contact & 3]);
+    const bool isLilac = this->SecondHand && contact == 0;
+    d.Spheres[State::PROXY].SetColor(isLilac ? SecondHandColor : ContactColors[contact & 3]);
     d.Landing.SetColor(ContactColors[contact & 3]);
     const double radii[4] = { 0.6, 1.0, 0.35, 0.35 };
     for (int i = State::TIP; i <= State::MEDIUM_POSITION; ++i)
@@ -519,7 +529,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     }
   }
   d.Landing.RenderText(viewport);
-  if (this->ScaleTextVisibility && d.HasState)
+  if (this->ScaleTextVisibility && !this->SecondHand && d.HasState)
   {
     SetLook(d.ScaleText->GetTextProperty(), 0.93, 0.95, 0.98, viewport);
     const int* const view = viewport->GetSize();

@@ -89,6 +89,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the hand is the second one of its scene. Default off. The tip, the free proxy, the
+   * stylus and the arrow of the whole force are then lilac, and ScaleTextVisibility does not count.
+   */
+  vtkSetMacro(SecondHand, bool);
+  vtkGetMacro(SecondHand, bool);
+  vtkBooleanMacro(SecondHand, bool);
+  ///@}
+
+  ///@{
   /** Whether the spring between proxy and tip is shown. Default on. */
   vtkSetMacro(SpringVisibility, bool);
   vtkGetMacro(SpringVisibility, bool);
@@ -216,6 +226,7 @@ protected:
   double MaximumArrowLength = 0.0;
   std::string WorldUnitName = "mm";
   std::string TrailArrayName = "Force";
+  bool SecondHand = false;
   bool SpringVisibility = true;
   bool ForceVisibility = true;
   bool NormalForceVisibility = true;

@@ -17,6 +17,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <thread>
@@ -68,6 +69,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Window(style, [this] { this->LetGo(); })
   , Frames(Scene, Window, std::move(calls.DrawScene))
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
+  , Second(Scene)
   , Touch(Scene, Window, Workspace)
   , Turn(Scene)
   , Displays(Scene, Touch, Turn, Keys)
@@ -80,6 +82,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Slices(Scene, Touch)
   , Measure(Scene, Frames)
 {
+  this->Scene.Second = &this->Second.Scene;
   this->Touch.BeforeBegin = [this] { this->UpdateVolumes(); };
   this->Touch.BeforeLanding = [this](vtkRenderer* renderer, const Vector3& through)
   { this->Touched.ChooseAt(renderer, through); };
@@ -97,6 +100,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
 void HapticInteraction::Leave()
 {
   this->LeaveDevice();
+  this->Second.SetDevice(nullptr);
   this->SetFunctionEditor(nullptr);
 }
 
@@ -155,6 +159,19 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
 }
 
 //------------------------------------------------------------------------------
+bool HapticInteraction::SetSecondDevice(vtkHapticDevice* device)
+{
+  if (device && device == this->GetDevice())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The second device is the first one, which has one tip. Open() another vtkHapticDevice for "
+      "the other hand.");
+    return false;
+  }
+  return this->Second.SetDevice(device);
+}
+
+//------------------------------------------------------------------------------
 bool HapticInteraction::SetFunctionEditor(vtkHapticFunctionEditor* editor)
 {
   if (this->Scene.Editor == editor)
@@ -194,6 +211,7 @@ void HapticInteraction::LetGo()
   constexpr double most = 0.1;
   this->Measure.End();
   this->Touch.Set(false);
+  this->Second.Disarm();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   if (!device)
   {
@@ -219,6 +237,7 @@ void HapticInteraction::FadeOut()
   {
     device->FadeOut();
   }
+  this->Second.FadeOut();
   this->Touch.Set(false);
 }
 
@@ -397,28 +416,32 @@ bool HapticInteraction::PressKey(const std::string& pressed)
       // release the clutch here, too.
       this->Workspace.SetClutch(false);
     }
+    this->Second.Disarm();
+    this->Second.Workspace.SetClutch(false);
   }
   else if (key == "a" && scene.Device)
   {
-    this->Workspace.IsClutched() || scene.IsArmed() ? scene.Device->Disarm() : scene.Device->Arm();
+    this->ArmOrDisarm();
   }
-  else if (key == "c" && scene.IsReal())
+  else if (key == "c" && scene.IsAnyReal())
   {
     this->Workspace.Recenter();
+    this->Second.Workspace.Recenter();
   }
-  else if (key == "k" && scene.IsReal())
+  else if (key == "k" && scene.IsAnyReal())
   {
     this->Workspace.SetClutch(true);
+    this->Second.Workspace.SetClutch(true);
   }
-  else if ((key == "plus" || key == "minus") && scene.IsReal())
+  else if ((key == "plus" || key == "minus") && scene.Device && scene.IsAnyReal())
   {
     const bool larger = key == "plus";
     scene.Style->SetWorkspaceScale(
       this->Workspace.GetScale() * (larger ? WorkspaceStep : 1.0 / WorkspaceStep));
   }
-  else if (key == "Home" && scene.IsReal())
+  else if (key == "Home" && scene.IsAnyReal())
   {
-    scene.Device->Home();
+    this->HomeDevices();
   }
   else if (key == "m" && scene.Device)
   {
@@ -455,7 +478,62 @@ bool HapticInteraction::ReleaseKey(const std::string& released)
     return false;
   }
   this->Workspace.SetClutch(false);
+  this->Second.Workspace.SetClutch(false);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::ArmOrDisarm()
+{
+  const vtkSmartPointer<vtkHapticDevice> devices[] = { this->Scene.Device,
+    this->Second.Scene.Device };
+  const bool isClutched = this->Workspace.IsClutched() || this->Second.Workspace.IsClutched();
+  bool isArmedNow = false;
+  for (const vtkSmartPointer<vtkHapticDevice>& device : devices)
+  {
+    const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
+    if (device && !isClutched && status != vtkHapticDevice::ARMED &&
+      status != vtkHapticDevice::ACTIVE)
+    {
+      device->Arm();
+      // A refused Arm() has reported the reason. With one hand, there is nothing else to do.
+      isArmedNow = isArmedNow || device->IsArmOrdered() || !devices[1];
+    }
+  }
+  for (const vtkSmartPointer<vtkHapticDevice>& device : devices)
+  {
+    if (device && !isArmedNow)
+    {
+      device->Disarm();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::HomeDevices()
+{
+  std::vector<vtkSmartPointer<vtkHapticDevice>> real;
+  for (const TouchedScene* const scene : { &this->Scene, &this->Second.Scene })
+  {
+    if (scene->IsReal())
+    {
+      real.emplace_back(scene->Device);
+    }
+  }
+  const auto waits = [](const vtkSmartPointer<vtkHapticDevice>& device)
+  {
+    const int status = device->GetStatus();
+    return status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE ||
+      status == vtkHapticDevice::FAULT;
+  };
+  const bool doesAnyWait = std::any_of(real.begin(), real.end(), waits);
+  for (const vtkSmartPointer<vtkHapticDevice>& device : real)
+  {
+    if (!doesAnyWait || waits(device))
+    {
+      device->Home();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -552,12 +630,17 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   this->Compared.Report();
   this->UpdateCarving();
   this->UpdateRefined();
+  const vtkSmartPointer<vtkRenderer> renderer = scene.ChooseRenderer();
+  if (this->Second.IsArmOrdered() && this->Window.HasVanished())
+  {
+    this->FadeOut();
+  }
+  const bool isSecondNew = this->Second.Update(renderer);
   if (!scene.Device || !scene.Device->IsRunning())
   {
-    return false;
+    return isSecondNew;
   }
   vtkHapticDevice* const device = scene.Device;
-  const vtkSmartPointer<vtkRenderer> renderer = scene.ChooseRenderer();
   // Send changes to the servo before drawing, so that they are felt before they are seen.
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
@@ -576,7 +659,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   bool isNew = device->UpdateState();
   if (!device->IsRunning())
   {
-    return false;
+    return isSecondNew;
   }
   if (this->ShownTimeSteps.Show(device))
   {
@@ -614,7 +697,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   this->CheckShownVolumes();
   // An observer of the events may have ended the event loop.
   this->Window.Look();
-  return isNew;
+  return isNew || isSecondNew;
 }
 
 //------------------------------------------------------------------------------
@@ -626,7 +709,7 @@ void HapticInteraction::UpdateVolumes()
     return;
   }
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
-  if (this->Touch.IsOn() || device->IsArmOrdered())
+  if (this->Touch.IsOn() || device->IsArmOrdered() || this->Second.IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
     // hiding a volume is no emergency, so let the force fade instead of cutting it off

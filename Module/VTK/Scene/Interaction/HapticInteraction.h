@@ -14,6 +14,7 @@
 #include "VTK/Scene/Interaction/SceneFrames.h"
 #include "VTK/Scene/Interaction/SceneKeys.h"
 #include "VTK/Scene/Interaction/SceneMouse.h"
+#include "VTK/Scene/Interaction/SecondHand.h"
 #include "VTK/Scene/Interaction/TouchMode.h"
 #include "VTK/Scene/Interaction/TouchedScene.h"
 #include "VTK/Scene/Interaction/TouchedVolumes.h"
@@ -85,6 +86,7 @@ public:
    * effect at the update's end.
    */
   bool SetDevice(vtkHapticDevice* device);
+  bool SetSecondDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
@@ -139,6 +141,7 @@ public:
   HapticWindowWatch Window;
   SceneFrames Frames;
   WorkspaceControl Workspace;
+  SecondHand Second;
   TouchMode Touch;
   ToolTurn Turn;
   KeyMap Keys;
@@ -154,6 +157,10 @@ public:
 
 private:
   void LeaveDevice();
+  /** Arms the hands that are not armed. If that changes nothing, disarms both. */
+  void ArmOrDisarm();
+  /** Homes the real devices that wait for it. If none does, homes all of them. */
+  void HomeDevices();
   bool Update(vtkInteractorStyleHaptic* style);
   /**
    * Makes the filters feel what the touched volumes show, and lets go of volumes that are no longer

@@ -129,7 +129,7 @@ std::string DisplayKeys::ListKeys() const
   KeyedParts parts;
   parts.HasMouse = !scene.IsReal();
   parts.TurnsView = parts.HasMouse && scene.TurnsView;
-  parts.HasDevice = scene.IsReal();
+  parts.HasDevice = scene.IsAnyReal();
   parts.HasTool = this->Turn.HasTool();
   parts.HasEditor = scene.Editor != nullptr;
   parts.HasLabels = scene.Editor && scene.Editor->GetLabelTable();

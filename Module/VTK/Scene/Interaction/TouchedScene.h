@@ -43,6 +43,7 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
+  const TouchedScene* Second = nullptr; ///< the scene with the second hand's device
   bool TurnsView = true; ///< whether the right button turns the view in the touch mode
   /** why the touched volume is not visible, and the cure; empty if it is visible */
   std::string Hidden;
@@ -59,6 +60,8 @@ public:
   /** Returns whether the mouse leads the tip. */
   bool IsVirtual() const { return this->Device && this->Device->GetVirtualHand()->MayMouseLead(); }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
+  /** Whether the device in either hand is real. */
+  bool IsAnyReal() const { return this->IsReal() || (this->Second && this->Second->IsReal()); }
 
   ///@{
   /** Return parts of the device's last state. There must be a device. */

@@ -286,6 +286,8 @@ struct vtkHapticWidget::vtkInternals
   {
     // so that resetting the camera shows the volume, wherever the hand is
     this->Hand->UseBoundsOff();
+    this->SecondHand->UseBoundsOff();
+    this->SecondHand->SecondHandOn();
     this->Display->UseBoundsOff();
     this->Style->GetInteraction().Scene.TurnsView = false;
     this->Style->SetHeadUpDisplay(this->Display);
@@ -303,6 +305,18 @@ struct vtkHapticWidget::vtkInternals
     this->Style->SetDevice(device);
     this->Hand->SetDevice(device);
     this->Display->SetDevice(device);
+  }
+
+  void SetSecondDevice(vtkHapticDevice* device)
+  {
+    this->StopSecond();
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveViewProp(this->SecondHand);
+    }
+    this->Style->SetSecondDevice(device);
+    this->SecondHand->SetDevice(device);
+    this->Display->SetSecondDevice(device);
   }
 
   /** Whether the program has connected an input to its filter. */
@@ -400,6 +414,11 @@ struct vtkHapticWidget::vtkInternals
       renderer->AddViewProp(this->Display);
       TellPass(renderer);
     }
+    if (this->Style->GetSecondDevice() && !renderer->HasViewProp(this->SecondHand))
+    {
+      renderer->AddViewProp(this->SecondHand);
+      TellPass(renderer);
+    }
     // Set the sizes unless the application has changed them.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
@@ -411,6 +430,8 @@ struct vtkHapticWidget::vtkInternals
       this->ForceScale = 1.0 / Round(ArrowFraction * length);
       this->Hand->SetForceScale(this->ForceScale);
     }
+    this->SecondHand->SetRadius(this->Hand->GetRadius());
+    this->SecondHand->SetForceScale(this->Hand->GetForceScale());
   }
 
   void Hide()
@@ -418,6 +439,7 @@ struct vtkHapticWidget::vtkInternals
     if (this->Renderer)
     {
       this->Renderer->RemoveViewProp(this->Hand);
+      this->Renderer->RemoveViewProp(this->SecondHand);
       this->Renderer->RemoveViewProp(this->Display);
       TellPass(this->Renderer);
     }
@@ -440,7 +462,25 @@ struct vtkHapticWidget::vtkInternals
     {
       this->HasStarted = this->Device->Start();
     }
+    vtkHapticDevice* const second = this->Style->GetSecondDevice();
+    if (second && !second->IsRunning() && this->Device->IsRunning())
+    {
+      if (!second->GetVolumeHaptics())
+      {
+        second->SetVolumeHaptics(this->Filter);
+      }
+      this->HasStartedSecond = second->Start(); // reports an error if the device is closed
+    }
     return this->Device->IsRunning();
+  }
+
+  void StopSecond()
+  {
+    vtkHapticDevice* const second = this->Style->GetSecondDevice();
+    if (std::exchange(this->HasStartedSecond, false) && second)
+    {
+      second->Stop();
+    }
   }
 
   /** Ends the touch, and removes what was added for it. */
@@ -453,6 +493,7 @@ struct vtkHapticWidget::vtkInternals
     {
       this->Style->TouchVolume(nullptr);
     }
+    this->StopSecond();
     if (std::exchange(this->HasStarted, false))
     {
       this->Device->Stop();
@@ -467,6 +508,7 @@ struct vtkHapticWidget::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkVolume> Volume;
   vtkNew<vtkHapticRepresentation> Hand;
+  vtkNew<vtkHapticRepresentation> SecondHand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<StyleBeside> Style;
   vtkSmartPointer<vtkRenderer> Renderer; ///< the renderer that shows the hand
@@ -477,6 +519,7 @@ struct vtkHapticWidget::vtkInternals
   bool IsInputOurs = false;
   bool HasOpened = false;
   bool HasStarted = false;
+  bool HasStartedSecond = false;
 };
 
 //------------------------------------------------------------------------------
@@ -629,6 +672,27 @@ vtkHapticDevice* vtkHapticWidget::GetDevice()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticWidget::SetSecondDevice(vtkHapticDevice* device)
+{
+  auto& d = *this->Internals;
+  if (this->GetSecondDevice() != device)
+  {
+    d.SetSecondDevice(device);
+    if (this->Enabled)
+    {
+      this->Prepare(false);
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticWidget::GetSecondDevice()
+{
+  return this->Internals->Style->GetSecondDevice();
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticWidget::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
   auto& d = *this->Internals;
@@ -666,6 +730,12 @@ vtkHapticProperty* vtkHapticWidget::GetProperty()
 vtkHapticRepresentation* vtkHapticWidget::GetRepresentation()
 {
   return this->Internals->Hand;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRepresentation* vtkHapticWidget::GetSecondRepresentation()
+{
+  return this->Internals->SecondHand;
 }
 
 //------------------------------------------------------------------------------
@@ -727,6 +797,7 @@ void vtkHapticWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   os << indent << "Volume: " << d.Volume.GetPointer() << "\n";
   os << indent << "Device: " << d.Device.GetPointer() << "\n";
+  os << indent << "SecondDevice: " << this->GetSecondDevice() << "\n";
   os << indent << "VolumeHaptics: " << d.Filter.GetPointer() << "\n";
   os << indent << "Representation: " << d.Hand.GetPointer() << "\n";
   os << indent << "HeadUpDisplay: " << d.Display.GetPointer() << "\n";

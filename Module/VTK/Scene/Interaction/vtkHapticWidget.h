@@ -96,6 +96,17 @@ public:
 
   ///@{
   /**
+   * A device for the other hand (optional), which the application has opened, with a hand of its
+   * own in the scene. It feels the first volume with the filter below, unless it has a filter. The
+   * widget starts it, and stops it when the widget is switched off. See
+   * vtkInteractorStyleHaptic::SetSecondDevice. Default: nullptr.
+   */
+  void SetSecondDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetSecondDevice();
+  ///@}
+
+  ///@{
+  /**
    * The filter that determines how volumes feel, and its property. If several volumes can be
    * touched, this filter feels the first one, and each other volume is felt by a copy with the same
    * settings. A filter that has an input feels this input, whatever the window shows; the hand is
@@ -112,6 +123,8 @@ public:
    * has set them.
    */
   vtkHapticRepresentation* GetRepresentation();
+  /** Get the second device's hand in the scene. */
+  vtkHapticRepresentation* GetSecondRepresentation();
   /** Get the head-up display over the scene. */
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
 

@@ -128,6 +128,21 @@ vtkHapticDevice* vtkInteractorStyleHaptic::GetDevice()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetSecondDevice(vtkHapticDevice* device)
+{
+  if (this->Internals->Interaction.SetSecondDevice(device))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkInteractorStyleHaptic::GetSecondDevice()
+{
+  return this->Internals->Interaction.Second.Scene.Device;
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetHeadUpDisplay(vtkHapticHeadUpDisplay* display)
 {
   auto& scene = this->Internals->Interaction.Scene;
@@ -231,12 +246,14 @@ void vtkInteractorStyleHaptic::FadeOut()
 void vtkInteractorStyleHaptic::RecenterWorkspace()
 {
   this->Internals->Interaction.Workspace.Recenter();
+  this->Internals->Interaction.Second.Workspace.Recenter();
 }
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetClutch(bool on)
 {
   this->Internals->Interaction.Workspace.SetClutch(on);
+  this->Internals->Interaction.Second.Workspace.SetClutch(on);
 }
 
 //------------------------------------------------------------------------------
@@ -608,6 +625,7 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   auto& scene = this->Internals->Interaction.Scene;
+  os << indent << "SecondDevice: " << this->GetSecondDevice() << "\n";
   os << indent << "Device: " << scene.Device.GetPointer() << "\n";
   os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";

@@ -148,6 +148,19 @@ public:
 
   ///@{
   /**
+   * A device for the other hand (optional), which the application has to open and start, with the
+   * same filter or another one. Each hand has its own force, and a fault is one hand's. The key a
+   * arms the hands that are not armed, and disarms both if both are; Escape, End and the end of the
+   * window let both go; k, c, + and - move both workspaces. The mouse, measurements, slices,
+   * recordings, events and GetStates() are the first hand's. A volume that moves is felt by the
+   * first hand only. Default: nullptr.
+   */
+  void SetSecondDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetSecondDevice();
+  ///@}
+
+  ///@{
+  /**
    * The head-up display, to which the style passes the states, or the function editor. Both are
    * optional. Keys switch them on and off. The application adds them to a renderer.
    */

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The second device of a scene, in the other hand. Its workspace, its models and its force are its
+ * own; keys, the window and the view are those of the scene.
+ */
+#ifndef SecondHand_h
+#define SecondHand_h
+
+#include "VTK/Scene/Interaction/FilterPublisher.h"
+#include "VTK/Scene/Interaction/TouchedScene.h"
+#include "VTK/Scene/Interaction/WorkspaceControl.h"
+
+class vtkRenderer;
+
+namespace VolumeHaptics
+{
+
+class SecondHand
+{
+public:
+  explicit SecondHand(TouchedScene& first);
+  ~SecondHand() = default;
+  SecondHand(const SecondHand&) = delete;
+  SecondHand& operator=(const SecondHand&) = delete;
+
+  /** Sets the device, after disarming the present one. Returns false if nothing changed. */
+  bool SetDevice(vtkHapticDevice* device);
+  bool IsArmOrdered() const { return this->Scene.Device && this->Scene.Device->IsArmOrdered(); }
+  void Disarm();
+  void FadeOut();
+
+  /**
+   * Sends changes of the filter and of the camera to the servo, and collects its state. Returns
+   * whether the state is new.
+   */
+  bool Update(vtkRenderer* renderer);
+
+  TouchedScene Scene; ///< the scene with this hand's device
+  WorkspaceControl Workspace;
+
+private:
+  TouchedScene& First; ///< the scene with the first hand's device
+  FilterPublisher Publisher;
+};
+
+} // namespace VolumeHaptics
+
+#endif
