@@ -33,6 +33,7 @@ from volumehaptics.__main__ import find_explorer
 # the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and what the functions below put there.
 # What is right, together, since each run takes a time.
 ALL = "--newtons 2.5 --size 200 --tool needle --preset MRI --front -y --stereo anaglyph --measurements {}/list.csv"
+TWO = "--device virtual --device falcon"
 LABELLED = "--labels {}/labels.vti --materials {}/table.csv"
 GUIDED = "--mode surface --guide {}/ball.stl"
 OPTIONS = (
@@ -49,6 +50,9 @@ OPTIONS = (
     ("--mode tickle", "the name of an array may follow after a colon", GUIDED),
     ("--front up", "take one of +x -x +y -y +z -z", ALL),
     ("--stereo best", "name one of ", ALL),
+    ("--device falcon --device pid --device wooden", "name two devices at most, one a hand", TWO),
+    ("--device falcon --device virtual", "name it before the real device", TWO),
+    ("--device virtual --device falcon --replay {}/touch.vtp", "name one device, or leave --replay out", TWO),
     ("--array colour", "take one of ", ""),
     ("--guide {}/none.vtp", "name one that is there", GUIDED),
     ("--guide {}/ball.dae", "take lines or a surface that end in .vtp", GUIDED),
@@ -193,6 +197,7 @@ COMMANDS = (
     (f"{WINDOW} --replay {{}}/none.vtp", "name a .vtp that key F10 or vtkHapticRecorder::Start() has written", (REPLAY, )),
     (f"{WINDOW} --replay {{}}/back.vtp", "record the touch again", (REPLAY, )),
     (f"{WINDOW} --device pen", "name another device, or none; volumehaptics-device list shows what there is", (OPEN, REPLAY)),
+    (f"{WINDOW.replace('ramp.vti', 'moves.pvd')} {TWO}", "is felt by one…name one device", (OPEN, )),
     (f"{WINDOW} --setup {{}}/wrong.json", "--setup …correct it or name another file", (OPEN, )),
     (f"{WINDOW} --setup {{}}/none/own.json", "can't be written…name a file in a folder of yours", (OPEN, )),
     (f"{WINDOW.replace('close', 'point')} --measurements {{}}/none/list.csv", "--measurements …name a file in a folder of yours",

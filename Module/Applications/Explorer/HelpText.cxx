@@ -50,7 +50,8 @@ VOLUME   .vti .nii .nii.gz .hdr .img; a DICOM slice, for its series; a folder of
   --pictures DIR    no window, and where the results go (default explore-pictures):
                     explore.png force.png trace.vtp trace.csv summary.txt
   --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
-                    falcon: see volumehaptics-device list
+                    falcon: see volumehaptics-device list. Given twice: one in each hand; --tool and the keys
+                    of measurements are for the first
   --firmware FILE   the image for a Novint Falcon that has none
   --newtons X[,Y]   a stick's force at full scale along its axes, N (100): measure it, most have much
                     less; Y is 0 if only the first axis has a motor, as that of a wheel

@@ -170,6 +170,22 @@ void SetSound(Options& options, const std::string& file)
   options.Sound = true;
 }
 
+/// Sets the device, or if there is one already, that of the second hand.
+void SetDevice(Options& options, const std::string& id)
+{
+  if (options.HasDevice && !options.Device.SecondId.empty())
+  {
+    throw InputError("--device " + id, "is a third one", "name two devices at most, one a hand");
+  }
+  if (options.HasDevice && (id == "virtual" || id.compare(0, 7, "replay:") == 0))
+  {
+    throw InputError("--device " + id, "can't be the second hand, which a person has to lead",
+      "name it before the real device");
+  }
+  (options.HasDevice ? options.Device.SecondId : options.Device.Id) = id;
+  options.HasDevice = true;
+}
+
 void SetOption(Options& options, const std::string& name, const std::string& value)
 {
   if (name == "--pictures")
@@ -238,7 +254,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--device")
   {
-    options.Device.Id = value;
+    SetDevice(options, value);
   }
   else if (name == "--firmware")
   {
@@ -383,6 +399,11 @@ Options ParseOptions(int argc, char* argv[])
   if (!options.How.Modes.empty() || !options.How.Guide.empty())
   {
     options.How.Method = "primitives";
+  }
+  if (!options.Replay.empty() && !options.Device.SecondId.empty())
+  {
+    throw InputError("--replay " + options.Replay, "shows the touch of one hand",
+      "name one device, or leave --replay out");
   }
   if (options.Json && !options.Inspect)
   {

@@ -32,7 +32,8 @@ struct Options
   std::vector<std::string> Materials; // files of label tables
   std::string Folder = "explore-pictures";
   bool Pictures = false;       // write pictures even if there is a display
-  DeviceChoice Device;         // device of the window
+  DeviceChoice Device;         // devices of the window
+  bool HasDevice = false;      // whether a device was named
   std::string Setup;           // file of the window's functions, settings and camera
   std::string Measurements;    // file of the window's measurements
   std::string Script;          // file of the window's demonstration script

@@ -179,7 +179,16 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
   touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
   touch.Scene.Renderer->AddViewProp(touch.Hand);
+  if (touch.SecondDevice)
+  {
+    touch.SecondHand->SetDevice(touch.SecondDevice);
+    touch.SecondHand->SecondHandOn();
+    touch.SecondHand->SetRadius(touch.Hand->GetRadius());
+    touch.SecondHand->SetForceScale(touch.Hand->GetForceScale());
+    touch.Scene.Renderer->AddViewProp(touch.SecondHand);
+  }
 
+  touch.Display->SetSecondDevice(touch.SecondDevice);
   touch.Display->SetDevice(touch.Device);
   for (const Explore::Tissue& tissue : Explore::MakeTissueTable(analysis))
   {
@@ -247,6 +256,25 @@ void AddSlices(
   slices->AddObserver(vtkCommand::ModifiedEvent, place);
 }
 
+/// Opens a device of the window and starts its servo. Throws InputError if that fails.
+void StartDevice(vtkHapticDevice* device, const std::string& id,
+  const Explore::Exploration& exploration, const Explore::DeviceChoice& choice)
+{
+  const Explore::MessageCapture capture;
+  device->SetVolumeHaptics(exploration.Filter);
+  device->SetServoRate(exploration.ServoRate);
+  if (!choice.Firmware.empty())
+  {
+    device->SetFirmwareFile(choice.Firmware);
+  }
+  device->SetNewtonsPerFullScale(choice.Newtons.data());
+  if (!device->Open(id.c_str()) || !device->Start())
+  {
+    throw Explore::InputError("--device " + id, capture.FirstError(),
+      "name another device, or none; volumehaptics-device list shows what there is");
+  }
+}
+
 /// Formats a list, whose columns are separated by tabs, as a table.
 std::string Align(const std::string& keys)
 {
@@ -275,18 +303,17 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   BuildScene(touch.Scene, exploration, options);
   vtkVolumeHapticsFilter* const filter = exploration.Filter;
   filter->GetProperty()->SetVisibilityFrom(touch.Scene.Look);
-  const MessageCapture capture;
-  touch.Device->SetVolumeHaptics(filter);
-  touch.Device->SetServoRate(exploration.ServoRate);
-  if (!device.Firmware.empty())
+  StartDevice(touch.Device, device.Id, exploration, device);
+  if (!device.SecondId.empty())
   {
-    touch.Device->SetFirmwareFile(device.Firmware);
-  }
-  touch.Device->SetNewtonsPerFullScale(device.Newtons.data());
-  if (!touch.Device->Open(device.Id.c_str()) || !touch.Device->Start())
-  {
-    throw InputError("--device " + device.Id, capture.FirstError(),
-      "name another device, or none; volumehaptics-device list shows what there is");
+    if (exploration.Input.TimeSteps)
+    {
+      throw InputError("--device " + device.SecondId,
+        "is a second hand, and a volume that moves is felt by one", "name one device");
+    }
+    touch.SecondDevice = vtkSmartPointer<vtkHapticDevice>::New();
+    touch.SecondDevice->UseToolOff(); // the first hand holds the tool
+    StartDevice(touch.SecondDevice, device.SecondId, exploration, device);
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
@@ -297,6 +324,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   touch.Setup->SetVolumeProperty(touch.Scene.Look);
   touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());
   touch.Style->SetDevice(touch.Device);
+  touch.Style->SetSecondDevice(touch.SecondDevice);
   touch.Style->SetHeadUpDisplay(touch.Display);
   touch.Style->SetFunctionEditor(touch.Editor);
   touch.Style->SetMeasurements(touch.Measurements);
@@ -396,6 +424,10 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
+  if (touch.SecondDevice)
+  {
+    touch.SecondDevice->Close();
+  }
   look->ShowOutside();
   const bool isSetUp = !setup.empty() && touch.Setup->Save(setup.c_str());
   const std::string error = saved.SaveAtEnd();

@@ -14,6 +14,7 @@
 #include "vtkHapticSetup.h"
 #include "vtkHapticSliceView.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
@@ -23,10 +24,11 @@ namespace Explore
 /// Fraction of the window's width that slices beside the scene have.
 constexpr double SLICE_SHARE = 0.3;
 
-/// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
+/// The devices of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
   std::string Id = "virtual";
+  std::string SecondId; // of the other hand; empty: none
   std::string Firmware; // empty: the file of the environment variable
   // newtons of a stick that is fully deflected, along x and y
   std::array<double, 2> Newtons{ 100.0, 100.0 };
@@ -39,6 +41,8 @@ struct TouchScene
   ExplorerScene Scene;
   vtkNew<vtkHapticDevice> Device;
   vtkNew<vtkHapticRepresentation> Hand;
+  vtkSmartPointer<vtkHapticDevice> SecondDevice; // null without a second hand
+  vtkNew<vtkHapticRepresentation> SecondHand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkHapticSliceView> Slices;

@@ -195,6 +195,10 @@ void WindowRecorder::BeginOrEndTouch()
     told = isDone ? "" : capture.FirstError();
     this->TouchName = begins && isDone ? file : "";
   }
+  if (told.empty())
+  {
+    told = this->RecordSecond(begins, file);
+  }
   if (!begins)
   {
     std::cout << (told.empty() ? "Written: " + file : told) << std::endl;
@@ -203,6 +207,30 @@ void WindowRecorder::BeginOrEndTouch()
   }
   this->Touch.Display->SetNotice(told.c_str());
   this->Report();
+}
+
+std::string WindowRecorder::RecordSecond(bool begins, const std::string& file)
+{
+  if (!this->Touch.SecondDevice || (!begins && !this->RecordsSecond))
+  {
+    return {};
+  }
+  const std::string second = file.substr(0, file.rfind('.')) + "-second.vtp";
+  vtkHapticRecorder* const recorder = this->Touch.SecondDevice->GetRecorder();
+  {
+    const MessageCapture capture; // of what is written to std::cout, too
+    const bool isDone = begins ? recorder->Start(second.c_str()) : recorder->Stop();
+    this->RecordsSecond = begins && isDone;
+    if (!isDone)
+    {
+      return capture.FirstError();
+    }
+  }
+  if (!begins)
+  {
+    std::cout << "Written: " << second << std::endl;
+  }
+  return {};
 }
 
 void WindowRecorder::Report()

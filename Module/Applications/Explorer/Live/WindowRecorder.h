@@ -49,6 +49,9 @@ private:
   /// Adds a picture of the window to the movie if it is time for one.
   void Film();
   void BeginOrEndTouch();
+  /// Begins or ends the recording of the second hand, next to the first hand's file, as
+  /// touch-001-second.vtp. Returns an error; empty if there is none, or no recording to end.
+  std::string RecordSecond(bool begins, const std::string& file);
   /// Shows in the display what is being recorded.
   void Report();
 
@@ -63,6 +66,7 @@ private:
   std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
   std::string TouchName;                       ///< name of the touch recording that is under way
+  bool RecordsSecond = false;                  ///< whether the second hand is recorded, too
   std::chrono::steady_clock::time_point Begin; ///< when the movie began
   int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };
