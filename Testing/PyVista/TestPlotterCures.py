@@ -5,7 +5,7 @@
 import numpy as np
 import pytest
 import pyvista as pv
-from volumehaptics import vtkHapticProperty
+from volumehaptics import vtkHapticDevice, vtkHapticProperty
 from volumehaptics.arrays import arrays
 from volumehaptics.pyvista import add_haptics, touch
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -104,7 +104,17 @@ def colours(plotter):
     return lambda: add_haptics(plotter, grid(values=values)), [lambda: add_haptics(plotter, grid(values=values), property=one)]
 
 
+def two_hands_on_frames(plotter):
+    second = vtkHapticDevice()
+    assert second.Open("virtual")
+    hands = ["virtual", second]
+    return lambda: add_haptics(plotter, [grid(), grid()], device=hands), [
+        lambda: add_haptics(plotter, [grid(), grid()], device="virtual"),
+        lambda: add_haptics(pv.Plotter(off_screen=True), grid(), device=hands)]
+
+
 CASES = {
+    "Cure: give one device": two_hands_on_frames,
     "the plotter is closed. Cure: make a new one": closed,
     "Cure: add_haptics(plotter, plotter.add_volume(image))": none,
     "Cure: give the one to be touched, as plotter.add_volume() returned it": several,

@@ -181,6 +181,7 @@ ELSEWHERE = {
     "leave series out": "TestLarge.py", "take series=1 to series=": "TestLarge.py", "open_large(": "TestLarge.py", "dask's": "TestLarge.py", "copy it, or open another level": "TestLarge.py",
     "its array with zarr": "TestLarge.py", "open one of its arrays": "TestLarge.py",
     "grids of cells in space": "TestErrors.py", "give that volume, or none": "TestHosts.py",
+    "give one, or ": "TestHosts.py", 'device=["virtual", the real one]': "TestHosts.py",
     "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
     "the volume that is meant into a file of its own": "TestLabels.py", "with the slope 1": "TestLabels.py",
     "give it as the volume": "Testing/Data/Formats/TestFormats.py",

@@ -142,6 +142,26 @@ def test_a_device_of_the_program_stays_open(program):
     assert device.IsOpen()
 
 
+def test_two_hands_on_one_volume(program):
+    first, second = volumehaptics.vtkHapticDevice(), volumehaptics.vtkHapticDevice()
+    assert first.Open("virtual") and second.Open("virtual")
+    with volumehaptics.add_haptics(program.interactor, device=[first, second]) as haptics:
+        assert haptics.device is first and haptics.second_device is second
+        assert haptics.widget.GetSecondDevice() is second and not second.GetUseTool()
+        assert second.IsRunning() and second.GetVolumeHaptics() is haptics.filter
+        assert program.press(haptics) > 0.3
+        haptics.style.UpdateHaptics()
+        assert "Second hand: " in haptics.head_up_display.GetText()
+    assert second.IsOpen() and not second.IsRunning()
+    for wrong, words in ((["virtual"], "give one, or "), (["falcon", "virtual"], r'device=\["virtual", the real one\]')):
+        with pytest.raises(ValueError, match=words):
+            volumehaptics.add_haptics(program.interactor, device=wrong)
+    with volumehaptics.add_haptics(program.interactor, device=["virtual", second]) as haptics:  # the cure
+        assert second.IsRunning()
+    with pytest.raises(RuntimeError, match="nonsense"):
+        volumehaptics.add_haptics(program.interactor, device=["virtual", "nonsense"])
+
+
 def test_what_leads_to_no_window_is_told_with_the_cure(program):
     with pytest.raises(TypeError, match=r"builtins\.dict leads to none.*Cure: give the vtkRenderWindowInteractor"):
         volumehaptics.add_haptics({})

@@ -5,8 +5,8 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Union
 
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 (the plot of the display)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (its texts)
@@ -25,6 +25,9 @@ from .vtkVolumeHaptics import (
     vtkVolumeHapticsFilter,
 )
 
+# A device by its id or as an object, or one for each hand.
+Devices = Union[str, vtkHapticDevice, Sequence[Union[str, vtkHapticDevice]]]
+
 # Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
 # Keys of tvtk.pyface's scenes.
@@ -42,6 +45,7 @@ class Haptics:
     style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
     representation: the vtkHapticRepresentation that shows the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay with figures and a plot over the scene.
+    second_device: the vtkHapticDevice in the other hand, or None.
     """
 
     closed = True  # until all parts exist
@@ -54,7 +58,8 @@ class Haptics:
         self.style: vtkInteractorStyleHaptic = self.widget.GetStyle()
         self.representation: vtkHapticRepresentation = self.widget.GetRepresentation()
         self.head_up_display: vtkHapticHeadUpDisplay = self.widget.GetHeadUpDisplay()
-        self._owns_device = True
+        self.second_device: vtkHapticDevice | None = None
+        self._owned = [self.device]  # the devices that close() closes
         self.closed = False
 
     def update(self) -> bool:
@@ -75,9 +80,10 @@ class Haptics:
                     interactor.RemoveObservers("DestroyTimerEvent")
             self._leave_widget = None
         self.widget.SetInteractor(None)
-        self.device.Stop()
-        if self._owns_device:
-            self.device.Close()
+        for device in filter(None, (self.device, self.second_device)):
+            device.Stop()
+            if device in self._owned:
+                device.Close()
 
     def __del__(self) -> None:
         self.close()
@@ -88,19 +94,44 @@ class Haptics:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _choose_device(self, wanted: str | vtkHapticDevice | None) -> None:
-        """Sets the device. A device of the user's own stays open when this object is closed."""
+    def _choose_device(self, wanted: Devices | None) -> None:
+        """Sets one device, or two in a list. A device of the user's own stays open when this object is closed."""
+        if isinstance(wanted, (list, tuple)):
+            if len(wanted) != 2:
+                raise ValueError(f"a person has two hands, and device names {len(wanted)} devices. Cure: give one, or "
+                                 "[first, second]")
+            first, second = wanted
+            if second == "virtual":
+                raise ValueError("the mouse leads the first hand. Cure: device=[\"virtual\", the real one]")
+            self._choose_device(first)
+            device = self._open(second, vtkHapticDevice())
+            device.UseToolOff()  # the first hand holds the tool
+            device.SetVolumeHaptics(self.filter)
+            with Errors(self.style) as errors:
+                self.widget.SetSecondDevice(device)
+            if errors:
+                raise ValueError("; ".join(errors))
+            self.second_device = device
+        elif wanted is not None:
+            device = self._open(wanted, self.device)
+            if device is not self.device:
+                self.widget.SetDevice(device)
+                self.device = device
+
+    def _open(self, wanted: str | vtkHapticDevice, own: vtkHapticDevice) -> vtkHapticDevice:
+        """Returns a device of the user's own, which is open, or opens another one by its id."""
         if isinstance(wanted, vtkHapticDevice):
             with Errors(wanted) as errors:
                 if not wanted.IsOpen() and not wanted.Start():  # Start() reports why it is not open
                     raise ValueError("; ".join(errors))
             wanted.Stop()  # the device may be armed, on another volume
-            self.widget.SetDevice(wanted)
-            self.device, self._owns_device = wanted, False
-        elif wanted is not None:
-            with Errors(self.device) as errors:
-                if not self.device.Open(wanted):
-                    raise RuntimeError("; ".join(errors))
+            return wanted
+        with Errors(own) as errors:
+            if not own.Open(wanted):
+                raise RuntimeError("; ".join(errors))
+        if own is not self.device:
+            self._owned.append(own)
+        return own
 
     def _watch_widget(self, target: Any) -> None:
         """Ends the touch when the view is no longer seen, if it is a view of Qt."""
@@ -178,7 +209,7 @@ def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -
     return next((image for image in images if isinstance(image, vtkImageData)), None)
 
 
-def add_haptics(target: Any, volume: Any = None, preset: str | None = None, device: Any = None, **settings: Any) -> Haptics:
+def add_haptics(target: Any, volume: Any = None, preset: str | None = None, device: Devices | None = None, **settings: Any) -> Haptics:
     """Makes the volumes in a window touchable. The style, the widgets and the keys of the program continue to work.
 
     target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
@@ -189,7 +220,7 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     preset: how the tissues feel, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": as the volume's own edges suggest; or a file ".json": both as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is open
-        and stays open.
+        and stays open. Two of these in a list are one in each hand: ["falcon:0", "falcon:1"].
     settings: of vtkVolumeHapticsFilter, in snake_case, as for touch().
 
     The key t with the pointer on a volume begins the touch, Escape ends it: see vtkHapticWidget. Keep the returned

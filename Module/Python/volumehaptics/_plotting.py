@@ -17,11 +17,11 @@ from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
 from ._grids import is_grid, overview
+from ._hosts import Devices
 from ._hosts import Haptics as HostHaptics
 from ._labels import Labels, Materials, set_labels
 from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
-    vtkHapticDevice,
     vtkHapticTimeStepSource,
     vtkHapticMeasurementRepresentation,
     vtkHapticMeasurements,
@@ -45,6 +45,7 @@ class Haptics(HostHaptics):
 
     widget: the vtkHapticWidget, which observes the plotter's mouse and keys beside the plotter's own style.
     device: the vtkHapticDevice in the hand, whose servo runs.
+    second_device: the vtkHapticDevice in the other hand, or None.
     filter: the vtkVolumeHapticsFilter that defines what is felt. Changes are felt at once.
     style: the vtkInteractorStyleHaptic of the widget, for keys, slices and events. It is not the plotter's style.
     representation: the vtkHapticRepresentation that shows the hand in the scene.
@@ -304,7 +305,7 @@ def add_haptics(
     preset: str | Sequence[float] | None = None,
     *,
     times: Sequence[float] | None = None,
-    device: str | vtkHapticDevice = "virtual",
+    device: Devices = "virtual",
     visibility: bool | vtkVolume = True,
     mode: str | None = None,
     labels: Labels | None = None,
@@ -329,7 +330,8 @@ def add_haptics(
     preset: how the tissues feel, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": as the volume's own edges suggest; or a file ".json": both as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
-        open and stays open.
+        open and stays open. Two of these in a list are one in each hand: ["falcon:0", "falcon:1"]. The first holds
+        the tool; the mouse, if there is one, is the first.
     visibility: True (default): what is not seen is not felt, by the opacity of the given actor, or of volume if it is
         an actor. A given actor is felt where its position, orientation and scale put it, without the parts that its
         mapper crops and clips, such as by plotter.add_volume_clip_plane(); see vtkInteractorStyleHaptic.TouchVolume().
@@ -370,6 +372,9 @@ def add_haptics(
         raise TypeError("add_haptics() takes a preset or a property, not both: call the property's ApplyPreset()")
     frames = None
     if isinstance(volume, (list, tuple)):
+        if isinstance(device, (list, tuple)):
+            raise ValueError("a volume that moves is felt by one hand, because the other one would feel it at another "
+                             "time. Cure: give one device")
         frames = _frames_of(volume, times)
         volume = _actor_of(plotter, frames.GetTimeStepImage(0))
     elif times is not None:
