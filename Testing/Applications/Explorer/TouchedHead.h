@@ -16,7 +16,8 @@
 /// The explorer's window on the head phantom, off the screen, with a hand at the mouse.
 struct TouchedHead
 {
-  TouchedHead(int argc, char* argv[], Explore::MapperChoice mapper)
+  TouchedHead(
+    int argc, char* argv[], Explore::MapperChoice mapper, const Explore::DeviceChoice& device = {})
     : Exploration(ExploreHead(argc, argv))
   {
     Explore::SceneOptions options;
@@ -24,7 +25,7 @@ struct TouchedHead
     options.Height = 300;
     options.Mapper = mapper;
     options.Interactive = true;
-    Explore::BuildTouchScene(this->Touch, this->Exploration, options, {});
+    Explore::BuildTouchScene(this->Touch, this->Exploration, options, device);
     this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The explorer's window with two devices: both are felt and seen at once, the display tells of
+// both, and only the first hand holds the tool.
+#include "Applications/Explorer/Live/HandTool.h"
+#include "Expectations.h"
+#include "Rigs/DrawnPixels.h"
+#include "TouchedHead.h"
+
+#include "vtkMath.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// Pixels that differ clearly with and without the second hand.
+int CountSecondHand(TouchedHead& head)
+{
+  vtkRenderWindow* const window = head.Touch.Scene.Window;
+  const auto draw = [&](bool isShown)
+  {
+    head.Touch.SecondHand->SetVisibility(isShown);
+    window->Render();
+    return apitest::ReadPixels(window, 0, 0, 389, 299);
+  };
+  const std::vector<double> without = draw(false);
+  const std::vector<double> with = draw(true);
+  int count = 0;
+  for (std::size_t i = 0; i + 2 < with.size(); i += 3)
+  {
+    // It is lilac: more blue than green, and more red than green.
+    const bool isLilac = with[i + 2] > with[i + 1] + 20.0 && with[i] > with[i + 1] + 5.0;
+    count += isLilac && std::abs(with[i + 2] - without[i + 2]) > 10.0 ? 1 : 0;
+  }
+  return count;
+}
+} // namespace
+
+int TestTouchTwoHands(int argc, char* argv[])
+{
+  Explore::DeviceChoice devices;
+  devices.SecondId = "virtual";
+  TouchedHead head(argc, argv, Explore::MapperChoice::CPU, devices);
+  vtkHapticDevice* const second = head.Touch.SecondDevice;
+  Expect(second && second->IsRunning() && !second->GetUseTool(), "the second hand is there");
+  Expect(head.Touch.Style->GetSecondDevice() == second, "and in the scene");
+  double start[3];
+  head.TouchAt(165, 160,
+    [&]
+    {
+      head.Press(165, 160, 3);
+      std::copy_n(head.Touch.Device->GetState()->GetProxyPosition(), 3, start);
+    });
+  Expect(head.Touch.Device->GetState()->GetContact() != 0, "the first hand touches");
+  // Out of the face is -y: from there, beside the first hand, into the skin.
+  second->GetVirtualHand()->SetPosition(start[0] + 25.0, start[1] - 30.0, start[2]);
+  head.Run(200);
+  second->Arm();
+  head.Run(700);
+  bool isFelt = false;
+  for (int i = 0; i < 200 && !isFelt; ++i)
+  {
+    second->GetVirtualHand()->SetPosition(start[0] + 25.0, start[1] - 30.0 + 0.5 * i, start[2]);
+    head.Run(10);
+    isFelt = vtkMath::Norm(second->GetState()->GetForce()) > 0.3;
+  }
+  Expect(isFelt, "the second hand feels the same head");
+  const std::string text = head.Touch.Display->GetText();
+  Expect(text.find("\nSecond hand: ") != std::string::npos, "the display has its line: " + text);
+  const int pixels = CountSecondHand(head);
+  Expect(pixels > 30, "it is drawn in " + std::to_string(pixels) + " lilac pixels");
+  const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "needle");
+  head.Run(20);
+  Expect(second->GetState()->GetNeedleDepth() == 0.0 && head.Exploration.Filter->GetTool(),
+    "the tool is in the first hand");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
