@@ -8,7 +8,6 @@
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/JsonText.h"
 #include "VTK/Experimental/HapticXRControllerSettings.h"
-#include "VTK/Experimental/XRVibration.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkEventData.h"
@@ -28,10 +27,53 @@
 #include <iterator>
 #include <string>
 
+#if defined(VOLUME_HAPTICS_HAS_OPENXR)
+#include "vtkOpenXRRenderWindowInteractor.h"
+#endif
+
 namespace VolumeHaptics
 {
 namespace
 {
+
+// Controllers vibrate by VTK's module RenderingOpenXR. Without this module, nothing vibrates.
+#if defined(VOLUME_HAPTICS_HAS_OPENXR)
+
+vtkOpenXRRenderWindowInteractor* GetHeadset(vtkRenderWindowInteractor* interactor)
+{
+  return vtkOpenXRRenderWindowInteractor::SafeDownCast(interactor);
+}
+
+#else
+
+struct Headset
+{
+  bool ApplyVibration(const std::string&, int, float, float, float) { return false; }
+};
+
+Headset* GetHeadset(vtkRenderWindowInteractor*)
+{
+  return nullptr;
+}
+
+#endif
+
+/**
+ * Makes a controller vibrate by an action of the manifest, of the type "vibration". Hand: 0 is
+ * left, 1 right. Amplitude: 0 to 1. Duration: s; the next vibration may end this one earlier.
+ * Returns false if the interactor can't make controllers vibrate, or if the runtime refuses; VTK
+ * reports the latter as an error.
+ */
+bool ApplyVibration(vtkRenderWindowInteractor* interactor, const std::string& action, int hand,
+  double amplitude, double duration)
+{
+  auto* const headset = GetHeadset(interactor);
+  constexpr double nanoseconds = 1e9;
+  constexpr float anyFrequency = 0.0F; // XR_FREQUENCY_UNSPECIFIED: the runtime chooses
+  return headset &&
+    headset->ApplyVibration(action, hand, static_cast<float>(amplitude),
+      static_cast<float>(nanoseconds * duration), anyFrequency);
+}
 
 // In VTK 9.2 to 9.7, the manifest of actions has an action "haptic", but no binding beside it binds
 // the action to a motor. OpenXR then accepts each vibration, and nothing vibrates.
@@ -324,7 +366,7 @@ bool vtkHapticXRController::WriteActions(const char* manifest, const char* folde
 //------------------------------------------------------------------------------
 bool vtkHapticXRController::CanVibrate()
 {
-  return VolumeHaptics::CanVibrate(this->Internals->Interactor);
+  return VolumeHaptics::GetHeadset(this->Internals->Interactor) != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -389,8 +431,7 @@ void vtkHapticXRController::Vibrate(double amplitude)
   const bool isNew = amplitude != this->Amplitude;
   this->Amplitude = amplitude;
   if (this->CanVibrate() && !d.WasRefused &&
-    !ApplyVibration(
-      d.Interactor, { this->ActionName, this->Hand, amplitude, Vibration::ReplayTime }))
+    !ApplyVibration(d.Interactor, this->ActionName, this->Hand, amplitude, Vibration::ReplayTime))
   {
     d.WasRefused = true;
     vtkWarningMacro("The controller can't vibrate: the interactor refuses the action \""
