@@ -185,6 +185,8 @@ ELSEWHERE = {
     "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
     "the volume that is meant into a file of its own": "TestLabels.py", "with the slope 1": "TestLabels.py",
     "give it as the volume": "Testing/Data/Formats/TestFormats.py",
+    "give it to touch(), which reads it": "Testing/Data/Formats/TestFormats.py",
+    "check that its copy is complete": "TestLargeCures.py, by the reader",
 }
 # Those of plotters and pages: a part of the text, and a test of Testing/PyVista that does it, or what is to be installed.
 WINDOWS = {

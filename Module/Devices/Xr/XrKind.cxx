@@ -39,8 +39,14 @@ std::vector<DeviceListing> ListXr()
     "available to programs that draw for the headset, see vtkHapticXRController" } };
 }
 
-std::unique_ptr<DeviceBackend> MakeXr(const std::string&, const DeviceOptions&, std::string&)
+std::unique_ptr<DeviceBackend> MakeXr(
+  const std::string& id, const DeviceOptions&, std::string& error)
 {
+  if (id != XrId)
+  {
+    error = "\"" + id + "\" is no device id: give \"vibration:xr\", which has no number.";
+    return nullptr;
+  }
   return std::make_unique<XrDevice>();
 }
 

@@ -103,8 +103,8 @@ public:
    * Label and Length (world units) have a value for each stretch of the track. Field arrays, one
    * number each: Depth, the greatest depth; Angle (degrees), between the track and the surface's
    * normal at the entry, or -1 if there is no normal; and ForbiddenTouches, if the trace has it. If
-   * the trace has no needle, returns false and reports an error, and the track is empty. Trace and
-   * track must be different objects.
+   * the trace has no needle, returns false; the track is empty then and reports the error. Trace
+   * and track must be different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 

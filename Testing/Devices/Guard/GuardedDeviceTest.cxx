@@ -270,7 +270,7 @@ TEST_F(Guarded, IsTheParentsAfterAFork)
 TEST_F(Guarded, OfAnotherVersionIsRefused)
 {
   // As if an older library had started it: there is nothing behind the descriptors.
-  const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 echo");
+  const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 0 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
 }
