@@ -14,8 +14,8 @@
 #
 # Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
 # clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
-# it says loudly that it leaves them out. Where even the servo under the sanitizers, or the tests, would take longer than
-# 24 minutes, it leaves out the former, then all tests but the quick ones, as loudly.
+# it says loudly that it leaves them out. Where even the servo under the sanitizers would take longer than 22 minutes, or
+# the tests longer than 24, it leaves out the former, then all tests but the quick ones, as loudly.
 #
 # Tests of screens and packages wait, too: while they run, all that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -255,7 +255,7 @@ chosen=(-LE "^($left_out|wheel)\$")
 test_seconds=$((build_seconds * 125 / 100))
 sanitizer_seconds=$((build_seconds * 70 / 100)) # of the servo alone
 sanitizers=yes
-if ! ends_by 24 $((test_seconds + sanitizer_seconds)); then
+if ! ends_by 22 $((test_seconds + sanitizer_seconds)); then
   sanitizers=no
   sanitizer_seconds=0
   skip "the sanitizers"
@@ -318,11 +318,11 @@ run_tests "$build_dir" "$((2 * jobs))" "${chosen[@]}" || status=$?
 test_seconds=$((SECONDS - test_seconds))
 
 # usage: still_fits PERCENT NAME
-# Whether tests end before 24 minutes are over, whatever was planned. PERCENT is their time as a share of that of the
+# Whether tests end before 23 minutes are over, whatever was planned. PERCENT is their time as a share of that of the
 # tests above.
 still_fits()
 {
-  ends_by 24 $((test_seconds * $1 / 100)) && return
+  ends_by 23 $((test_seconds * $1 / 100)) && return
   skip "$2"
   return 1
 }

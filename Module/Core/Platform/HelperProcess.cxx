@@ -14,7 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#if defined(__APPLE__) // whose unistd.h does not declare it
 extern char** environ;
+#endif
 
 namespace VolumeHaptics
 {

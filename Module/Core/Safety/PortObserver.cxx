@@ -16,7 +16,7 @@ namespace
  * Shortest time (s) over which the velocity is averaged. Over it, an encoder's step of 0.06 mm is
  * 15 mm/s.
  */
-constexpr double VelocityTime = 4e-3;
+constexpr double ObserverVelocityTime = 4e-3;
 /**
  * Time (s) without motion after which the tip is at rest. After a shorter time, the device may only
  * not have reported a motion yet.
@@ -64,7 +64,7 @@ Vector3 PortObserver::EstimateVelocity() const noexcept
   const Measurement& last = this->Last();
   std::size_t before = 1;
   while (before + 1 < std::min(this->Count, Kept) &&
-    last.Time - this->Last(before).Time < VelocityTime * (1.0 - 1e-9))
+    last.Time - this->Last(before).Time < ObserverVelocityTime * (1.0 - 1e-9))
   {
     ++before;
   }
