@@ -45,7 +45,7 @@ accept folder "C CXX" "$folder" "$link"
 accept folder_after_vtk "C CXX" "find_package(VTK REQUIRED COMPONENTS CommonCore)" "$folder" "$link"
 accept package_after_vtk "C CXX" "find_package(VTK REQUIRED COMPONENTS CommonCore)" \
   "find_package(VolumeHaptics REQUIRED)" "$link"
-refuse "VolumeHaptics has no components, such as Servo" components "C CXX" \
+refuse "VolumeHaptics has no components, but Servo was asked for" components "C CXX" \
   "find_package(VolumeHaptics REQUIRED COMPONENTS Servo)"
 refuse "enable C, by project(NAME LANGUAGES C CXX)" no_c CXX "find_package(VolumeHaptics REQUIRED)"
 

@@ -151,7 +151,7 @@ TRIED = {
     },
     "Devices/Common/DeviceReturnTest.cxx": {"is back with other limits than before. Open() and Start() it": "other limits"},
     "Devices/Emulated/FalconUnplugTest.cxx": {"Plug it in again: it is opened by itself, and waits for Arm()": "Plug it in again"},
-    "Devices/Emulated/FalconGuardTest.cxx": {"Start the program as a whole in": "time namespace"},
+    "Devices/Emulated/FalconGuardTest.cxx": {"Enter the time namespace first, then start the program": "time namespace"},
     "Devices/Emulated/FalconGuardEndsTest.cxx": {"watch the device. Close(), Open(), Start() and Arm() it again": "guard process"},
     "Devices/Haply/HaplySessionTest.cxx": {
         "is not calibrated: put its handle into the inkwell, or": "is not calibrated", 'Open it as "haply"': "haply",
@@ -285,7 +285,7 @@ OUTSIDE = {
         "Take your hand away, and see that it stands", "Put the scale under it",
         "hold it loosely and keep the hand still. For about ten seconds", "is gone. Plug it in, Open() and Start() it",
         "Hold the device loosely and keep the hand still, then Arm() again", "Check the image and the device, then Arm() again",
-        "Take the stylus, then Arm() again", "Check its axes, lower the stiffness, then Arm() again",
+        "Take the stylus, then Arm() again", "Check its battery and the network", "Check its axes, lower the stiffness, then Arm() again",
         ": hold it loosely and keep the hand still. The volume is not felt yet",
     ),
     "a program of others, which Debian does not have or which reads what is not written here": (
@@ -349,7 +349,7 @@ CURE = re.compile(
     r"Cure: |([.;:)] |\u2026 ?)(update|make|give|set|call|use|take|name|write|choose|convert|check|pass|close|replace|remove|add"
     r"|correct|run|save|open|copy|connect|put|end|read|start|stop|smooth|turn|raise|lower|plug|change|leave|resample"
     r"|extract|show|load|attach|detach|record|build|derive|touch|crop|hold|home|arm|link|log|move|point|switch|unplug"
-    r"|try|wait|press|export|install|increase|reduce|startrecording)[ :(]", re.IGNORECASE)
+    r"|try|wait|enter|press|export|install|increase|reduce|startrecording)[ :(]", re.IGNORECASE)
 
 
 def texts_of(source):

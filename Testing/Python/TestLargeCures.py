@@ -80,7 +80,7 @@ def repacked(told_words, path):
 CONVERTED = {
     "h5repack -f GZIP=1 IN OUT": dict(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)]),
     "h5repack -l CHUNK=64x64x64 IN OUT": dict(chunk=(1024, 1024, 1024), most=(ENDLESS,) * 3, empty=7),
-    "array has no samples, or in a place that is not read here. Convert it with h5repack -l CONTI IN OUT":
+    "array has no samples, or its storage layout is not supported. Convert it with h5repack -l CONTI IN OUT":
         dict(filters=[("layout", 0)]),
     "its samples lie in other files. Convert it with h5repack -l CONTI IN OUT":
         dict(filters=[("external", b"samples.raw", 0, ARRAY.nbytes)]),

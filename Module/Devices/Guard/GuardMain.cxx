@@ -149,9 +149,8 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (!IsSameClock(arguments[Clock]))
   {
     Answer(link, '-',
-      "The guard of the device has another clock than this program. Start the program as a whole "
-      "in "
-      "its time namespace.");
+      "The guard of the device has another clock than this program. Enter the time namespace "
+      "first, then start the program.");
     return 1;
   }
   if (!memory.Adopt(memoryDescriptor, error))

@@ -36,7 +36,7 @@ std::string HapbeatService::GetName() const
 
 std::string HapbeatService::GetText() const
 {
-  return "does not answer any more. Look after its battery and the network: it is then opened by "
+  return "does not answer any more. Check its battery and the network: it is then opened by "
          "itself, and waits for Arm().";
 }
 

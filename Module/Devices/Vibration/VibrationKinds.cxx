@@ -81,9 +81,9 @@ std::unique_ptr<DeviceBackend> MakeBhaptics(
     error = "\"" + id + "\" is no device id. Give one of";
     for (const std::string& name : known)
     {
-      error += std::string(" ") + BhapticsId + ":" + name;
+      error += std::string(" ") + BhapticsId + ":" + name + ",";
     }
-    error += std::string(", or ") + BhapticsId + ".";
+    error += std::string(" or ") + BhapticsId + ".";
     return nullptr;
   }
   return MakeShown(std::make_unique<BhapticsService>(place));

@@ -66,8 +66,8 @@ bool AskWeart(LineSocket& middleware, double seconds, WeartStatus& status, std::
   if (!isTold)
   {
     middleware.Close();
-    error = "What listens at port " + std::to_string(port) +
-      " does not tell a status as WEART's middleware of 1.2 or later does. " + WeartCure;
+    error = "The program at port " + std::to_string(port) +
+      " does not report a status, as WEART's middleware 1.2 or later does. " + WeartCure;
   }
   return isTold;
 }

@@ -262,7 +262,7 @@ def _open_path(path: str, level: int, series: int) -> list[_Level]:
     if path.endswith(".npy"):
         return [_open_array(np.load(path, mmap_mode="r"), path, series)]
     if os.path.exists(path) and not path.endswith(".zip") and vtkHapticRegionSource.GetFileFormat(path) == "":
-        raise ValueError(f"{path} is of no format whose samples can be read where the hand needs them, which are Zarr, .npy, "
+        raise ValueError(f"{path} can't be read in parts: that works for Zarr, .npy, "
                          f"{vtkHapticRegionSource.GetFileEndings().replace(' ', ', ')}. Cure: give it to touch(), which reads "
                          "it as a whole; or convert it")
     try:

@@ -249,7 +249,7 @@ using VolumeHaptics::ByteUnpacker;
 
 [[noreturn]] void ThrowFalse()
 {
-  throw std::runtime_error("its reader gave data that can't be true");
+  throw std::runtime_error("its reader's answer contradicts itself");
 }
 
 std::size_t CountBytes(int type, std::uint64_t values)

@@ -319,8 +319,7 @@ TEST(HaplyErrors, AnotherUsersProgramIsNotAsked)
   int port = 0;
   ASSERT_EQ(read(ports[0], &port, sizeof(port)), static_cast<ssize_t>(sizeof(port)));
   setenv("VOLUMEHAPTICS_HAPLY", std::to_string(port).c_str(), 1);
-  EXPECT_TRUE(Has(ErrorOf("haply"), "was started by another user (number 12345)"))
-    << ErrorOf("haply");
+  EXPECT_TRUE(Has(ErrorOf("haply"), "belongs to another user (number 12345)")) << ErrorOf("haply");
   unsetenv("VOLUMEHAPTICS_HAPLY");
   kill(other, SIGKILL);
   waitpid(other, nullptr, 0);

@@ -155,7 +155,8 @@ bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string&
   {
     return descriptor.Parse(bytes.data(), bytes.size(), error);
   }
-  error = "the system does not hand out the report descriptor";
+  error = "the system does not hand out the report descriptor (other systems than Linux need "
+          "hidapi 0.14 or later)";
   return false;
 }
 

@@ -45,8 +45,8 @@ bool IsOwnListener([[maybe_unused]] std::uint16_t port, [[maybe_unused]] std::st
     std::ifstream table(name);
     if (const std::optional<unsigned> user = FindOtherListener(table, port, geteuid()))
     {
-      error = "What listens at port " + std::to_string(port) +
-        " was started by another user (number " + std::to_string(*user) + "), so it is not asked. ";
+      error = "The program at port " + std::to_string(port) + " belongs to another user (number " +
+        std::to_string(*user) + "), so it was not contacted. ";
       return false;
     }
   }

@@ -187,12 +187,12 @@ void CheckSamples(const VtkHdfFacts& facts)
   CheckShape(array, facts.Extent, facts.HasSteps);
   if (array.ScalarType == 0)
   {
-    throw std::runtime_error("its array is of a type that no volume here has. Write it as integers "
-                             "or floating-point numbers of 1 to 8 bytes.");
+    throw std::runtime_error("the type of its array is not supported. Write it as integers or "
+                             "floating-point numbers of 1 to 8 bytes.");
   }
   if (array.ChunkShape.empty() && !array.IsContiguous)
   {
-    throw std::runtime_error("its array has no samples, or in a place that is not read here. "
+    throw std::runtime_error("its array has no samples, or its storage layout is not supported. "
                              "Convert it with h5repack -l CONTI IN OUT.");
   }
   for (const Hdf5Filter& filter : array.Filters)
