@@ -30,7 +30,8 @@ public:
 
   /**
    * Starts a program, with an argument, if it does not run. It is looked for near the library that
-   * has a function at `code`. Returns false on failure; `obstacle` then tells if it may not run.
+   * has a function at `code`. Returns false on failure; `obstacle` receives the reason if the
+   * program was found but may not be run.
    */
   bool Start(const char* program, const void* code, std::string& obstacle,
     const std::string& argument = std::string());

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads files by libraries that believe what a file tells, in a process of its own, which has
- * limits of memory and time. If such a library ends the process, neither the window nor the servo
- * notices.
+ * Reads files, in a separate process, with libraries that do not check them. The process has limits
+ * of memory and time. If such a library ends it, neither the window nor the servo notices.
  *
  * The process is the program volumehaptics-read, which loads the library that asks, and reads each
  * file in a copy of itself. There is none on Windows, nor if that library is linked into a program
@@ -31,7 +30,7 @@ extern "C" VOLUME_HAPTICS_SERVES void vtkHapticServeReading(int link);
 namespace VolumeHaptics
 {
 
-/** What is read: what the answer holds is for those who ask to know. */
+/** What to read. The caller knows the layout of the answer. */
 enum class ReadTask : std::uint32_t
 {
   Grid,    ///< a grid, resampled to an image; may read all files of its folder

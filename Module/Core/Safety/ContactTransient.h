@@ -30,10 +30,11 @@
  *
  * The pulse takes energy from a tip that still moves inward. An account sums up that work,
  *
- *   dA = -p.dx,
+ *   dA = -p.dx.
  *
- * with that one of the pulses p sent, for all delays up to the measured one, that gives most. A
- * pulse that acts until the next measurement moves a light tip by s + c |p| along p at most. So
+ * The delay is known only as an upper bound: of all pulses that may have acted during dx, p is the
+ * one that gives the hand the most energy. A pulse that acts until the next measurement moves a
+ * light tip by s + c |p| along p at most. So
  *
  *   |p| (s + c |p|) <= A.                                                                      (3)
  *

@@ -15,7 +15,8 @@
  * may rightly reach the hand, and is not counted in E. The observer needs every force that was sent
  * and every measurement.
  *
- * Cycles ------
+ * Cycles
+ * ------
  *
  * On a mass m with damping b, a tip that swings by A at w = sqrt(k / m) puts S = k A^2 / 2 into the
  * spring, gets it back, and gets in addition, in each cycle,
@@ -59,7 +60,8 @@
  * share), the change may rightly add energy. Excuse() then begins a new row. A gap in the
  * measurements or a leap of the tip begins a new row, too. A swing below LeastSwing counts as rest.
  *
- * Limits ------
+ * Limits
+ * ------
  *
  * The observer can't tell a loop that swings more slowly than LongestCycle from a hand, and does
  * not observe a wall that is published anew every few ticks. A device with a wrong sign does not

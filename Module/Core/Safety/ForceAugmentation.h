@@ -31,11 +31,12 @@
  *
  *   dA = -F.dx + b v^2 dt.
  *
- * If the tip moves noticeably, F is the one of the forces that may have acted during dx, for all
- * delays up to the measured one, that gives most. If it does not, dx are steps of the encoder, F
- * is the mean of the forces before and after the step, and b v^2 dt is left out. In a contact A is
- * at most the largest energy of the ideal spring K. If a force F acted until the next
- * measurement, a light stylus would move outward by s + c F at most. So the force is limited to
+ * The delay is known only as an upper bound. If the tip moves noticeably, F is therefore that of
+ * all forces that may have acted during dx which gives the hand the most energy. If it does not, dx
+ * are steps of the encoder, F is the mean of the forces before and after the step, and b v^2 dt is
+ * left out. In a contact A is at most the largest energy of the ideal spring K. If a force F acted
+ * until the next measurement, a light stylus would move outward by s + c F at most. So the force is
+ * limited to
  *
  *   F (s + c F) <= A + Tolerance,   but at least k d.                                          (2)
  *

@@ -41,9 +41,10 @@
  * **Safety.** No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce
  * and to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every
  * gap it rises from zero over half a second, and the proxy begins at the tip. Stiffness and
- * ForceFieldDamping are capped at what the device can hold. None of this gives the hand more energy
- * than the hand put in: a wall that is pressed while the force rises, or struck too fast for
- * MaximumForceRate, stays soft until the tip leaves it or presses deeper.
+ * ForceFieldDamping are capped at what the device can hold. Unless StiffnessGain is above 1, none
+ * of this gives the hand more energy than the hand put in: a wall that is pressed while the force
+ * rises, or struck too fast for MaximumForceRate, stays soft until the tip leaves it or presses
+ * deeper.
  *
  * The force is cut, and a fault is latched until Arm is called again, if the tip is not finite, if
  * it moves faster than a hand can hold the device, or if the device is lost. Without fresh samples
@@ -465,11 +466,12 @@ public:
 
   ///@{
   /**
-   * Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, and
-   * a DualSense through hidapi. Default: on. Open fails if there is no guard, as on systems other
-   * than Linux. Without it, the Falcon may keep its last force, and a DualSense its vibration, if
-   * this program is killed or stopped: keep the power switch within reach. VOLUMEHAPTICS_GUARD=off
-   * in the environment also turns it off. Takes effect with Open.
+   * Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, a
+   * DualSense through hidapi, and WEART's middleware. Default: on. Open fails if there is no guard,
+   * as on systems other than Linux. Without it, the Falcon may keep its last force, and a DualSense
+   * or a TouchDIVER its vibration, if this program is killed or stopped: keep the power switch
+   * within reach. VOLUMEHAPTICS_GUARD=off in the environment also turns it off. Takes effect with
+   * Open.
    *
    * The guard is the program volumehaptics-guard. It sends zero force within 50 ms if this program
    * is gone or stands still. The environment variable VOLUMEHAPTICS_GUARD names it if it is not
@@ -526,13 +528,14 @@ public:
 
   ///@{
   /**
-   * How much stiffer walls may be than the loop holds by itself, 1 (off) to 10. Default 1. The cap
-   * of GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is felt.
-   * What is above the cap is damped and paid from an account of the energy that the hand has put
-   * in, so that the wall gives at most 1 mJ more than it got, and is as soft as without the gain
-   * when the account is empty. The device's dry friction must be at least half of the stiffness
-   * times a step of its encoders, or else the wall buzzes. Walls that are hit fast need a larger
-   * MaximumForceRate. See Documentation/method.md.
+   * Factor, 1 (off) to 10, by which a wall may be stiffer than the loop holds by itself. Default 1.
+   * The cap of GetStiffnessCap is multiplied by it, once the round trip is measured and nothing is
+   * felt. What is above the cap is damped and paid from an account of the energy that the hand has
+   * put in. By this account, the wall gives at most 1 mJ more than it got, and is as soft as
+   * without the gain when the account is empty. The account does not see swings within one step of
+   * the encoders: the device's dry friction must be at least half of the stiffness times such a
+   * step, or else the wall buzzes. Walls that are hit fast need a larger MaximumForceRate. See
+   * Documentation/method.md.
    */
   void SetStiffnessGain(double gain);
   vtkGetMacro(StiffnessGain, double);
@@ -540,9 +543,9 @@ public:
 
   ///@{
   /**
-   * How much of the momentum of an arm a pulse stops at touch-down, 0 (off) to 1. Default 0. The
-   * pulse rings for some ten milliseconds, the faster the harder the material, so that surfaces of
-   * one stiffness feel different; vibrating devices play it, too. It never gives the hand more
+   * Fraction, 0 (off) to 1, of an arm's momentum that a pulse takes away at touch-down. Default 0.
+   * The pulse rings for some ten milliseconds, the faster the harder the material, so that surfaces
+   * of one stiffness feel different; vibrating devices play it, too. It never gives the hand more
    * energy than it took. A fast tap needs a larger MaximumForceRate. See Documentation/method.md.
    */
   void SetTransientGain(double gain);
@@ -585,10 +588,10 @@ public:
    * Get the timing of the device, measured over about the last second: the time (s) from one report
    * with news to the next, and the round trip T (s), which is that time plus twice the time that a
    * force needs to reach the device; 95 % of both are shorter. 0 as long as they are not known, or
-   * while the servo does not run. T caps the stiffness (N/m), k <= 2 b / T with the device's
-   * friction b, and the damping (N s/m). UpdateState adapts the caps to T: it publishes lower caps
-   * at once if T has grown by a fifth, and higher ones 2 s later and while nothing is felt. The
-   * caps are the felt ones, which include MaximumStiffness of the filter; 0 does not cap.
+   * while the servo does not run. T caps the stiffness (N/m), k <= StiffnessGain 2 b / T with the
+   * device's friction b, and the damping (N s/m). UpdateState adapts the caps to T: it publishes
+   * lower caps at once if T has grown by a fifth, and higher ones 2 s later and while nothing is
+   * felt. The caps are the felt ones, which include MaximumStiffness of the filter; 0 does not cap.
    */
   double GetReportPeriod();
   double GetRoundTripTime();

@@ -29,7 +29,7 @@ constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 /** Returns whether a volume is large, that is, has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
 
-/** Returns the same for the volume of an extent. */
+/** Returns whether a volume with this extent is large. */
 bool IsLargeVolume(const int extent[6]);
 
 /**
