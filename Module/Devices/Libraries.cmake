@@ -30,4 +30,4 @@ volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES HIDAPI HIDAPI_FOUND
   "Talk to WoodenHaptics, force-feedback sticks, 3Dconnexion mice and DualSense pads, through hidapi"
   "pkg-config libhidapi-dev")
 volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES BEAST BEAST_FOUND
-  "Talk to Haply's Inverse3 and Minverse, through Boost.Beast" "libboost-dev nlohmann-json3-dev")
+  "Talk to Haply's arms, bHaptics, WEART and Hapbeat, through Boost.Beast" "libboost-dev nlohmann-json3-dev")
