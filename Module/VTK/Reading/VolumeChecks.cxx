@@ -118,16 +118,29 @@ void UseBrightness(Volume& volume)
   volume.Notes.emplace_back("colours: their brightness is used");
 }
 
-void CheckRange(const std::string& path, vtkImageData* image)
+/// Returns how another volume of the same file is read, for a cure; empty if there is none.
+std::string NameAnother(const Volume& volume)
+{
+  if (volume.Series.size() < 2)
+  {
+    return {};
+  }
+  const int first = std::stoi(volume.Series.front());
+  const std::string other = std::to_string(first == volume.SeriesNumber ? first + 1 : first);
+  return ", or take another of the " + std::to_string(volume.Series.size()) +
+    " that it has, such as --series " + other + " (Series = " + other + ")";
+}
+
+void CheckRange(const std::string& path, const Volume& volume)
 {
   double range[2];
-  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  volume.Image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
   if (!(range[0] < range[1]))
   {
     std::ostringstream fault;
     fault << "is uniform (every finite voxel is " << range[0] << "): there is nothing to feel";
     throw InputError(path, range[0] > range[1] ? "holds no finite voxel" : fault.str(),
-      "check the export, in particular its rescale slope and window");
+      "check the export, in particular its rescale slope and window" + NameAnother(volume));
   }
 }
 
@@ -307,6 +320,6 @@ void CheckVolume(const std::string& path, Volume& volume, int chosen)
   UseComponent(path, volume, chosen);
   UseOutside(volume);
   UseHounsfieldUnits(volume);
-  CheckRange(path, volume.Image);
+  CheckRange(path, volume);
 }
 } // namespace Explore
