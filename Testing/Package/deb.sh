@@ -76,6 +76,10 @@ esac
 "$root/usr/bin/volumehaptics-explore" --help | grep '^Usage: volumehaptics-explore' > /dev/null ||
   fail "volumehaptics-explore has no help"
 
+# A file that would end the explorer, if volumehaptics-read could not load the library.
+refused=$("$root/usr/bin/volumehaptics-explore" "$source_dir/Testing/Data/FarPoint.vtk" --inspect 2>&1 || true)
+grep -q 'its reader ended' <<< "$refused" || fail "volumehaptics-read reads nothing: $refused"
+
 holds python3-volumehaptics usr/lib/python3/dist-packages/volumehaptics/{__init__.py,data/HeadPhantom.vti,pyvista.py} \
   'usr/lib/python3/dist-packages/volumehaptics/vtkVolumeHaptics.*[.]so'
 from_python=$(PYTHONPATH=$root/usr/lib/python3/dist-packages LD_LIBRARY_PATH=$lib PYTHONDONTWRITEBYTECODE=1 \

@@ -142,6 +142,14 @@ def write_slice(file, z):
         element(0x28, 0x103, struct.pack("<H", 0)), element(0x7fe0, 0x10, struct.pack("<64H", *pixels))]))
 
 
+def test_its_process_reads_grids():
+    """A file that would end this process, if volumehaptics-read could not load the library."""
+    from volumehaptics import _files
+
+    with pytest.raises(ValueError, match="its reader ended"):
+        _files.read(Path(__file__).resolve().parents[1] / "Data" / "FarPoint.vtk")
+
+
 def test_reads_dicom_with_the_libraries_that_it_carries(tmp_path):
     import volumehaptics
 

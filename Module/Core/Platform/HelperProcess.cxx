@@ -20,6 +20,27 @@ extern char** environ;
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Makes two sockets that no other program gets, and that raise no signal. */
+bool MakeLinks(int links[2])
+{
+#if defined(SOCK_CLOEXEC)
+  return socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, links) == 0;
+#else // macOS
+  const bool areMade = socketpair(AF_UNIX, SOCK_STREAM, 0, links) == 0;
+  for (int i = 0; areMade && i < 2; ++i)
+  {
+    constexpr int yes = 1;
+    fcntl(links[i], F_SETFD, FD_CLOEXEC);
+    setsockopt(links[i], SOL_SOCKET, SO_NOSIGPIPE, &yes, sizeof(yes));
+  }
+  return areMade;
+#endif
+}
+
+} // namespace
 
 bool HelperProcess::Start(
   const char* program, const void* code, std::string& obstacle, const std::string& argument)
@@ -31,12 +52,10 @@ bool HelperProcess::Start(
   this->End();
   std::string path = FindProgramOfLibrary(code, program, obstacle);
   int links[2];
-  if (path.empty() || socketpair(AF_UNIX, SOCK_STREAM, 0, links) != 0)
+  if (path.empty() || !MakeLinks(links))
   {
     return false;
   }
-  fcntl(links[0], F_SETFD, FD_CLOEXEC);
-  fcntl(links[1], F_SETFD, FD_CLOEXEC);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, links[1], STDIN_FILENO);

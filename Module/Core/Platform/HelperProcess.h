@@ -17,8 +17,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The process, and the socket to it, which is its standard input. It gets no output, and neither
- * the signals nor the files of this process.
+ * The process, and the socket to it, which is its standard input. It gets no output, none of the
+ * signals of this process, and of its files only those that are not closed on exec.
  */
 class HelperProcess
 {

@@ -59,9 +59,16 @@ public:
   template <typename T>
   T Get()
   {
-    T value;
-    std::memcpy(&value, this->Take(sizeof(T), 1), sizeof(T));
-    return value;
+    if constexpr (std::is_same<T, bool>::value) // a byte may be another one than 0 and 1
+    {
+      return this->Get<std::uint8_t>() != 0;
+    }
+    else
+    {
+      T value;
+      std::memcpy(&value, this->Take(sizeof(T), 1), sizeof(T));
+      return value;
+    }
   }
   std::string GetText()
   {

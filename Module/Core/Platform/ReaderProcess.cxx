@@ -3,6 +3,7 @@
 #include "Core/Platform/ReaderProcess.h"
 
 #if !defined(_WIN32)
+#include "Core/Platform/ControlGroup.h"
 #include "Core/Platform/Files.h"
 #include "Core/Platform/HelperProcess.h"
 #include "Core/Platform/Libraries.h"
@@ -62,46 +63,59 @@ struct Answer
 
 bool IsServing = false; ///< whether this process reads for another one
 
-/** Returns the size of a file, or that of the files in its folder for a task that reads several. */
-std::uint64_t CountBytes(ReadTask task, const std::string& path)
+std::uint64_t GetPhysicalMemory()
 {
-  namespace fs = std::filesystem;
-  std::error_code failure;
-  std::uint64_t size = 0;
-  if (task != ReadTask::Grid)
-  {
-    size = fs::file_size(Files::ToPath(path), failure);
-    return failure ? 0 : size;
-  }
-  constexpr int most = 100000; // files, which are counted in less than a second
-  int count = 0;
-  const auto skip = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator at(Files::ToPath(Files::GetFolder(path)), skip, failure);
-       !failure && at != fs::recursive_directory_iterator() && count < most;
-       at.increment(failure), ++count)
-  {
-    std::error_code none;
-    const std::uint64_t one = at->is_regular_file(none) ? at->file_size(none) : 0;
-    size += none ? 0 : one;
-  }
-  return size;
+  return static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 0L)) *
+    static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/** Limits memory and time to what files of this size can need. */
-void SetLimits(ReadTask task, std::uint64_t size)
+/** Limits memory and time to what such a file can need. */
+void SetLimits(ReadTask task, const std::string& path)
 {
-#if !defined(VOLUME_HAPTICS_SANITIZED) // sanitizers map terabytes
-  // The image of a grid has up to 2^25 samples, with several values each.
-  const std::uint64_t least = std::uint64_t{ task == ReadTask::Grid ? 4U : 1U } << 30;
+  constexpr std::uint64_t leastSeconds = 120;
+  alarm(leastSeconds); // a folder of the network may not tell a size
+  constexpr std::uint64_t most = std::uint64_t{ 1 } << 40; // a file of holes may be larger
+  std::error_code failure;
+  std::uint64_t size = std::filesystem::file_size(Files::ToPath(path), failure);
+  size = failure ? 0 : std::min(size, most);
   constexpr std::uint64_t perByte = 64;
+  constexpr std::uint64_t slowest = 256 << 10; // bytes a second
+  // The image of a grid has up to 2^25 samples, with several values each.
+  const bool isGrid = task == ReadTask::Grid || task == ReadTask::Case;
+  std::uint64_t bytes = (std::uint64_t{ isGrid ? 4U : 1U } << 30) + perByte * size;
+  std::uint64_t seconds = leastSeconds + size / slowest;
+  if (task == ReadTask::Case) // it does not tell how large what it names is
+  {
+    bytes = std::max(bytes, GetPhysicalMemory() / 2);
+    seconds = std::max<std::uint64_t>(seconds, 3600);
+  }
+#if !defined(VOLUME_HAPTICS_SANITIZED) // sanitizers map terabytes
   rlimit memory = {};
   getrlimit(RLIMIT_DATA, &memory);
-  memory.rlim_cur = std::min<rlim_t>(memory.rlim_max, least + perByte * size);
+  memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, bytes);
   setrlimit(RLIMIT_DATA, &memory);
 #endif
-  constexpr std::uint64_t leastSeconds = 120;
-  constexpr std::uint64_t slowest = 256 << 10; // bytes a second
-  alarm(static_cast<unsigned>(leastSeconds + size / slowest));
+  alarm(static_cast<unsigned>(seconds));
+}
+
+/** Receives bytes as they come, since their number is what the reader says. */
+bool ReceiveBytes(int link, std::uint64_t size, std::string& bytes)
+{
+  const auto most = std::min(static_cast<double>(GetPhysicalMemory()) / 2, ReadGroupMemory());
+  if (static_cast<double>(size) > most)
+  {
+    return false;
+  }
+  bytes.reserve(static_cast<std::size_t>(size));
+  bool isReceived = true;
+  while (isReceived && bytes.size() < size)
+  {
+    constexpr std::uint64_t piece = 16 << 20;
+    const std::size_t at = bytes.size();
+    bytes.resize(at + static_cast<std::size_t>(std::min(piece, size - at)));
+    isReceived = ReceiveAll(link, &bytes[at], bytes.size() - at);
+  }
+  return isReceived;
 }
 
 bool ReceiveText(int link, std::uint32_t size, std::string& text)
@@ -123,7 +137,7 @@ void Serve(int link, const Request& request, const std::string& folder, const st
   {
     if (folder.empty() || chdir(folder.c_str()) == 0)
     {
-      SetLimits(request.Task, CountBytes(request.Task, path));
+      SetLimits(request.Task, path);
       bytes = read(request.Task, path);
       answer.IsRead = 1;
     }
@@ -150,34 +164,41 @@ ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer
   const std::lock_guard<std::mutex> lock(access);
   answer.clear();
   const std::string library = Libraries::FindFileOf(code);
-  std::string obstacle;
-  static bool mayStart = true;
-  static bool hasStarted = false;
-  if (IsServing || library.empty() || !mayStart ||
-    !process.Start("volumehaptics-read", code, obstacle, library))
-  {
-    return ReadResult::NoProcess;
-  }
-  // It tells first whether it has loaded the library.
-  char isReady = 0;
-  const int link = process.GetLink();
   const std::string folder = Files::GetWorkingFolder();
   const Request request{ task, static_cast<std::uint32_t>(folder.size()),
     static_cast<std::uint32_t>(path.size()) };
-  if (!SendAll(link, &request, sizeof(request)) || !SendAll(link, folder.data(), folder.size()) ||
-    !SendAll(link, path.data(), path.size()) || !ReceiveAll(link, &isReady, 1))
+  std::string obstacle;
+  const auto send = [&]
   {
-    process.End();
-    mayStart = hasStarted; // else it can't load the library
+    char isReady = 0; // it tells first whether it has loaded the library
+    const int link = process.GetLink();
+    return SendAll(link, &request, sizeof(request)) &&
+      SendAll(link, folder.data(), folder.size()) && SendAll(link, path.data(), path.size()) &&
+      ReceiveAll(link, &isReady, 1);
+  };
+  bool isSent = false;
+  // It may have ended since the last file: then start it again.
+  for (int tries = 0; tries < 2 && !isSent && !IsServing && !library.empty(); ++tries)
+  {
+    isSent = process.Start("volumehaptics-read", code, obstacle, library) && send();
+    isSent ? void() : process.End();
+  }
+  if (!isSent)
+  {
+    if (!obstacle.empty())
+    {
+      answer = "read without limits of memory and time, since another user could have written "
+               "volumehaptics-read (" +
+        obstacle + ")";
+    }
     return ReadResult::NoProcess;
   }
-  hasStarted = true;
+  const int link = process.GetLink();
   Answer head;
   bool isRead = ReceiveAll(link, &head, sizeof(head));
   try
   {
-    answer.resize(isRead ? static_cast<std::size_t>(head.ByteCount) : 0);
-    isRead = isRead && ReceiveAll(link, &answer[0], answer.size());
+    isRead = isRead && ReceiveBytes(link, head.ByteCount, answer);
   }
   catch (const std::exception&) // the answer promises more than there is memory
   {

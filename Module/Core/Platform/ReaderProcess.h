@@ -33,9 +33,10 @@ namespace VolumeHaptics
 /** What to read. The caller knows the layout of the answer. */
 enum class ReadTask : std::uint32_t
 {
-  Grid,    ///< a grid, resampled to an image; may read all files of its folder
+  Grid,    ///< a grid, resampled to an image
   VtkHdf,  ///< where the samples are in a VTKHDF file
   Surface, ///< a mesh
+  Case,    ///< a grid, from files that this file names, wherever they are
 };
 
 enum class ReadResult : std::uint8_t
@@ -49,7 +50,10 @@ enum class ReadResult : std::uint8_t
 constexpr const char* ReaderEnded =
   "its reader ended, or took more memory or time than such a file needs";
 
-/** Asks the process to read a file. Starts it if it does not run. */
+/**
+ * Asks the process to read a file. Starts it if it does not run. If there is none because another
+ * user could have written its program, `answer` receives a note of that for the user.
+ */
 ReadResult AskReader(ReadTask task, const std::string& path, std::string& answer);
 
 /**

@@ -18,7 +18,7 @@ namespace VolumeHaptics
 {
 
 #if !defined(MSG_NOSIGNAL)
-#define MSG_NOSIGNAL 0 // macOS
+#define MSG_NOSIGNAL 0 // macOS: the socket has SO_NOSIGPIPE
 #endif
 
 /**

@@ -36,6 +36,7 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace
@@ -264,6 +265,11 @@ void PackArray(vtkDataArray* array, BytePacker& packer)
   packer.Put(array->GetName() != nullptr);
   packer.Put(array->GetDataType());
   packer.Put(array->GetNumberOfComponents());
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    const char* const name = array->GetComponentName(c);
+    packer.PutText(name ? name : "");
+  }
   packer.Put<std::uint64_t>(static_cast<std::uint64_t>(array->GetNumberOfTuples()));
   const auto values = static_cast<std::uint64_t>(array->GetNumberOfValues());
   packer.PutBytes(array->GetVoidPointer(0), CountBytes(array->GetDataType(), values));
@@ -275,8 +281,13 @@ vtkSmartPointer<vtkDataArray> UnpackArray(ByteUnpacker& unpacker)
   const auto isNamed = unpacker.Get<bool>();
   const int type = unpacker.Get<int>();
   const int components = unpacker.Get<int>();
-  const auto tuples = unpacker.Get<std::uint64_t>();
   constexpr int mostComponents = 1 << 16;
+  std::vector<std::string> names;
+  for (int c = 0; c < std::min(components, mostComponents); ++c)
+  {
+    names.push_back(unpacker.GetText());
+  }
+  const auto tuples = unpacker.Get<std::uint64_t>();
   constexpr std::uint64_t mostTuples = std::uint64_t{ 1 } << 40;
   constexpr int types[] = { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
     VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
@@ -292,6 +303,11 @@ vtkSmartPointer<vtkDataArray> UnpackArray(ByteUnpacker& unpacker)
   const char* const bytes = unpacker.Take(size, 1); // before memory is taken
   array->SetName(isNamed ? name.c_str() : nullptr);
   array->SetNumberOfComponents(components);
+  for (int c = 0; c < components; ++c)
+  {
+    const std::string& text = names[static_cast<std::size_t>(c)];
+    text.empty() ? void() : array->SetComponentName(c, text.c_str());
+  }
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   size > 0 ? std::memcpy(array->GetVoidPointer(0), bytes, size) : nullptr;
   return array;
@@ -502,7 +518,7 @@ std::string PackSurface(const std::string& name)
   const vtkSmartPointer<vtkPolyData> surface = ReadHere(name, error);
   packer.PutText(error);
   surface ? PackPolyData(surface, packer) : void();
-  return packer.Bytes;
+  return std::move(packer.Bytes);
 }
 
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)

@@ -40,6 +40,7 @@
 #include <cstdint>
 #include <exception>
 #include <sstream>
+#include <utility>
 #include <vector>
 #include <vtksys/SystemTools.hxx>
 
@@ -108,6 +109,7 @@ constexpr double MOST_SAMPLES = 1 << 25;
 enum class FileKind
 {
   XML,    ///< XML, whose end is missing if the file was cut off
+  BLOCKS, ///< the same, and it names others, wherever they are
   LEGACY, ///< a file whose faults its reader detects
   CASE    ///< a file that names others beside it, which the reader opens
 };
@@ -142,8 +144,10 @@ const Format FORMATS[] = {
   { ".vtu", "VTK unstructured grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
   { ".vtr", "VTK rectilinear grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
   { ".vts", "VTK structured grid", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
-  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
-  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>, FileKind::XML },
+  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>,
+    FileKind::BLOCKS },
+  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader>,
+    FileKind::BLOCKS },
   { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader>, FileKind::LEGACY },
   { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader>, FileKind::CASE, 1.0 },
   { ".case", "EnSight case", MakeEnSightReader, FileKind::CASE },
@@ -171,7 +175,8 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
   // Check before the reader runs, because it opens the other files that a case names.
-  std::string detail = format.Kind == FileKind::XML ? Explore::DetectMissingEnd(path)
+  const bool isXml = format.Kind == FileKind::XML || format.Kind == FileKind::BLOCKS;
+  std::string detail = isXml ? Explore::DetectMissingEnd(path)
     : format.Kind == FileKind::CASE
     ? Explore::DetectDeviceIn(Files::GetFilenamePath(Files::CollapseFullPath(path)))
     : std::string();
@@ -411,17 +416,22 @@ std::string PackGrid(const std::string& path)
     packer.Bytes.clear();
     packer.PutText(fault.what());
   }
-  return packer.Bytes;
+  return std::move(packer.Bytes);
 }
 
 Volume ReadGrid(const std::string& path)
 {
+  using VolumeHaptics::ReadTask;
+  const FileKind kind = FindFormat(path)->Kind;
+  const bool namesFiles = kind == FileKind::CASE || kind == FileKind::BLOCKS;
   std::string answer;
   const VolumeHaptics::ReadResult result =
-    VolumeHaptics::AskReader(VolumeHaptics::ReadTask::Grid, path, answer);
+    VolumeHaptics::AskReader(namesFiles ? ReadTask::Case : ReadTask::Grid, path, answer);
   if (result == VolumeHaptics::ReadResult::NoProcess)
   {
-    return ReadGridHere(path);
+    Volume volume = ReadGridHere(path);
+    volume.Notes.insert(volume.Notes.end(), answer.empty() ? 0 : 1, answer);
+    return volume;
   }
   std::string detail = VolumeHaptics::ReaderEnded;
   if (result == VolumeHaptics::ReadResult::Answered)

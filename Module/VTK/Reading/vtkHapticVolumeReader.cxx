@@ -264,6 +264,7 @@ void vtkHapticServeReading(int link)
       switch (task)
       {
         case VolumeHaptics::ReadTask::Grid:
+        case VolumeHaptics::ReadTask::Case:
           return Explore::PackGrid(path);
         case VolumeHaptics::ReadTask::Surface:
           return Explore::PackSurface(path);

@@ -308,6 +308,30 @@ def test_without_the_program_that_reads_dicom_it_is_refused_with_the_cure(tmp_pa
     assert said.returncode == 0, said
 
 
+def test_that_grids_are_read_without_limits_is_told(tmp_path):
+    """Where another user could have written volumehaptics-read, which has them."""
+    place, good = tmp_path / "away", tmp_path / "good.vtk"
+    place.mkdir(mode=0o755)
+    linked = subprocess.run(["ldd", EXPLORE], capture_output=True, text=True, check=True).stdout
+    reader = Path(EXPLORE).parent / "volumehaptics-read"
+    for file in (EXPLORE, reader, *re.findall(r"=> (\S*libvtkVolumeHaptics\S*)", linked)):
+        shutil.copy(file, place)
+    bad = Path(__file__).resolve().parents[1] / "FarPoint.vtk"
+    good.write_text(bad.read_text().replace("999999999", "3"))
+
+    def inspect(path):
+        return subprocess.run([place / Path(EXPLORE).name, path, "--inspect"], capture_output=True, text=True, check=False,
+                              env={**os.environ, "LD_LIBRARY_PATH": str(place)})
+
+    told = "read without limits of memory and time"
+    said = inspect(good)
+    assert said.returncode == 0 and told not in said.stdout + said.stderr, said
+    assert "its reader ended" in inspect(bad).stderr
+    place.chmod(0o777)
+    said = inspect(good)
+    assert said.returncode == 0 and told in said.stdout and "Run: chmod go-w" in said.stdout, said
+
+
 def test_python_takes_a_segmentation_for_labels_by_their_names(touch):
     folder = next(case["path"] for case in CASES if case["name"] == "dicom-seg-beside-ct")
     labels = os.path.join(folder, "seg.dcm")

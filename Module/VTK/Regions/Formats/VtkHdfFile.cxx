@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -319,12 +320,13 @@ VtkHdfFacts UnpackFacts(ByteUnpacker& unpacker)
   return facts;
 }
 
-VtkHdfFacts AskForFacts(const std::string& name)
+VtkHdfFacts AskForFacts(const std::string& name, std::vector<std::string>& notes)
 {
   std::string answer;
   switch (AskReader(ReadTask::VtkHdf, name, answer))
   {
     case ReadResult::NoProcess:
+      notes.insert(notes.end(), answer.empty() ? 0 : 1, answer);
       return ReadFacts(name);
     case ReadResult::Ended:
       throw std::runtime_error(
@@ -404,13 +406,13 @@ std::string PackVtkHdf(const std::string& name)
     packer.Bytes.clear();
     packer.PutText(fault.what());
   }
-  return packer.Bytes;
+  return std::move(packer.Bytes);
 }
 
 LargeFile OpenVtkHdf(const std::string& name, bool, int volume)
 {
-  VtkHdfFacts facts = AskForFacts(name);
   LargeFile large;
+  VtkHdfFacts facts = AskForFacts(name, large.Notes);
   ChooseVolume({}, volume, large);
   large.Extent = facts.Extent;
   large.Origin = facts.Origin;
