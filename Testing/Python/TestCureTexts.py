@@ -165,6 +165,7 @@ TRIED = {
         "does not answer. Start it again, then Home() and Arm() again": "the Inverse service does not answer",
         'give "haply", or "haply:ID"': "is no device id", "Give the ports of the Inverse service": "Give the ports",
     },
+    "Devices/Xr/XrDeviceTest.cxx": {'give "vibration:xr", which has no number': 'is no device id: give "vibration:xr"'},
     "Devices/Hfab/HfabSessionTest.cxx": {
         "put the arm into its pose for calibration, hold it still, and press Home()": "has to be told where its arm is",
         "press the button of its controller, and press Home()": "press the button of its controller",
