@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorer's window with two devices: both are felt and seen at once, the display tells of
 // both, and only the first hand holds the tool.
-#include "Applications/Explorer/Live/HandTool.h"
+#include "Applications/Explorer/Live/FreeFile.h"
+#include "Applications/Explorer/Live/WindowFiles.h"
+#include "Applications/Explorer/Live/WindowRecorder.h"
 #include "Expectations.h"
 #include "Rigs/DrawnPixels.h"
 #include "TouchedHead.h"
 
 #include "vtkMath.h"
 #include "vtkVolumeHapticsFilter.h"
+
+#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +50,8 @@ int TestTouchTwoHands(int argc, char* argv[])
   devices.SecondId = "virtual";
   TouchedHead head(argc, argv, Explore::MapperChoice::CPU, devices);
   vtkHapticDevice* const second = head.Touch.SecondDevice;
-  Expect(second && second->IsRunning() && !second->GetUseTool(), "the second hand is there");
+  Expect(second && second->IsRunning(), "the second hand is there");
+  Expect(head.Touch.Device->GetUseTool() && !second->GetUseTool(), "the first one holds the tool");
   Expect(head.Touch.Style->GetSecondDevice() == second, "and in the scene");
   double start[3];
   head.TouchAt(165, 160,
@@ -73,9 +78,32 @@ int TestTouchTwoHands(int argc, char* argv[])
   Expect(text.find("\nSecond hand: ") != std::string::npos, "the display has its line: " + text);
   const int pixels = CountSecondHand(head);
   Expect(pixels > 30, "it is drawn in " + std::to_string(pixels) + " lilac pixels");
-  const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "needle");
-  head.Run(20);
-  Expect(second->GetState()->GetNeedleDepth() == 0.0 && head.Exploration.Filter->GetTool(),
-    "the tool is in the first hand");
+  {
+    const auto press = [&head](const char* key)
+    {
+      head.Interactor->SetKeySym(key);
+      head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    };
+    const std::string file = Explore::FindFreeFile("touch", ".vtp");
+    const std::string secondFile = file.substr(0, file.rfind('.')) + "-second.vtp";
+    Explore::WindowRecorder recorder(head.Touch, head.Interactor, "");
+    press("F10");
+    head.Run(20);
+    Expect(!second->GetRecorder()->GetFileName().empty(), "both are recorded");
+    head.Touch.Device->GetRecorder()->Stop();
+    press("F10"); // fails for the first hand
+    Expect(second->GetRecorder()->GetFileName().empty(), "the second recording ends, too");
+    Expect(vtksys::SystemTools::RemoveFile(file) && vtksys::SystemTools::RemoveFile(secondFile),
+      "both files are written");
+    Explore::FileChoice choice;
+    Explore::FileChoice now;
+    now.Path = "touched.vti";
+    const Explore::WindowFiles files(
+      head.Touch, head.Interactor, head.Exploration.Input, now, choice);
+    Expect(second->IsArmOrdered(), "the second hand is armed");
+    press("F2");
+    Expect(!second->IsArmOrdered(), "whoever reads a list watches neither hand");
+    press("F2");
+  }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

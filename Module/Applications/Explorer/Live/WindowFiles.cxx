@@ -216,6 +216,10 @@ void WindowFiles::ShowList(
   // End the touch, because a user who reads a list does not watch the hand.
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
+  if (this->Touch.SecondDevice)
+  {
+    this->Touch.SecondDevice->Disarm();
+  }
   this->List.Show(title, lines, marked);
   this->Interactor->Render();
 }

@@ -195,9 +195,10 @@ void WindowRecorder::BeginOrEndTouch()
     told = isDone ? "" : capture.FirstError();
     this->TouchName = begins && isDone ? file : "";
   }
-  if (told.empty())
+  if (told.empty() || !begins) // end the second recording, whatever became of the first
   {
-    told = this->RecordSecond(begins, file);
+    const std::string second = this->RecordSecond(begins, file);
+    told = told.empty() ? second : told;
   }
   if (!begins)
   {
