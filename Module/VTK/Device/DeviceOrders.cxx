@@ -154,6 +154,7 @@ bool DeviceOrders::StartServo()
   {
     this->Session.Start(device->GetServoRate(), this->MakeLimits(), std::move(model), placement);
     this->Models.GetPlayback().Begin();
+    this->Models.TakeLead();
     this->SetAwaited(awaited);
   }
   catch (const std::bad_alloc&)

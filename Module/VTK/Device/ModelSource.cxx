@@ -179,6 +179,11 @@ bool ModelSource::Leads(vtkHapticRegionSource* source)
   return this->Led;
 }
 
+void ModelSource::TakeLead()
+{
+  this->Leads(RegionSourceOf(this->Filter));
+}
+
 void ModelSource::LetUnusedRemovalsGo()
 {
   const TickCollector* const ticks = this->Session.GetTicks();

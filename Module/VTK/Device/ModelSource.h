@@ -77,6 +77,8 @@ public:
    * `status` what the source waits for.
    */
   bool PollRegion(std::string& status);
+  /** Makes the regions of the filter's source follow this tip, unless they follow another one. */
+  void TakeLead();
 
   ///@{
   /**

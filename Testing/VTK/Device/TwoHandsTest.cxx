@@ -262,4 +262,10 @@ TEST_F(TwoHands, OneLeadsTheRegionsOfALargeVolume)
   this->Device->Stop();
   ASSERT_TRUE(this->WaitOther([this] { return this->Other->GetState()->GetResidency() == 1.0; }))
     << "the regions follow the hand that is left";
+  this->Other->Stop();
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->Other->Start());
+  this->Other->UpdateState();
+  EXPECT_NE(this->Other->GetStatusText().find("around the other hand"), std::string::npos)
+    << "whichever is looked at first";
 }
