@@ -34,6 +34,12 @@ constexpr double WorkspaceStep = 1.25;
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
 
+bool IsArmed(vtkHapticDevice* device)
+{
+  const int status = device->GetStatus();
+  return status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+}
+
 } // namespace
 
 std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
@@ -135,6 +141,10 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   {
     this->NextDevice = vtkSmartPointer<vtkHapticDevice>(device);
   }
+  if (device && device == this->Second.Scene.Device)
+  {
+    this->Second.SetDevice(nullptr); // it has one tip, now the first hand's
+  }
   this->LetGo(); // an observer of the events in this call may remove the device, too
   if (this->IsUpdating)
   {
@@ -209,23 +219,25 @@ void HapticInteraction::LetGo()
 {
   // s: how long to wait for the disarmed state, which takes one or two ticks of the servo
   constexpr double most = 0.1;
+  this->Second.Disarm(); // first, because observers of the other hand's end may take long
   this->Measure.End();
   this->Touch.Set(false);
-  this->Second.Disarm();
-  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
-  if (!device)
+  if (const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device)
   {
-    return;
+    device->Disarm();
   }
-  device->Disarm();
-  // Update the state now, because perhaps nobody updates it later, and the last state reports
+  // Update the states now, because perhaps nobody updates them later, and the last states report
   // force.
   const std::int64_t begin = ServoClock::Now();
-  while (this->Scene.Device == device && device->IsRunning() && this->Scene.IsArmed() &&
-    ServoClock::SecondsSince(begin) < most)
+  for (const TouchedScene* const scene : { &this->Scene, &this->Second.Scene })
   {
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
-    device->UpdateState();
+    const vtkSmartPointer<vtkHapticDevice> device = scene->Device;
+    while (device && scene->Device == device && device->IsRunning() && scene->IsArmed() &&
+      ServoClock::SecondsSince(begin) < most)
+    {
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+      device->UpdateState();
+    }
   }
 }
 
@@ -406,6 +418,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   }
   else if (key == "Escape")
   {
+    this->Second.Disarm(); // first, because observers of the other hand's end may take long
     this->Displays.HideKeys();
     this->Measure.End();
     this->Touch.Set(false);
@@ -416,7 +429,6 @@ bool HapticInteraction::PressKey(const std::string& pressed)
       // release the clutch here, too.
       this->Workspace.SetClutch(false);
     }
-    this->Second.Disarm();
     this->Second.Workspace.SetClutch(false);
   }
   else if (key == "a" && scene.Device)
@@ -491,13 +503,12 @@ void HapticInteraction::ArmOrDisarm()
   bool isArmedNow = false;
   for (const vtkSmartPointer<vtkHapticDevice>& device : devices)
   {
-    const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
-    if (device && !isClutched && status != vtkHapticDevice::ARMED &&
-      status != vtkHapticDevice::ACTIVE)
+    const bool isThere = device && (device->IsRunning() || !devices[1]);
+    if (isThere && !isClutched && !IsArmed(device))
     {
       device->Arm();
       // A refused Arm() has reported the reason. With one hand, there is nothing else to do.
-      isArmedNow = isArmedNow || device->IsArmOrdered() || !devices[1];
+      isArmedNow = isArmedNow || IsArmed(device) || !devices[1];
     }
   }
   for (const vtkSmartPointer<vtkHapticDevice>& device : devices)
@@ -556,17 +567,19 @@ void HapticInteraction::HandleWork(vtkObject* worker, bool begins)
   auto& scene = this->Scene;
   if (worker == scene.Editor)
   {
-    if (this->DeviceAtRest)
+    // Clear the member first, because EndLongWork() calls this function again.
+    for (const auto& device : std::exchange(this->DevicesAtRest, {}))
     {
-      // Clear the member first, because EndLongWork() calls this function again.
-      const auto device = std::move(this->DeviceAtRest);
-      this->DeviceAtRest = nullptr;
       device->EndLongWork();
     }
-    if (begins && scene.Device && scene.Editor)
+    const vtkSmartPointer<vtkHapticDevice> devices[] = { scene.Device, this->Second.Scene.Device };
+    for (const vtkSmartPointer<vtkHapticDevice>& device : devices)
     {
-      this->DeviceAtRest = scene.Device;
-      scene.Device->BeginLongWork("functions are proposed", scene.Editor->EstimateUpdateTime());
+      if (begins && device && worker == scene.Editor)
+      {
+        this->DevicesAtRest.push_back(device);
+        device->BeginLongWork("functions are proposed", scene.Editor->EstimateUpdateTime());
+      }
     }
     return;
   }
@@ -635,10 +648,22 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   {
     this->FadeOut();
   }
-  const bool isSecondNew = this->Second.Update(renderer);
+  // The first hand comes first, because then it leads the regions of a volume beyond memory.
+  const bool isFirstNew = this->UpdateFirst(style, renderer);
+  return this->Second.Update(renderer) || isFirstNew;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer* renderer)
+{
+  auto& scene = this->Scene;
   if (!scene.Device || !scene.Device->IsRunning())
   {
-    return isSecondNew;
+    if (this->Second.IsArmOrdered())
+    {
+      this->UpdateVolumes();
+    }
+    return false;
   }
   vtkHapticDevice* const device = scene.Device;
   // Send changes to the servo before drawing, so that they are felt before they are seen.
@@ -659,7 +684,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   bool isNew = device->UpdateState();
   if (!device->IsRunning())
   {
-    return isSecondNew;
+    return false;
   }
   if (this->ShownTimeSteps.Show(device))
   {
@@ -697,7 +722,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   this->CheckShownVolumes();
   // An observer of the events may have ended the event loop.
   this->Window.Look();
-  return isNew || isSecondNew;
+  return isNew;
 }
 
 //------------------------------------------------------------------------------
@@ -709,7 +734,8 @@ void HapticInteraction::UpdateVolumes()
     return;
   }
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
-  if (this->Touch.IsOn() || device->IsArmOrdered() || this->Second.IsArmOrdered())
+  const bool isArmOrdered = device && device->IsArmOrdered();
+  if (this->Touch.IsOn() || isArmOrdered || this->Second.IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
     // hiding a volume is no emergency, so let the force fade instead of cutting it off
@@ -717,7 +743,7 @@ void HapticInteraction::UpdateVolumes()
     return;
   }
   // Choose another volume only after the fade, because its surface could push the hand.
-  if (this->Scene.Device == device && !this->Scene.IsArmed())
+  if (device && this->Scene.Device == device && !this->Scene.IsArmed())
   {
     this->Touched.FeelShown();
   }

@@ -35,6 +35,7 @@
 
 class vtkCallbackCommand;
 class vtkObject;
+class vtkRenderer;
 
 namespace VolumeHaptics
 {
@@ -162,6 +163,7 @@ private:
   /** Homes the real devices that wait for it. If none does, homes all of them. */
   void HomeDevices();
   bool Update(vtkInteractorStyleHaptic* style);
+  bool UpdateFirst(vtkInteractorStyleHaptic* style, vtkRenderer* renderer);
   /**
    * Makes the filters feel what the touched volumes show, and lets go of volumes that are no longer
    * shown.
@@ -192,8 +194,8 @@ private:
   bool ListHasMouse = false; ///< whether a click on the list of modes is under way
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes long work of the device and the editor
-  /// the device whose force is off while the editor counts
-  vtkSmartPointer<vtkHapticDevice> DeviceAtRest;
+  /// the devices whose force is off while the editor counts
+  std::vector<vtkSmartPointer<vtkHapticDevice>> DevicesAtRest;
 };
 
 } // namespace VolumeHaptics

@@ -54,16 +54,27 @@ bool SecondHand::Update(vtkRenderer* renderer)
   {
     return false;
   }
-  if (device->IsArmOrdered() && this->First.Device &&
-    this->First.Device->GetPlayback()->HasTimeSteps())
+  const vtkSmartPointer<vtkHapticDevice> first = this->First.Device;
+  const bool isSame = first && first->GetVolumeHaptics() == device->GetVolumeHaptics();
+  const bool isMoving =
+    device->GetPlayback()->HasTimeSteps() || (isSame && first->GetPlayback()->HasTimeSteps());
+  if (device->IsArmOrdered() && isMoving)
   {
     vtkWarningWithObjectMacro(this->Scene.Style,
       "The second hand feels nothing while the volume moves, because its time would not be that of "
       "the picture. Touch a moving volume with one device.");
     this->FadeOut();
   }
+  if (this->Scene.Device != device)
+  {
+    return false;
+  }
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Update(renderer);
+  if (this->Scene.Device != device)
+  {
+    return false;
+  }
   this->Publisher.Update(isPlaced);
   const bool isNew = device->UpdateState();
   this->Workspace.KeepClutch();

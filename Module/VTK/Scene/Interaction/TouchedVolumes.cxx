@@ -185,7 +185,8 @@ void TouchedVolumes::CopySettings()
   vtkVolumeHapticsFilter* const first = this->FilterOf(this->All.front());
   const vtkMTimeType time = first ? first->GetMTime() : 0;
   const auto isAlike = [](const Entry& entry) { return entry.IsAlike; };
-  if (time == this->CopiedTime || std::none_of(this->All.begin(), this->All.end(), isAlike))
+  if (!first || time == this->CopiedTime ||
+    std::none_of(this->All.begin(), this->All.end(), isAlike))
   {
     return;
   }
@@ -244,10 +245,17 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   return true;
 }
 
+vtkVolumeHapticsFilter* TouchedVolumes::GetFeltFilter() const
+{
+  const TouchedScene* const second = this->Scene.Second;
+  vtkHapticDevice* const device =
+    this->Scene.Device || !second ? this->Scene.Device : second->Device;
+  return device ? device->GetVolumeHaptics() : nullptr;
+}
+
 const TouchedVolumes::Entry* TouchedVolumes::FindFelt() const
 {
-  vtkVolumeHapticsFilter* const felt =
-    this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
+  vtkVolumeHapticsFilter* const felt = this->GetFeltFilter();
   for (const Entry& entry : this->All)
   {
     if (!entry.Filter || entry.Filter == felt)
@@ -288,7 +296,7 @@ std::vector<CarvedArray> TouchedVolumes::CollectCarved() const
 void TouchedVolumes::Update()
 {
   this->Scene.Hidden.clear();
-  if (!this->Scene.Device || this->All.empty())
+  if (this->All.empty())
   {
     return;
   }

@@ -95,9 +95,11 @@ private:
   Press ComputePress() const;
   /** Makes this filter the device's filter. */
   void Feel(vtkVolumeHapticsFilter* filter);
+  /** Returns the filter of the device, or if there is none, of the second hand's device. */
+  vtkVolumeHapticsFilter* GetFeltFilter() const;
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
   {
-    return entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
+    return entry.Filter ? entry.Filter.Get() : this->GetFeltFilter();
   }
 
   TouchedScene& Scene;

@@ -300,6 +300,10 @@ struct vtkHapticWidget::vtkInternals
   void SetDevice(vtkHapticDevice* device)
   {
     this->Leave();
+    if (device == this->Style->GetSecondDevice())
+    {
+      this->SetSecondDevice(nullptr);
+    }
     this->Device = device;
     device->SetVolumeHaptics(this->Filter);
     this->Style->SetDevice(device);
@@ -313,6 +317,7 @@ struct vtkHapticWidget::vtkInternals
     if (this->Renderer)
     {
       this->Renderer->RemoveViewProp(this->SecondHand);
+      TellPass(this->Renderer);
     }
     this->Style->SetSecondDevice(device);
     this->SecondHand->SetDevice(device);
@@ -675,12 +680,19 @@ vtkHapticDevice* vtkHapticWidget::GetDevice()
 void vtkHapticWidget::SetSecondDevice(vtkHapticDevice* device)
 {
   auto& d = *this->Internals;
+  if (device && device == this->GetDevice())
+  {
+    d.Style->SetSecondDevice(device); // reports the error
+    return;
+  }
   if (this->GetSecondDevice() != device)
   {
     d.SetSecondDevice(device);
-    if (this->Enabled)
+    // Leave the first hand where it is: it may touch, and the pointer may be elsewhere.
+    if (this->Enabled && d.Renderer)
     {
-      this->Prepare(false);
+      d.Show(d.Renderer, 0.0);
+      d.Start();
     }
     this->Modified();
   }
@@ -706,6 +718,11 @@ void vtkHapticWidget::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
   {
     const bool wasOn = this->Enabled != 0;
     this->Off();
+    vtkHapticDevice* const second = this->GetSecondDevice();
+    if (second && second->GetVolumeHaptics() == d.Filter)
+    {
+      second->SetVolumeHaptics(filter);
+    }
     d.Filter = filter;
     d.IsInputOurs = false;
     d.Device->SetVolumeHaptics(filter);
