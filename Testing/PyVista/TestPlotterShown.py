@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 import pytest
 import pyvista as pv
+import volumehaptics
 from volumehaptics.pyvista import add_haptics
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
@@ -223,6 +224,18 @@ def test_what_nobody_sees_is_refused(scene):
     assert error
     plotter.add_actor(actor)
     assert add_haptics(plotter, actor).device.IsRunning()
+
+
+def test_the_second_hand_lets_go_of_what_nobody_sees(scene):
+    plotter, _, actor = scene
+    second = volumehaptics.vtkHapticDevice()
+    assert second.Open("virtual")
+    with add_haptics(plotter, actor, device=["virtual", second]) as haptics:
+        second.Arm()
+        actor.VisibilityOff()
+        with pytest.warns(UserWarning, match="taken out of the plotter"):
+            haptics.style.Modified()
+        assert not second.IsArmOrdered()
 
 
 def test_multi_volumes_are_touched(scene):

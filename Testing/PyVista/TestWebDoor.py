@@ -19,6 +19,7 @@ import warnings
 from pathlib import Path
 
 import pytest
+import volumehaptics
 
 web = pytest.importorskip("volumehaptics.web", reason="needs trame: pip install trame trame-vuetify trame-rca")
 import aiohttp  # noqa: E402
@@ -360,18 +361,23 @@ def test_a_page_that_takes_nothing_stops_no_other(window, hands, monkeypatch):
     serving(haptics, steps)
 
 
-def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch):
+@pytest.mark.parametrize("is_second", (False, True))
+def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch, is_second):
     """Without the touch mode, as with a device in the hand of the server's user."""
     monkeypatch.setattr(_webview, "SILENCE", 1.5)
-    haptics = hands().haptics
+    second = volumehaptics.vtkHapticDevice()
+    assert second.Open("virtual")
+    haptics = hands(device=["virtual", second]).haptics
+    device = second if is_second else haptics.device
 
     async def steps(view, connect):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
         await first.act("MouseMove", x=10, y=10, w=200, h=200)
-        haptics.device.Arm()  # by the program, for that user
-        assert haptics.device.IsArmOrdered() and not haptics.style.GetTouchMode()
+        device.Arm()  # by the program, for that user
+        assert device.IsArmOrdered() and not haptics.style.GetTouchMode()
         first.answers = False
-        await wait(lambda: not haptics.device.IsArmOrdered(), "force stays on")
+        await wait(lambda: not device.IsArmOrdered(), "force stays on")
+        assert device.GetAttentionTime() == 1.5
         assert second.closed_with is None
 
     serving(haptics, steps)

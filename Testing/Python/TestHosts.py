@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy
 import pytest
 import volumehaptics
+from volumehaptics import _hosts
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
@@ -142,7 +143,11 @@ def test_a_device_of_the_program_stays_open(program):
     assert device.IsOpen()
 
 
-def test_two_hands_on_one_volume(program):
+def test_two_hands_on_one_volume(program, monkeypatch):
+    attention = []
+    open_one = _hosts.Haptics._open
+    monkeypatch.setattr(_hosts.Haptics, "_open", lambda haptics, wanted, own: attention.append(own.GetAttentionTime())
+                        or open_one(haptics, wanted, own))
     first, second = volumehaptics.vtkHapticDevice(), volumehaptics.vtkHapticDevice()
     assert first.Open("virtual") and second.Open("virtual")
     with volumehaptics.add_haptics(program.interactor, device=[first, second]) as haptics:
@@ -152,6 +157,11 @@ def test_two_hands_on_one_volume(program):
         assert program.press(haptics) > 0.3
         haptics.style.UpdateHaptics()
         assert "Second hand: " in haptics.head_up_display.GetText()
+        haptics.style.FadeOut()
+        assert not haptics._holds
+        second.Arm()
+        assert haptics._holds
+    assert attention == [10.0, 10.0]  # of devices that are opened by their ids, as of the widget's own
     assert second.IsOpen() and not second.IsRunning()
     for wrong, words in ((["virtual"], "give one, or "), (["falcon", "virtual"], r'device=\["virtual", the real one\]')):
         with pytest.raises(ValueError, match=words):
@@ -160,6 +170,9 @@ def test_two_hands_on_one_volume(program):
         assert second.IsRunning()
     with pytest.raises(RuntimeError, match="nonsense"):
         volumehaptics.add_haptics(program.interactor, device=["virtual", "nonsense"])
+    with pytest.raises(ValueError, match="which has one tip"):
+        volumehaptics.add_haptics(program.interactor, device=[first, first])
+    assert first.GetUseTool()
 
 
 def test_what_leads_to_no_window_is_told_with_the_cure(program):

@@ -62,6 +62,16 @@ class Haptics:
         self._owned = [self.device]  # the devices that close() closes
         self.closed = False
 
+    @property
+    def _devices(self) -> list[vtkHapticDevice]:
+        """The device in each hand."""
+        return [self.device] + ([] if self.second_device is None else [self.second_device])
+
+    @property
+    def _holds(self) -> bool:
+        """Whether there may be force now or soon."""
+        return self.style.GetTouchMode() or any(device.IsArmOrdered() for device in self._devices)
+
     def update(self) -> bool:
         """Does one step of the window's timer, for programs whose loop has none. Returns whether there is something new
         to draw."""
@@ -80,10 +90,10 @@ class Haptics:
                     interactor.RemoveObservers("DestroyTimerEvent")
             self._leave_widget = None
         self.widget.SetInteractor(None)
-        for device in filter(None, (self.device, self.second_device)):
+        for device in self._devices:
             device.Stop()
-            if device in self._owned:
-                device.Close()
+        for device in self._owned:
+            device.Close()
 
     def __del__(self) -> None:
         self.close()
@@ -103,14 +113,16 @@ class Haptics:
             first, second = wanted
             if second == "virtual":
                 raise ValueError("the mouse leads the first hand. Cure: device=[\"virtual\", the real one]")
+            own = vtkHapticDevice()
+            own.SetAttentionTime(self.device.GetAttentionTime())  # before another device takes this one's place
             self._choose_device(first)
-            device = self._open(second, vtkHapticDevice())
-            device.UseToolOff()  # the first hand holds the tool
-            device.SetVolumeHaptics(self.filter)
+            device = self._open(second, own)
             with Errors(self.style) as errors:
                 self.widget.SetSecondDevice(device)
             if errors:
                 raise ValueError("; ".join(errors))
+            device.UseToolOff()  # the first hand holds the tool
+            device.SetVolumeHaptics(self.filter)
             self.second_device = device
         elif wanted is not None:
             device = self._open(wanted, self.device)

@@ -148,7 +148,7 @@ class Haptics(HostHaptics):
 
     def _refuse(self) -> None:
         """Prevents touching a volume that is invisible or not in the scene."""
-        if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
+        if self._count_missing() and self._holds:
             self.style.FadeOut()
             warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
                           "VisibilityOn() of the actor, or close() of what add_haptics() has returned, and add_haptics() "

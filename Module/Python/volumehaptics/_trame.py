@@ -52,8 +52,7 @@ def drive(view: Any, haptics: Any) -> None:
         drawn = 0.0
         while (haptics := itself()) is not None and not haptics.closed:
             is_new = haptics.update()
-            is_felt = haptics.style.GetTouchMode() or haptics.device.IsArmOrdered()
-            if is_new and is_felt and time.monotonic() - drawn > 1.0 / PICTURES:
+            if is_new and haptics._holds and time.monotonic() - drawn > 1.0 / PICTURES:
                 view.update()
                 drawn = time.monotonic()
             pause = 1.0 / haptics.style.GetDisplayRate()

@@ -135,7 +135,8 @@ class View:
         haptics.style.AutoAdjustOffScreenOn()
         # Browsers open their own help by F1, too.
         haptics.style.SetKey("Help", " ".join(key for key in haptics.style.GetKey("Help").split() if key != "F1"))
-        haptics.device.SetAttentionTime(SILENCE)  # if the server stands still, the force fades
+        for device in haptics._devices:
+            device.SetAttentionTime(SILENCE)  # if the server stands still, the force fades
         self.ui = self._make_page()
         controller = server.controller
         self._door.on_leave.append(self._leave_with)
@@ -150,10 +151,6 @@ class View:
 
     # -- leading the hand --
 
-    def _holds(self) -> bool:
-        """Whether there may be force now or soon."""
-        return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
-
     def _may_lead(self, page: str | None) -> bool:
         """Whether a page may lead the hand, because no other page does. `page` None stands for the program, which
         always may."""
@@ -161,7 +158,7 @@ class View:
 
     def _lead(self, page: str | None) -> None:
         """Makes a page the leader after its action, if the hand touches now and no other page leads."""
-        if not self._holds():
+        if not self.haptics._holds:
             self.leader = None
         elif self.leader is None and page is not None:
             self.leader = page
@@ -415,7 +412,7 @@ class View:
                 ticks, asked, number = now, start, number + 1
                 self._ask(number)
                 self._follow()
-            if not self._holds():
+            if not self.haptics._holds:
                 self.leader = None
             elif (self.leader or haptics.style.GetTouchMode()) and start - self._answered > SILENCE:
                 self._leave()
